@@ -6,13 +6,15 @@ use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Re
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    sine, square, sum,
+    signed, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
-use crate::solution::terms::{Action, ForceKind, ForceSource, Pivot, PivotSpring, Terms, mark_of, tagged};
+use crate::solution::terms::{
+    Action, BodyTerms, ForceKind, ForceSource, Pivot, PivotSpring, Terms, mark_of, tagged,
+};
 use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
@@ -87,6 +89,46 @@ pub struct Account<'d, 'a> {
     solving: Vec<usize>,
 }
 
+/// The symbols of a quantity that is not among the terms; the first that is free is taken.
+const fn names_of(quantity: Quantity) -> [&'static str; 2] {
+    match quantity {
+        Quantity::V => ["v_G", "u_G"],
+        Quantity::Omega => [r"\omega", r"\omega_2"],
+        Quantity::T => ["t", "t_2"],
+        Quantity::Displacement => [r"\Delta x", r"\Delta x_G"],
+        Quantity::Distance => ["d", "D"],
+        Quantity::Rise => ["h", "y"],
+        Quantity::Phi => [r"\varphi", r"\psi"],
+        Quantity::CordTravel => [r"\ell", "L"],
+        Quantity::SlipDistance => [r"\delta", r"\Delta"],
+        Quantity::AngularMomentum => ["L", r"\Lambda"],
+        Quantity::Impulse => ["J", "S"],
+        Quantity::Work => ["W", "A_{W}"],
+        Quantity::WorkPull => ["W", "A"],
+        Quantity::PowerPull => [r"\dot{W}", r"\dot{A}"],
+        Quantity::WorkCouple => ["W_{M}", "A_{M}"],
+        Quantity::PowerCouple => [r"\dot{W}_{M}", r"\dot{A}_{M}"],
+        Quantity::Heat => ["Q", r"Q_{\mathrm{th}}"],
+        Quantity::KineticEnergy => ["E_{k}", r"E_{\mathrm{kin}}"],
+        Quantity::RotationalFraction => [r"\eta", r"\beta"],
+        Quantity::MuRequired => [r"\mu_{\mathrm{min}}", r"\mu_{\mathrm{m}}"],
+        Quantity::KBound => ["k_{0}", "k_{1}"],
+        Quantity::XEq => [r"x_{\mathrm{eq}}", "x_{0}"],
+        Quantity::VMax => [r"v_{\mathrm{max}}", "v_{m}"],
+        Quantity::DAtVMax => ["D_{v}", "d_{v}"],
+        Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
+        Quantity::OmegaMax => [r"\omega_{\mathrm{max}}", r"\omega_{m}"],
+        Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
+        Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
+        Quantity::Period => [r"\tau", r"\tau_1"],
+        Quantity::PinForce => ["F_O", "O"],
+        Quantity::PinX => ["O_x", "X_O"],
+        Quantity::PinY => ["O_y", "Y_O"],
+        Quantity::PinAngle => [r"\psi_O", r"\chi_O"],
+        _ => ["Z", "Y"],
+    }
+}
+
 /// A body's label.
 pub const fn of_body(quantity: Quantity, body: usize) -> Label {
     Label { quantity, of: Owner::Body(body) }
@@ -119,6 +161,28 @@ const fn along(body: usize) -> Coordinate {
 const fn turn(body: usize) -> Coordinate {
     Coordinate { body, degree: Degree::Turn }
 }
+
+/// The coordinate that a quantity of a body is of: its line or its turn.
+const fn coordinate(quantity: Quantity, body: usize) -> Coordinate {
+    match quantity {
+        Quantity::A | Quantity::V | Quantity::Displacement | Quantity::Distance => along(body),
+        _ => turn(body),
+    }
+}
+
+/// What is 0 where nothing moves.
+const STILL: [Quantity; 7] = [
+    Quantity::V,
+    Quantity::Omega,
+    Quantity::KineticEnergy,
+    Quantity::VMax,
+    Quantity::DAtVMax,
+    Quantity::DTurn,
+    Quantity::AngularMomentum,
+];
+
+/// What may have a symbol before it is asked.
+const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Quantity::T];
 
 fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
@@ -258,7 +322,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance that the lead goes, a magnitude.
     pub fn distance(&self) -> Expr {
-        in_sense(self.s.clone(), self.value(&self.s))
+        self.positive(&self.s)
     }
 
     /// The lead.
@@ -301,7 +365,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some(thrown) = self.scene.thrown().filter(|_| self.scene.end != End::AtOnce) {
             let c = self.number(thrown.radius_m, "R", "m");
             let spin = self.number(thrown.spin_rad_s, r"\omega_0", "rad/s");
-            let slip = positive_first(vec![&self.v0 - c * spin]);
+            let slip = positive_first([&self.v0 - c * spin]);
             self.slip = Some(self.page.find(&["u_0", "w_0"], "m/s", slip));
         }
         self.rub();
@@ -313,7 +377,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.together()?;
         }
         let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
-        self.drive = positive_first(all.into_iter().map(|(_, e)| e).collect());
+        self.drive = positive_first(all.into_iter().map(|(_, e)| e));
         let lead = self.lead();
         let mut push = self.value(&self.drive);
         if let Some(s) = &self.spring {
@@ -505,8 +569,11 @@ impl<'d, 'a> Account<'d, 'a> {
         size
     }
 
-    fn new_found(&mut self, label: Label, names: &[&str], unit: &str, from: Expr) -> SymbolId {
-        let tex = self.free(names);
+    /// A quantity that is not among the terms.
+    fn new_found(&mut self, label: Label, from: Expr) -> SymbolId {
+        let tag = self.tag_of(label);
+        let names = names_of(label.quantity).map(|name| tagged(name, &tag));
+        let tex = self.free(&[&names[0], &names[1]]);
         let mut mark = String::new();
         if self.symbols.named(&tex).is_some() {
             // Another body or cord bears it already.
@@ -517,8 +584,25 @@ impl<'d, 'a> Account<'d, 'a> {
             };
         }
         let tex = if mark.is_empty() { tex } else { marked(&tex, &mark) };
-        let symbol = self.new_symbol(&[&tex], unit);
+        let symbol = self.new_symbol(&[&tex], label.quantity.unit());
         self.found(label, symbol, from)
+    }
+
+    /// What tells a quantity of one body or cord from that of another, where several have it.
+    fn tag_of(&self, label: Label) -> String {
+        let has = |p: &&BodyTerms| match label.quantity {
+            Quantity::Phi | Quantity::AngularMomentum => p.alpha.is_some(),
+            Quantity::Distance | Quantity::Impulse | Quantity::Rise => p.a.is_some(),
+            _ => false,
+        };
+        let pulled =
+            |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
+        match (label.of, label.quantity) {
+            (Owner::Body(b), _) if self.m.parts.iter().filter(has).count() > 1 => self.m.parts[b].tag.clone(),
+            (Owner::Tie(t), _) if self.scene.ties.iter().filter(pulled).count() > 1 => (t + 1).to_string(),
+            (_, Quantity::WorkPull | Quantity::PowerPull) => "P".to_owned(),
+            _ => String::new(),
+        }
     }
 
     fn length(&mut self, num: Num) -> Expr {
@@ -569,7 +653,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     _ => d,
                 };
                 let push = if self.m.one { self.drive.clone() } else { a.into() };
-                let push = positive_first(vec![in_sense(push, self.value(&self.s))]);
+                let push = positive_first([in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
                 let gained = if self.m.one { twice.over(&self.effective) } else { twice.expr() };
                 let before = if self.v0 == ZERO { ZERO } else { square(self.v0.clone()) };
@@ -581,7 +665,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let t = self.number(t, "t", "s");
                 accelerated(self);
                 let end = &self.v0 + a * &t;
-                let end = in_sense(end.clone(), self.value(&end));
+                let end = self.positive(&end);
                 self.found(v_label, v, end);
                 self.v = v.into();
                 self.new_way(&self.v0.clone() * &t + ratio(1, 2) * a * square(&t));
@@ -605,7 +689,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 accelerated(self);
             }
             End::AtOnce | End::Angle(..) | End::Rolling(_) => {
-                let size = in_sense(self.v0.clone(), self.value(&self.v0));
+                let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
                 if self.spring.is_none() && self.m.pivot.is_none() {
@@ -637,7 +721,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let works = self.works_on(&pivot, &angle, turned, &stretches);
         self.square = square(&self.v0) + number(2) * sum(works) / pivot.about;
         let row = self.row(self.lead()).into_iter().map(|(_, e)| e);
-        self.drive = positive_first(row.collect());
+        self.drive = positive_first(row);
         if let Some(spring) = &pivot.spring {
             let law = spring.law(up, &angle, &spring.length(up, &angle));
             let put = |e: Expr, (symbol, is): (&SymbolId, &Expr)| e.put(*symbol, is);
@@ -723,7 +807,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let twice = self.works.iter().map(|w| w.by(number(2)));
         let gained = match self.works.as_slice() {
             [one] => one.by(number(2)).over(pivot.about),
-            _ => positive_first(twice.collect()) / pivot.about,
+            _ => positive_first(twice) / pivot.about,
         };
         let still = matches!(self.scene.end, End::TurningPoint(_));
         let from = if still { ZERO } else { root(square(&self.v0) + gained) };
@@ -755,7 +839,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
     /// cosine takes away.
-    fn time_on(&mut self, pivot: &Pivot, label: Label) -> SymbolId {
+    fn time_on(&mut self, pivot: &Pivot) -> Expr {
         let (first, last) = (self.value(&pivot.first), self.value(&self.last));
         let (half, pieces, square) = (0.5 * (last - first).abs(), 40, self.square.clone());
         let step = std::f64::consts::PI / f64::from(pieces);
@@ -771,88 +855,69 @@ impl<'d, 'a> Account<'d, 'a> {
         let time = step * (0..pieces).map(&mut piece).sum::<f64>();
         let t = self.new_symbol(&["t", "t_1"], "s");
         self.symbols.settle(t, time, 0.0);
-        self.found(label, t, t.into())
+        self.step(t, t.into());
+        t.into()
     }
 
-    /// A quantity that only a body on a pin has, or has in its own way.
-    fn of_pivot(&mut self, pivot: &Pivot, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
+    /// What a quantity is of a body on a pin that no other body has, or has in another way.
+    fn of_pivot(&mut self, pivot: &Pivot, quantity: Quantity) -> Result<Option<Expr>, DerivationStop> {
         let body = self.lead().body;
-        let at_end = |this: &Self, e: &Expr| e.put(pivot.angle, &this.last);
         let mh = self.m.parts[body].mass.times(&pivot.h);
         let mgh = self.m.parts[body].mass.times(&self.m.g).times(&pivot.h);
-        let pin = |this: &mut Self, quantity| this.get(of_body(quantity, body));
-        let (names, unit, from): ([&str; 2], &str, Expr) = match label.quantity {
+        let of = |this: &mut Self, quantity| this.get(of_body(quantity, body));
+        let pulls = [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential].contains(&quantity);
+        if pulls && pivot.spring.is_some() {
+            of(self, Quantity::SpringForce)?;
+        }
+        let beside = self.m.beside_the_pin(pivot).map(|e| e.put(pivot.angle, &self.last));
+        let [toward, aside] = beside;
+        Ok(Some(match quantity {
             Quantity::SpringForce => {
                 let Some(spring) = &pivot.spring else { return beyond(Beyond::Unfound) };
                 let length = self.last_length(pivot, spring);
                 let [pull, out, side] = spring.law(pivot.up, &self.last, &length.into());
-                self.found(label, spring.force[0], pull);
+                self.step(spring.force[0], pull.clone());
                 self.step(spring.force[2], side);
                 self.step(spring.force[1], out);
-                return Ok(Some(spring.force[0]));
+                self.known.push((of_body(quantity, body), spring.force[0]));
+                pull
             }
             Quantity::Alpha => {
-                if pivot.spring.is_some() {
-                    pin(self, Quantity::SpringForce)?;
-                }
-                let row = self.row(self.lead()).into_iter().map(|(_, e)| at_end(self, &e));
-                let from = positive_first(row.filter(|e| *e != ZERO).collect()).over(pivot.about);
-                let Some(alpha) = self.m.acceleration(self.lead()) else { return beyond(Beyond::Unfound) };
-                return Ok(Some(self.found(label, alpha, from)));
+                let row = self.row(self.lead()).into_iter().map(|(_, e)| e.put(pivot.angle, &self.last));
+                positive_first(row.filter(|e| *e != ZERO)).over(pivot.about)
             }
-            Quantity::PinRadial | Quantity::PinTangential => {
-                let radial = label.quantity == Quantity::PinRadial;
-                let (symbol, rate, i) = match radial {
-                    true => (pivot.radial, Expr::from(pin(self, Quantity::Omega)?), 0),
-                    false => (pivot.across, pin(self, Quantity::Alpha)?.into(), 1),
-                };
-                if pivot.spring.is_some() {
-                    pin(self, Quantity::SpringForce)?;
-                }
-                let beside = at_end(self, &self.m.beside_the_pin(pivot)[i]);
-                let gain = mh.by(if radial { square(rate) } else { rate });
-                return Ok(Some(self.found(label, symbol, positive_first(vec![gain - beside]))));
-            }
+            Quantity::PinRadial => positive_first([mh.by(square(of(self, Quantity::Omega)?)) - toward]),
+            Quantity::PinTangential => positive_first([mh.by(of(self, Quantity::Alpha)?) - aside]),
             Quantity::PinForce | Quantity::PinX | Quantity::PinY => {
-                let (r, s) = (pin(self, Quantity::PinRadial)?, pin(self, Quantity::PinTangential)?);
+                let (r, s) = (of(self, Quantity::PinRadial)?, of(self, Quantity::PinTangential)?);
                 let (sin, cos) = (sine(&self.last), cosine(&self.last));
-                match label.quantity {
-                    Quantity::PinForce => (["F_O", "O"], "N", root(square(r) + square(s))),
-                    Quantity::PinX => (["O_x", "X_O"], "N", positive_first(vec![s * cos - r * sin])),
-                    _ if pivot.up => (["O_y", "Y_O"], "N", positive_first(vec![-(r * cos) - s * sin])),
-                    _ => (["O_y", "Y_O"], "N", r * cos + s * sin),
+                match quantity {
+                    Quantity::PinForce => root(square(r) + square(s)),
+                    Quantity::PinX => positive_first([s * cos - r * sin]),
+                    _ => positive_first([signed(r * cos, !pivot.up), signed(s * sin, !pivot.up)]),
                 }
             }
             Quantity::PinAngle => {
-                let (x, y) = (pin(self, Quantity::PinX)?, pin(self, Quantity::PinY)?);
+                let (x, y) = (of(self, Quantity::PinX)?, of(self, Quantity::PinY)?);
                 let angle = arc_cosine(x / root(square(x) + square(y)));
-                ([r"\psi_O", r"\chi_O"], "rad", in_sense(angle, self.symbols.value(y)))
+                in_sense(angle, self.symbols.value(y))
             }
-            Quantity::V => (["v_G", "u_G"], "m/s", pivot.h.by(pin(self, Quantity::Omega)?)),
-            Quantity::RotationalFraction => ([r"\zeta", r"\zeta_r"], "1", pivot.own.over(pivot.about)),
-            Quantity::Rise => {
-                let sinking = pivot.sinking(&pivot.first, &self.last);
-                ([r"\Delta z", r"\Delta z_G"], "m", -pivot.h.by(sinking))
-            }
+            Quantity::V => pivot.h.by(of(self, Quantity::Omega)?),
+            Quantity::RotationalFraction => pivot.own.over(pivot.about),
+            Quantity::Rise => -pivot.h.by(pivot.sinking(&pivot.first, &self.last)),
             Quantity::OmegaMax => {
                 let above = if pivot.up { ONE + cosine(&pivot.first) } else { ONE - cosine(&pivot.first) };
-                let fall = mgh.times(number(2)).by(above).over(pivot.about);
-                ([r"\omega_{\mathrm{max}}", r"\omega_m"], "rad/s", root(square(&self.v0) + fall))
+                root(square(&self.v0) + mgh.times(number(2)).by(above).over(pivot.about))
             }
-            Quantity::OmegaSmall => ([r"\Omega", r"\omega_s"], "rad/s", root(mgh.expr() / pivot.about)),
-            Quantity::PeriodSmall => {
-                let turn = number(2) * self.draft.pi();
-                let frequency = self.get(of_body(Quantity::OmegaSmall, body))?;
-                ([r"\tau_0", r"\tau_s"], "s", turn / frequency)
-            }
-            Quantity::T if self.scene.end != End::AtOnce => return Ok(Some(self.time_on(pivot, label))),
+            Quantity::OmegaSmall => root(mgh.expr() / pivot.about),
+            Quantity::PeriodSmall => number(2) * self.draft.pi() / of(self, Quantity::OmegaSmall)?,
+            Quantity::T if self.scene.end != End::AtOnce => self.time_on(pivot),
             Quantity::WorkCouple | Quantity::Phi => {
                 self.s = self.turned(pivot).into();
                 return Ok(None);
             }
             _ => return Ok(None),
-        };
-        Ok(Some(self.new_found(label, &names, unit, from)))
+        }))
     }
 
     /// The stretch at which a spring balances a force on the lead.
@@ -893,7 +958,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let rest = self.middle(spring)?;
         let off = &spring.stretch - rest;
         let amplitude = if self.v0 == ZERO {
-            in_sense(off.clone(), self.value(&off))
+            self.positive(&off)
         } else {
             root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
         };
@@ -950,7 +1015,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     None => {
                         let [frequency, rest, amplitude] = self.swing(&spring)?;
                         let begin = self.phase(&spring, &spring.stretch.clone())?;
-                        let turned = positive_first(vec![&frequency * t + begin]);
+                        let turned = positive_first([&frequency * t + begin]);
                         last = Some(rest - in_sense(amplitude * cosine(turned), grows));
                     }
                 }
@@ -973,7 +1038,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let squares =
             if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
-        let twice = positive_first(vec![&spring.stiffness * squares, others]);
+        let twice = positive_first([&spring.stiffness * squares, others]);
         let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
         match self.scene.end {
             End::TurningPoint(_) => {
@@ -991,7 +1056,7 @@ impl<'d, 'a> Account<'d, 'a> {
         self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
         let pull = spring.tension.by(&spring.gamma);
-        let now = positive_first(vec![pull, self.drive.clone()]);
+        let now = positive_first([pull, self.drive.clone()]);
         self.found(a_label, a, now / &self.effective);
         Ok(())
     }
@@ -1003,7 +1068,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let [_, rest, amplitude] = self.swing(spring)?;
         let grows = self.stretching(spring);
-        Ok(arc_cosine(positive_first(vec![in_sense(stretch - rest, -grows)]) / amplitude))
+        Ok(arc_cosine(positive_first([in_sense(stretch - rest, -grows)]) / amplitude))
     }
 
     /// When the cord of the spring goes slack, and how fast the lead is then; `None` where it does not.
@@ -1022,32 +1087,27 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// Time of a motion on a spring, by the angle of its swing.
-    fn time_on_spring(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn time_on_spring(&mut self) -> Result<Expr, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let last = self.last.clone();
-        let time = if last == ZERO
+        if last == ZERO
             && !spring.rigid
             && let Some((time, speed)) = self.slackened(&spring)?
         {
             let way = spring.stretch.over(&spring.gamma);
-            let left = if self.drive == ZERO {
-                (&self.s - way) / in_sense(speed, self.sense)
-            } else {
-                let gain = in_sense(self.v.clone() - speed, self.sense);
-                gain.by(&self.effective).over(&self.drive)
-            };
-            time + left
-        } else {
-            let [frequency, ..] = self.swing(&spring)?;
-            let begin = self.phase(&spring, &spring.stretch.clone())?;
-            let end = if matches!(self.scene.end, End::TurningPoint(_)) {
-                self.draft.pi().into()
-            } else {
-                self.phase(&spring, &last)?
-            };
-            (end - begin) / frequency
+            if self.drive == ZERO {
+                return Ok(time + (&self.s - way) / in_sense(speed, self.sense));
+            }
+            let gain = in_sense(self.v.clone() - speed, self.sense);
+            return Ok(time + gain.by(&self.effective).over(&self.drive));
+        }
+        let [frequency, ..] = self.swing(&spring)?;
+        let begin = self.phase(&spring, &spring.stretch.clone())?;
+        let end = match self.scene.end {
+            End::TurningPoint(_) => self.draft.pi().into(),
+            _ => self.phase(&spring, &last)?,
         };
-        Ok(self.new_found(label, &["t", "t_2"], "s", time))
+        Ok((end - begin) / frequency)
     }
 
     /// The label of the lead: this for a line, that for a turn.
@@ -1124,7 +1184,7 @@ impl<'d, 'a> Account<'d, 'a> {
         // Term by term: no fraction in a fraction.
         let over = rest.into_iter().filter(|term| *term != ZERO);
         let terms = over.map(|term| in_sense(term, sense).over(&lever));
-        Ok(positive_first(terms.collect()))
+        Ok(positive_first(terms))
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1151,172 +1211,133 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Body(b) => b,
             _ => self.lead().body,
         };
-        let still = [
-            (Quantity::V, "m/s"),
-            (Quantity::Omega, "rad/s"),
-            (Quantity::KineticEnergy, "J"),
-            (Quantity::VMax, "m/s"),
-            (Quantity::DAtVMax, "m"),
-            (Quantity::DTurn, "m"),
-            (Quantity::AngularMomentum, "kg m^2/s"),
-        ];
-        if let (true, Some((_, unit))) = (self.stays(), still.iter().find(|(q, _)| *q == label.quantity)) {
-            let names = match label.quantity {
-                Quantity::V => ["v"],
-                Quantity::Omega => [r"\omega"],
-                Quantity::KineticEnergy => ["E_{k}"],
-                Quantity::VMax => [r"v_{\mathrm{max}}"],
-                Quantity::DAtVMax => ["D_{v}"],
-                Quantity::DTurn => [r"D_{\mathrm{t}}"],
-                _ => ["L"],
-            };
-            return Ok(self.new_found(label, &names, unit, ZERO));
-        }
-        if let Some(pivot) = self.m.pivot.clone()
-            && let Some(symbol) = self.of_pivot(&pivot, label)?
-        {
-            return Ok(symbol);
-        }
-        let c = if label.quantity == Quantity::Displacement || label.quantity == Quantity::Distance {
-            along(body)
-        } else {
-            turn(body)
-        };
-        match label.quantity {
-            Quantity::A | Quantity::Alpha => self.acceleration(label, body),
-            Quantity::V | Quantity::Omega => self.speed(label, body),
-            Quantity::Phi => self.angle(body, label),
-            Quantity::Displacement => {
-                let from = self.signed_travel(c)?;
-                Ok(self.new_found(label, &[r"\Delta x"], "m", from))
-            }
-            Quantity::Distance => {
-                let tag = self.tag(body, |p| p.a.is_some());
-                let from = self.travel(c)?;
-                Ok(self.new_found(label, &[&tagged("d", &tag), &tagged("D", &tag)], "m", from))
-            }
-            Quantity::AngularMomentum => {
-                let tag = self.tag(body, |p| p.alpha.is_some());
-                let omega = self.get(of_body(Quantity::Omega, body))?;
-                let inertia = self.m.inertia(c);
-                let from = sum(inertia.iter().map(|i| i.by(omega)));
-                let names = [&*tagged("L", &tag), &tagged(r"\Lambda", &tag)];
-                Ok(self.new_found(label, &names, "kg m^2/s", from))
-            }
-            Quantity::Impulse => {
-                let tag = self.tag(body, |p| p.a.is_some());
-                let v = self.get(of_body(Quantity::V, body))?;
-                let v = in_sense(v.into(), self.velocity_sense(along(body)));
-                let before = self.v0.by(&self.m.parts[body].along);
-                let gain = Factors::of(&positive_first(vec![v - before]));
-                let from = self.m.parts[body].mass.by(&gain);
-                Ok(self.new_found(label, &[&tagged("J", &tag), &tagged("S", &tag)], "N s", from))
-            }
-            Quantity::Work => {
-                let from = match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
-                    true => self.drive.by(&self.s),
-                    false => self.get(of_scene(Quantity::KineticEnergy))?.into(),
-                };
-                Ok(self.new_found(label, &["W", "A_{W}"], "J", from))
-            }
-            Quantity::WorkCouple | Quantity::PowerCouple => {
-                let work = label.quantity == Quantity::WorkCouple;
-                let couples =
-                    self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
-                let moment = positive_first(couples.map(|(_, e)| e).collect());
-                let rate: Expr = match work {
-                    true => self.signed_travel(c)?,
-                    false => {
-                        let omega = self.get(of_body(Quantity::Omega, body))?;
-                        in_sense(omega.into(), self.velocity_sense(c))
-                    }
-                };
-                let from = moment.by(&rate);
-                let (name, unit) = if work { ("W_{M}", "J") } else { (r"\dot{W}_{M}", "W") };
-                Ok(self.new_found(label, &[name, &format!("{name}^{{*}}")], unit, from))
-            }
-            Quantity::FrictionIfRolled => {
-                // Found before, as if it rolled.
-                match self.draft.found_for(label) {
-                    Some(DerivedAnswer::Value(symbol)) => Ok(symbol),
-                    _ => beyond(Beyond::Unfound),
-                }
-            }
-            Quantity::Rise => {
-                let tag = self.tag(body, |p| p.a.is_some());
-                let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
-                let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
-                let from = self.signed_travel(along(body))?.by(&climb);
-                Ok(self.new_found(label, &[&tagged("h", &tag), &tagged("y", &tag)], "m", from))
-            }
-            Quantity::Friction | Quantity::Tension => self.reaction(label, body).or_else(|_| {
+        if matches!(label.quantity, Quantity::Friction | Quantity::Tension) {
+            return self.reaction(label, body).or_else(|_| {
                 self.solving.clear();
                 self.together()?;
                 let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
                 found.ok_or_else(|| Beyond::Unfound.into())
-            }),
-            Quantity::MuRequired => self.least_grip(body, label),
-            Quantity::T => self.time(label),
+            });
+        }
+        let from = self.derived(label, body)?;
+        // What belongs together was found together.
+        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
+            return Ok(*symbol);
+        }
+        let pivot = self.m.pivot.as_ref();
+        let own = match label.quantity {
+            Quantity::A | Quantity::Alpha => self.m.acceleration(coordinate(label.quantity, body)),
+            Quantity::V | Quantity::Omega => self.m.speed(coordinate(label.quantity, body)),
+            Quantity::PinRadial => pivot.map(|p| p.radial),
+            Quantity::PinTangential => pivot.map(|p| p.across),
+            _ => None,
+        };
+        match (own, &from) {
+            (Some(symbol), _) => Ok(self.found(label, symbol, from)),
+            // It has its symbol already.
+            (None, Expr::Symbol(symbol)) if SAME.contains(&label.quantity) => {
+                let symbol = *symbol;
+                self.known.push((label, symbol));
+                Ok(symbol)
+            }
+            _ => Ok(self.new_found(label, from)),
+        }
+    }
+
+    /// What a quantity is equal to.
+    fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
+        if self.stays() && STILL.contains(&label.quantity) {
+            return Ok(ZERO);
+        }
+        if let Some(pivot) = self.m.pivot.clone()
+            && let Some(from) = self.of_pivot(&pivot, label.quantity)?
+        {
+            return Ok(from);
+        }
+        let c = coordinate(label.quantity, body);
+        match label.quantity {
+            Quantity::A | Quantity::Alpha => self.acceleration(c),
+            Quantity::V | Quantity::Omega if self.own(c) => self.since_rest(c, 1),
+            Quantity::V | Quantity::Omega if self.m.speed(c).is_some() => Ok(self.over_lead(&self.v, c)),
+            Quantity::Phi | Quantity::Distance => self.travel(c),
+            Quantity::Displacement => self.signed_travel(c),
+            Quantity::AngularMomentum => {
+                let omega = self.get(of_body(Quantity::Omega, body))?;
+                Ok(sum(self.m.inertia(c).iter().map(|i| i.by(omega))))
+            }
+            Quantity::Impulse => {
+                let v = self.get(of_body(Quantity::V, body))?;
+                let v = in_sense(v.into(), self.velocity_sense(along(body)));
+                let before = self.v0.by(&self.m.parts[body].along);
+                Ok(self.m.parts[body].mass.by(positive_first([v - before])))
+            }
+            Quantity::Work => match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
+                true => Ok(self.drive.by(&self.s)),
+                false => Ok(self.get(of_scene(Quantity::KineticEnergy))?.into()),
+            },
+            Quantity::WorkCouple | Quantity::PowerCouple => {
+                let couples =
+                    self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+                let moment = positive_first(couples.map(|(_, e)| e));
+                let rate = match label.quantity {
+                    Quantity::WorkCouple => self.signed_travel(c)?,
+                    _ => {
+                        let omega = self.get(of_body(Quantity::Omega, body))?;
+                        in_sense(omega.into(), self.velocity_sense(c))
+                    }
+                };
+                Ok(moment.by(&rate))
+            }
+            // Found before, as if it rolled.
+            Quantity::FrictionIfRolled => match self.draft.found_for(label) {
+                Some(DerivedAnswer::Value(symbol)) => Ok(symbol.into()),
+                _ => beyond(Beyond::Unfound),
+            },
+            Quantity::Rise => {
+                let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
+                let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
+                Ok(self.signed_travel(along(body))?.by(&climb))
+            }
+            Quantity::MuRequired => self.least_grip(body),
+            Quantity::T => self.time(),
             Quantity::CordTravel => self.cord_travel(label),
             Quantity::WorkPull | Quantity::PowerPull => self.pull(label),
-            Quantity::KineticEnergy => {
-                let from = self.kinetic_sum()?;
-                Ok(self.new_found(label, &["E_{k}", r"E_{\mathrm{kin}}"], "J", from))
-            }
-            Quantity::RotationalFraction => self.rotational(label),
-            Quantity::SlipDistance => self.slip_distance(body, label),
-            Quantity::Heat => self.heat(label),
-            Quantity::KBound => self.bound_of_gyration(body, label),
+            Quantity::KineticEnergy => self.kinetic_sum(),
+            Quantity::RotationalFraction => self.rotational(),
+            Quantity::SlipDistance => self.slip_distance(body),
+            Quantity::Heat => self.heat(),
+            Quantity::KBound => self.bound_of_gyration(body),
             Quantity::XEq => {
                 let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
                 // Without friction, which would hold it in many places.
-                let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect();
-                let from = if self.m.tied { self.rest_under(&spring, &positive_first(given)) } else { ZERO };
-                Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
+                let given = positive_first(self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e));
+                Ok(if self.m.tied { self.rest_under(&spring, &given) } else { ZERO })
             }
             Quantity::OmegaSmall | Quantity::PeriodSmall => {
                 let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
                 let frequency = self.frequency(&spring);
-                if label.quantity == Quantity::OmegaSmall {
-                    self.known.push((label, frequency));
-                    return Ok(frequency);
+                match label.quantity {
+                    Quantity::OmegaSmall => Ok(frequency.into()),
+                    _ => Ok(number(2) * self.draft.pi() / frequency),
                 }
-                let turn = number(2) * self.draft.pi();
-                Ok(self.new_found(label, &[r"\tau", r"\tau_1"], "s", turn / frequency))
             }
-            Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
-            Quantity::DTurn => self.turning(label),
+            Quantity::VMax | Quantity::DAtVMax => self.fastest(label.quantity),
+            Quantity::DTurn => self.turning(),
             other => beyond(Beyond::Quantity(other)),
         }
     }
 
-    fn tag(&self, body: usize, has: impl Fn(&crate::solution::terms::BodyTerms) -> bool) -> String {
-        let several = self.m.parts.iter().filter(|p| has(p)).count() > 1;
-        if several { self.m.parts[body].tag.clone() } else { String::new() }
-    }
-
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
-    fn acceleration(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
-        let c = if label.quantity == Quantity::A { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.acceleration(c) else { return beyond(Beyond::Unfound) };
-        if c == self.lead() || !self.m.one {
+    fn acceleration(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if self.m.acceleration(c).is_none() || c == self.lead() || !self.m.one {
             return beyond(Beyond::Unfound);
         }
         if self.own(c) {
-            let over = positive_first(self.row(c).into_iter().map(|(_, e)| e).collect());
-            let from = over.over(self.m.inertia_expr(c));
-            return Ok(self.found(label, symbol, from));
+            let over = positive_first(self.row(c).into_iter().map(|(_, e)| e));
+            return Ok(over.over(self.m.inertia_expr(c)));
         }
         let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        let from = by.by(self.m.ratio(c));
-        Ok(self.found(label, symbol, from))
-    }
-
-    fn speed(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
-        let c = if label.quantity == Quantity::V { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Unfound) };
-        let from = if self.own(c) { self.since_rest(c, 1)? } else { self.over_lead(&self.v, c) };
-        Ok(self.found(label, symbol, from))
+        Ok(by.by(self.m.ratio(c)))
     }
 
     /// By the lead's, a magnitude.
@@ -1364,12 +1385,6 @@ impl<'d, 'a> Account<'d, 'a> {
             Some(a) if self.own(c) => self.symbols.value(a),
             _ => self.value(&self.m.ratio(c).expr()) * self.sense,
         }
-    }
-
-    fn angle(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
-        let tag = self.tag(body, |p| p.alpha.is_some());
-        let from = self.travel(turn(body))?;
-        Ok(self.new_found(label, &[&tagged(r"\varphi", &tag), &tagged(r"\psi", &tag)], "rad", from))
     }
 
     /// Whose reaction a tie has.
@@ -1438,7 +1453,7 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(self.found(self.label_of_tie(tie), symbol, from))
     }
 
-    fn least_grip(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn least_grip(&mut self, body: usize) -> Result<Expr, DerivationStop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let most = match self.spring {
             Some(_) => {
@@ -1455,8 +1470,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 }
             }
         };
-        let size = self.size(most.into());
-        Ok(self.new_found(label, &[r"\mu_{\mathrm{min}}"], "1", size / n))
+        Ok(self.size(most.into()) / n)
     }
 
     /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring, each with the
@@ -1489,7 +1503,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
-            number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa
+            number(2) * positive_first([pull.expr(), self.drive.clone()]) / kappa
         } else {
             let [_, rest, amplitude] = self.swing(&spring)?;
             let last = rest + in_sense(amplitude, self.stretching(&spring));
@@ -1566,32 +1580,24 @@ impl<'d, 'a> Account<'d, 'a> {
         Some(ClosedFriction { terms, under: c.squared().plus(&j) })
     }
 
-    fn time(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn time(&mut self) -> Result<Expr, DerivationStop> {
         if let End::Time(_, t) = self.scene.end {
-            let t = self.number(t, "t", "s");
-            return Ok(self.new_found(label, &["t", "t_2"], "s", t));
+            return Ok(self.number(t, "t", "s"));
         }
         if self.value(&self.s) == 0.0 {
-            return Ok(self.new_found(label, &["t", "t_2"], "s", ZERO));
+            return Ok(ZERO);
         }
         if self.spring.is_some() {
-            return self.time_on_spring(label);
+            return self.time_on_spring();
         }
         let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        let from = if self.value(&a.into()) == 0.0 {
+        Ok(if self.value(&a.into()) == 0.0 {
             &self.s / &self.v0
         } else if self.v0 == ZERO {
             number(2) * self.distance() / &self.v
         } else {
             (in_sense(self.v.clone(), self.sense) - &self.v0) / a
-        };
-        Ok(self.new_found(label, &["t", "t_2"], "s", from))
-    }
-
-    fn several_pulls(&self) -> bool {
-        let pulled =
-            |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
-        self.scene.ties.iter().filter(pulled).count() > 1
+        })
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
@@ -1599,13 +1605,18 @@ impl<'d, 'a> Account<'d, 'a> {
         self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
     }
 
-    /// Travel of a cord's end in the sense of the pull, from the travels of the centre and of the turn.
-    fn pulled_way(&mut self, action: &Action) -> Result<Expr, DerivationStop> {
+    /// Travel or speed of a cord's end in the sense of the pull, from those of the centre and of the turn.
+    fn pulled(&mut self, action: &Action, travel: bool) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
-            if !share.is_zero() {
-                all.push(self.signed_travel(c)?.by(share));
+            if share.is_zero() {
+                continue;
             }
+            let rate = match travel {
+                true => self.signed_travel(c)?,
+                false => in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)),
+            };
+            all.push(rate.by(share));
         }
         Ok(positive_first(all))
     }
@@ -1615,49 +1626,28 @@ impl<'d, 'a> Account<'d, 'a> {
         !self.m.one || self.m.parts[body].slips
     }
 
-    fn cord_travel(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        let (t, action) = self.cord_of(label)?;
-        let tag = if self.several_pulls() { (t + 1).to_string() } else { String::new() };
-        let from = if self.loose(action.body) {
-            let way = self.pulled_way(&action)?;
-            let way = in_sense(way.clone(), self.value(&way));
-            positive_first(vec![way])
-        } else {
-            self.distance().by(self.magnitude(&self.point(&action)))
-        };
-        Ok(self.new_found(label, &[&tagged(r"\ell", &tag), &tagged("L", &tag)], "m", from))
+    fn cord_travel(&mut self, label: Label) -> Result<Expr, DerivationStop> {
+        let (_, action) = self.cord_of(label)?;
+        if self.loose(action.body) {
+            let way = self.pulled(&action, true)?;
+            return Ok(self.positive(&way));
+        }
+        Ok(self.distance().by(self.magnitude(&self.point(&action))))
     }
 
-    fn pull(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn pull(&mut self, label: Label) -> Result<Expr, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let work = label.quantity == Quantity::WorkPull;
-        let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
-        let name = if work { "W" } else { r"\dot{W}" };
-        let rate = match (work, self.loose(action.body)) {
-            (true, false) => {
+        let rate = match (self.loose(action.body), work) {
+            (true, work) => self.pulled(&action, work)?,
+            (false, true) => {
                 let travel = self.get(of_tie(Quantity::CordTravel, t))?;
                 let helps = self.value(&self.point(&action).expr()) * self.value(&self.s);
                 in_sense(travel.into(), helps)
             }
-            (true, true) => self.pulled_way(&action)?,
-            (false, false) => {
-                let point = self.point(&action).signed(sign(self.sense));
-                self.v.by(&point)
-            }
-            (false, true) => {
-                let mut all = Vec::new();
-                for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
-                    if !share.is_zero() {
-                        let speed = self.get(speed_of(c))?;
-                        let speed = in_sense(speed.into(), self.velocity_sense(c));
-                        all.push(speed.by(share));
-                    }
-                }
-                positive_first(all)
-            }
+            (false, false) => self.v.by(self.point(&action).signed(sign(self.sense))),
         };
-        let from = action.force.by(&rate);
-        Ok(self.new_found(label, &[&tagged(name, &tag)], if work { "J" } else { "W" }, from))
+        Ok(action.force.by(&rate))
     }
 
     /// Kinetic energy: each mass and moment of inertia with its own speed.
@@ -1674,7 +1664,7 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(sum(all))
     }
 
-    fn rotational(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn rotational(&mut self) -> Result<Expr, DerivationStop> {
         let mut turning = Vec::new();
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for body in 0..self.m.parts.len() {
@@ -1691,11 +1681,10 @@ impl<'d, 'a> Account<'d, 'a> {
         // The speed cancels in the share.
         let whole =
             if slips { self.get(of_scene(Quantity::KineticEnergy))?.into() } else { self.effective.clone() };
-        let from = sum(turning).over(&whole);
-        Ok(self.new_found(label, &[r"\eta", r"\beta"], "1", from))
+        Ok(sum(turning).over(&whole))
     }
 
-    fn slip_distance(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn slip_distance(&mut self, body: usize) -> Result<Expr, DerivationStop> {
         let radius = self.scene.ties.iter().find_map(|tie| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
@@ -1705,11 +1694,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let way = self.signed_travel(along(body))?;
         let from = way - in_sense(c * phi, self.velocity_sense(turn(body)));
-        let from = positive_first(vec![in_sense(from.clone(), self.value(&from))]);
-        Ok(self.new_found(label, &[r"\delta", r"\Delta"], "m", from))
+        Ok(self.positive(&from))
     }
 
-    fn heat(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn heat(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for tie in &self.scene.ties {
             let (body, way) = match tie {
@@ -1718,14 +1706,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => continue,
             };
             let f = self.get(of_body(Quantity::Friction, body))?;
-            let size = self.size(f.into());
-            all.push(size * way);
+            all.push(self.size(f.into()) * way);
         }
-        Ok(self.new_found(label, &["Q", r"Q_{\mathrm{th}}"], "J", sum(all)))
+        Ok(sum(all))
     }
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`.
-    fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn bound_of_gyration(&mut self, body: usize) -> Result<Expr, DerivationStop> {
         let c = self.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
@@ -1741,62 +1728,51 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
             return beyond(Beyond::Unfound);
         }
-        Ok(self.new_found(label, &["k_{0}"], "m", root(c * moment / force)))
+        Ok(root(c * moment / force))
     }
 
     /// The greatest speed of a motion, and where it is.
-    fn fastest(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn fastest(&mut self, quantity: Quantity) -> Result<Expr, DerivationStop> {
         let body = self.lead().body;
         let (at, top) = (of_body(Quantity::DAtVMax, body), of_body(Quantity::VMax, body));
-        let Some(spring) = self.spring.clone() else {
+        let first = in_sense(self.v0.clone(), self.sense);
+        let (size, way) = match self.spring.clone() {
             // Thrown against a constant force: fastest at the start.
-            if self.value(&self.drive) * self.sense > 0.0 {
-                return beyond(Beyond::Unfound);
+            None if self.value(&self.drive) * self.sense > 0.0 => return beyond(Beyond::Unfound),
+            None => (first, ZERO),
+            Some(spring) => {
+                let x_eq: Expr = self.middle(&spring)?.into();
+                let gap = &spring.stretch - &x_eq;
+                let per = self.magnitude(&spring.gamma);
+                let ahead = self.value(&gap) * -self.stretching(&spring);
+                let gap = self.positive(&gap);
+                if ahead < 0.0 && self.v0 != ZERO {
+                    // It goes away from the place of rest, so it was fastest at the start.
+                    (first, ZERO)
+                } else if !spring.rigid && self.value(&x_eq) < 0.0 {
+                    return beyond(Beyond::Unfound);
+                } else if self.v0 == ZERO {
+                    (&gap * root(&spring.stiffness / &self.effective), gap.over(&per))
+                } else {
+                    let [frequency, _, amplitude] = self.swing(&spring)?;
+                    ((amplitude * frequency).over(&per), gap.over(&per))
+                }
             }
-            let size = in_sense(self.v0.clone(), self.sense);
-            self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
-            self.new_found(at, &["D_{v}"], "m", ZERO);
-            return self.get(label);
         };
-        let x_eq: Expr = self.middle(&spring)?.into();
-        let gap = &spring.stretch - &x_eq;
-        let per = self.magnitude(&spring.gamma);
-        let ahead = self.value(&gap) * -self.stretching(&spring);
-        if ahead < 0.0 && self.v0 != ZERO {
-            // It goes away from the place of rest, so it was fastest at the start.
-            let size = in_sense(self.v0.clone(), self.sense);
-            self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
-            self.new_found(at, &["D_{v}"], "m", ZERO);
-            return self.get(label);
-        }
-        if !spring.rigid && self.value(&x_eq) < 0.0 {
-            return beyond(Beyond::Unfound);
-        }
-        let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
-        self.new_found(at, &["D_{v}"], "m", gap.over(&per));
-        let from = if self.v0 == ZERO {
-            gap * root(&spring.stiffness / &self.effective)
-        } else {
-            let [frequency, _, amplitude] = self.swing(&spring)?;
-            (amplitude * frequency).over(&per)
-        };
-        self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);
-        self.get(label)
+        self.new_found(at, way.clone());
+        self.new_found(top, size.clone());
+        Ok(if quantity == Quantity::VMax { size } else { way })
     }
 
-    fn turning(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        let names = [r"D_{\mathrm{t}}"];
-        let against = in_sense(self.drive.clone(), self.value(&self.drive));
-        let Some(spring) = self.spring.clone() else {
-            if self.value(&self.drive) * self.sense >= 0.0 {
-                return beyond(Beyond::Unfound);
-            }
-            let over = &self.effective * square(&self.v0);
-            return Ok(self.new_found(label, &names, "m", over / (number(2) * against)));
-        };
-        let far = self.turning_point(&spring)?;
-        let from = in_sense(far.clone(), self.value(&far));
-        Ok(self.new_found(label, &names, "m", from))
+    fn turning(&mut self) -> Result<Expr, DerivationStop> {
+        if let Some(spring) = self.spring.clone() {
+            let far = self.turning_point(&spring)?;
+            return Ok(self.positive(&far));
+        }
+        if self.value(&self.drive) * self.sense >= 0.0 {
+            return beyond(Beyond::Unfound);
+        }
+        Ok(&self.effective * square(&self.v0) / (number(2) * self.positive(&self.drive)))
     }
 
     /// Displacement of the lead to its turning point, on the spring or, once its cord is slack, without it.
@@ -1829,10 +1805,10 @@ impl ClosedFriction {
         let over = |(a, lever): &(Action, Factors)| Factors::of(&a.force).times(lever);
         match self.under.expr() {
             Expr::Sum(_) => {
-                let terms = self.terms.iter().map(|t| over(t).expr()).collect();
+                let terms = self.terms.iter().map(|t| over(t).expr());
                 positive_first(terms) / self.under.expr()
             }
-            _ => positive_first(self.terms.iter().map(|t| over(t).over(&self.under)).collect()),
+            _ => positive_first(self.terms.iter().map(|t| over(t).over(&self.under))),
         }
     }
 }

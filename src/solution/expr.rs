@@ -166,7 +166,7 @@ pub fn in_sense(of: Expr, sense: f64) -> Expr {
 }
 
 /// A sum that begins with what is added.
-pub fn positive_first(terms: Vec<Expr>) -> Expr {
+pub fn positive_first(terms: impl IntoIterator<Item = Expr>) -> Expr {
     let (minus, plus): (Vec<Expr>, Vec<Expr>) = terms
         .into_iter()
         .flat_map(|t| match t {

@@ -159,9 +159,7 @@ impl Factors {
             return outside.times(&Self { constant, ..first });
         }
         let both = if first.constant.0 < 0 && second.constant.0 < 0 {
-            return outside
-                .times(Self::of(&(first.opposite().expr() + second.opposite().expr())))
-                .opposite();
+            return outside.times(Self::of(&(first.opposite().expr() + second.opposite().expr()))).opposite();
         } else if first.constant.0 < 0 {
             second.expr() - first.opposite().expr()
         } else {

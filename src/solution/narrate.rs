@@ -12,7 +12,7 @@ use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::page::{WITHIN, aligned, packed};
+use crate::solution::page::WITHIN;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::{Action, ForceKind, ForceSource, Pivot};
@@ -75,7 +75,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ => Short::Energy,
     };
     let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
-    let mut n = Narrator { t: account, short, rows: Vec::new(), gone: Vec::new(), ratios_told: false };
+    let mut n = Narrator::new(account, short);
     n.idea();
     n.sketch();
     n.end();
@@ -127,13 +127,7 @@ pub fn as_if(
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
     let mut account = Account::new(draft, None)?;
     account.arrive()?;
-    let mut n = Narrator {
-        t: account,
-        short: Short::Instant,
-        rows: Vec::new(),
-        gone: Vec::new(),
-        ratios_told: false,
-    };
+    let mut n = Narrator::new(account, Short::Instant);
     n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
     n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
     n.write_rows();
@@ -141,7 +135,7 @@ pub fn as_if(
     let a = n.acceleration();
     if n.m.one {
         let right = n.effective.by(a);
-        let line = format!("{} = {}", n.tex(&n.all_shares()), n.tex(&right));
+        let line = n.equation(&n.all_shares(), &right);
         n.say("asked.together", &[]);
         n.formula(line);
     }
@@ -150,12 +144,10 @@ pub fn as_if(
     for label in labels {
         found.push((*label, n.get(*label)?));
     }
-    let mut wanted = vec![Some(a)];
-    wanted
-        .extend(n.steps.iter().filter(|s| found.iter().any(|(_, f)| *f == s.symbol)).map(|s| Some(s.symbol)));
-    wanted.extend(n.kinetic_frictions().into_iter().map(Some));
-    n.forget(&wanted);
-    n.tell_new();
+    let mut wanted = vec![a];
+    wanted.extend(found.iter().map(|(_, symbol)| *symbol));
+    wanted.extend(n.kinetic_frictions());
+    n.tell(wanted);
     n.end();
     Ok(found)
 }
@@ -169,13 +161,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
         return Ok(None);
     }
     let account = Account::new(draft, Some(tie))?;
-    let mut n = Narrator {
-        t: account,
-        short: Short::Neither,
-        rows: Vec::new(),
-        gone: Vec::new(),
-        ratios_told: false,
-    };
+    let mut n = Narrator::new(account, Short::Neither);
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
     let closed = if n.m.one { n.t.closed_friction(body) } else { None };
@@ -233,6 +219,9 @@ impl DerefMut for Narrator<'_, '_> {
 }
 
 impl<'d, 'a> Narrator<'d, 'a> {
+    fn new(t: Account<'d, 'a>, short: Short) -> Self {
+        Self { t, short, rows: Vec::new(), gone: Vec::new(), ratios_told: false }
+    }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
         name.map_or_else(String::new, |w| self.words.get(w).to_owned())
@@ -417,19 +406,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !self.kinetic_frictions().is_empty() {
             self.tell_frictions();
         }
+        // The speed, or the way, with the acceleration put in.
         let target = if place { v } else { self.steps.last().map(|s| s.symbol) };
-        let step = self.steps.iter().find(|s| Some(s.symbol) == target).cloned();
-        if let Some(step) = step {
-            if !place {
-                // The way, with the acceleration put in.
-                let symbol = step.symbol;
-                let from = self.way_by_energy();
-                let line = self.chain(symbol, &from).concat();
-                self.tagged_formula(line);
-            } else {
-                let line = self.chain(step.symbol, &step.from).concat();
-                self.tagged_formula(line);
-            }
+        if let Some(symbol) = target {
+            let from = if place { self.from(symbol) } else { self.way_by_energy() };
+            self.display(symbol, &from, r" \quad (\mathrm{E})");
         }
         match pivot {
             None => self.tell_groups(),
@@ -442,7 +423,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         // Speeds that are asked.
         self.skip_new();
         if !place {
-            self.forget(&[v]);
+            self.forget(v);
         }
         let asked = asked::needed(self.scene, self.problem);
         for label in asked {
@@ -466,7 +447,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mass = &self.m.parts[self.lead().body].mass;
         let short = own.factors().plus(&mass.times(square(&pivot.h))).expr();
         let whole = own + mass.expr() * square(&pivot.h);
-        let line = self.chain(pivot.about, &whole).concat();
+        let line = self.chain(pivot.about, &whole);
         let gathered = short != whole && !matches!(short, Expr::Sum(_)) && *own != ZERO;
         if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
             let line = line.replacen(" = ", &format!(" = {} = ", self.tex(&short)), 1);
@@ -484,7 +465,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let first = of(self, ["s_0", "d_0"]);
         if stretched.is_some() {
             self.say("pinned.natural", &[]);
-            self.tell(&[first, stretched]);
+            self.tell(first.into_iter().chain(stretched));
         }
         let name = match self.scene.end {
             End::TurningPoint(_) => Some("pinned.angle_turning"),
@@ -498,13 +479,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let turned = self.symbols.named(&format!(r"\Delta {}", self.symbols.tex(pivot.angle)));
         if turned.is_some() {
             self.say("pinned.radians", &[]);
-            self.tell(&[turned]);
+            self.tell(turned);
         }
         if pivot.spring.is_some() {
             self.say("pinned.lengths", &[]);
             let rest =
                 [["s_1", "d_1"], [r"\delta_0", "e_0"], [r"\delta_1", "e_1"]].map(|names| of(self, names));
-            self.tell(&[first.filter(|_| stretched.is_none()), rest[0], rest[1], rest[2]]);
+            self.tell(first.filter(|_| stretched.is_none()).into_iter().chain(rest.into_iter().flatten()));
         }
     }
 
@@ -515,11 +496,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (_, Some(pivot)) => format!("${} = 0$", self.symbols.tex(pivot.angle)),
             _ => String::new(),
         }
-    }
-
-    fn tagged_formula(&mut self, line: String) {
-        let line = if line.contains('&') { aligned(&line) } else { format!(r"{line} \quad (\mathrm{{E}})") };
-        self.formula(line);
     }
 
     /// `s = m_e (v^2 - v0^2)/(2 F)`
@@ -548,18 +524,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let spring = action.kind == ForceKind::Spring;
             let name = if spring { "energy.ratio_spring" } else { "energy.ratio" };
             self.say(name, &[("centre", &c), ("point", &away)]);
-            let line = self.chain(gamma, &is).concat();
+            let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
             let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
             let tail = if given && !spring && self.s != ZERO && self.asks_label(travel) {
                 self.get(travel).ok().map(|l| {
                     let from = self.steps.last().map_or(ZERO, |s| s.from.clone());
-                    self.chain(l, &from).concat()
+                    self.chain(l, &from)
                 })
             } else {
                 None
             };
-            let line = if line.contains('&') { aligned(&line) } else { line };
             match tail {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
                 _ => self.formula(line),
@@ -604,12 +579,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let gain = if self.v == ZERO { -square(&self.v0) } else { gain };
             ratio(1, 2) * &self.effective * gain
         };
-        let one = format!("{} = {}", self.tex(&left), self.tex(&right));
-        if width(&one) <= LINE {
-            one
-        } else {
-            aligned(&format!(r"{} &= {}", self.tex(&left), self.tex(&right)).replacen(" &= ", r" \\ &= ", 1))
-        }
+        let one = self.equation(&left, &right);
+        if width(&one) <= LINE { one } else { format!(r"{} \\ &= {}", self.tex(&left), self.tex(&right)) }
     }
 
     /// The sums in the formula of the speed, in numbers.
@@ -635,16 +606,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Sliding friction, with the normal forces that it hangs on.
     fn tell_frictions(&mut self) {
-        let of = |n: &Self, s: SymbolId| {
-            n.steps.iter().find(|step| step.symbol == s).map(|step| step.from.clone())
-        };
         for f in self.kinetic_frictions() {
-            let Some(from) = of(self, f) else { continue };
+            let from = self.from(f);
             let normals: Vec<SymbolId> =
                 self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
             if self.detail == Detail::Full {
                 for symbol in normals.into_iter().chain([f]) {
-                    let from = of(self, symbol).unwrap_or(ZERO);
+                    let from = self.from(symbol);
                     self.display(symbol, &from, "");
                 }
             } else {
@@ -677,7 +645,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let pull = s.stiffness.by(&s.gamma).by(&s.stretch);
                 let pull = self.valued(&pull, "N");
                 let drive = self.drive.clone();
-                let against = self.valued(&in_sense(drive.clone(), self.value(&drive)), "N");
+                let against = self.valued(&self.positive(&drive), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
                 self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
             }
@@ -688,7 +656,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let size = |n: &Self, all: Vec<Expr>| {
                     let whole = sum(all);
                     let unit = if n.straight() { "N" } else { "N m" };
-                    n.valued(&in_sense(whole.clone(), n.value(&whole)), unit)
+                    n.valued(&n.positive(&whole), unit)
                 };
                 let free = against.is_empty();
                 let (pull, against) = (size(self, with), size(self, against));
@@ -767,7 +735,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let sum_of = self.all_shares();
         let right = self.effective.by(a);
-        let line = format!("{} = {}", self.tex(&sum_of), self.tex(&right));
+        let line = self.equation(&sum_of, &right);
         let value = self.symbols.shown(a);
         let tex = self.symbols.tex(a).to_owned();
         if self.spring.is_none() {
@@ -789,7 +757,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.short == Short::Instant {
             self.tell_inertia(pivot);
             let v = self.speed();
-            self.tell(&[Some(v)]);
+            self.tell([v]);
         }
         let [radial, across, phi] =
             [pivot.radial, pivot.across, pivot.angle].map(|s| self.symbols.tex(s).to_owned());
@@ -834,19 +802,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.tell_frictions();
         self.say("motion.together", &[]);
-        let all = [self.accelerations(), self.hidden()].concat();
-        let settled: Vec<Option<SymbolId>> =
-            all.into_iter().filter(|s| !self.symbols.value(*s).is_nan()).map(Some).collect();
+        let mut settled = [self.accelerations(), self.hidden()].concat();
+        settled.retain(|s| !self.symbols.value(*s).is_nan());
         let later: Vec<SymbolId> = self.steps.iter().map(|s| s.symbol).collect();
-        self.skip_new();
-        self.forget(&settled);
-        self.tell_new();
+        self.tell(settled.clone());
         if self.short == Short::Together && !self.stays() {
-            self.tell_as_known(later.into_iter().filter(|s| settled.contains(&Some(*s))).collect());
-            let normals = [self.normals(), self.kinetic_frictions()].concat();
-            for symbol in normals {
-                self.told(symbol);
-            }
+            let rubs = [self.normals(), self.kinetic_frictions()].concat();
+            let later = later.into_iter().filter(|s| settled.contains(s)).chain(rubs);
+            self.tell_as_known(later.collect());
             let time = matches!(self.scene.end, End::Time(..));
             self.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
             self.tell_new();
@@ -887,11 +850,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for c in self.coordinates() {
             let _ = self.get(speed_of(c));
         }
-        let speeds: Vec<Option<SymbolId>> = self.speeds().into_iter().map(Some).collect();
-        self.skip_new();
-        self.forget(&speeds);
+        let speeds = self.speeds();
         self.say("instant.speeds", &[]);
-        self.tell_new();
+        self.tell(speeds);
         self.get(of_scene(Quantity::KineticEnergy))?;
         self.say("instant.energy", &[]);
         self.tell_new();
@@ -900,7 +861,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     fn all_shares(&self) -> Expr {
         let kinds = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
-        positive_first(self.shares(&kinds).into_iter().map(|(_, e)| e).collect())
+        positive_first(self.shares(&kinds).into_iter().map(|(_, e)| e))
     }
 
     fn say_senses(&mut self) {
@@ -928,7 +889,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                     let by = Factors::of(&a.into());
                     let right = sum(inertia.iter().map(|i| i.by(&by)));
                     let left = positive_first(shares);
-                    rows.push(format!(r"{} = {} \quad ({n})", self.tex(&left), self.tex(&right)));
+                    rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
                     self.rows.push((c, n));
                 }
                 let across = self.m.parts[body].normal.clone().filter(|_| degree == Degree::Along);
@@ -946,16 +907,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 for ((own, rate), beside) in pin.into_iter().zip(beside) {
                     n += 1;
                     let (left, right) = (own + beside, mh.by(rate));
-                    rows.push(format!(r"{} = {} \quad ({n})", self.tex(&left), self.tex(&right)));
+                    rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
                 }
             }
             if n > before {
                 firsts.push((body, before + 1, n));
             }
         }
-        for line in packed(rows) {
-            self.formula(line);
-        }
+        self.formulas(rows);
         if self.m.parts.len() > 1 {
             let of: Vec<String> = firsts
                 .iter()
@@ -1008,12 +967,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.tell_frictions();
         let rates = (self.get(of_body(Quantity::A, body))?, self.get(of_body(Quantity::Alpha, body))?);
         self.say("motion.own", &[]);
-        let from =
-            |n: &Self, symbol| n.steps.iter().find(|s| s.symbol == symbol).map_or(ZERO, |s| s.from.clone());
-        let lines = [rates.0, rates.1].map(|s| self.chain(s, &from(self, s)).concat());
-        for line in packed(lines) {
-            self.formula(if line.contains('&') { aligned(&line) } else { line });
-        }
+        let lines = [rates.0, rates.1].map(|s| self.step_of(s));
+        self.formulas(lines);
         Ok(rates)
     }
 
@@ -1025,7 +980,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Err(Beyond::Unfound.into());
         }
         self.say("thrown.slip", &[]);
-        self.tell(&[Some(slip)]);
+        self.tell([slip]);
         let size = self.sized(slip);
         self.ends_as(of_body(Quantity::SlipSpeed, body), size);
         let (slides, points) = (self.way(body, value), self.way(body, -value));
@@ -1158,7 +1113,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Sum of the given forces on the lead.
     fn fall(&self) -> Expr {
-        positive_first(self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect())
+        positive_first(self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e))
     }
 
     /// Moment of inertia of a body as one term.
@@ -1213,11 +1168,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
         let (w, v) = (Expr::from(end.w), Expr::from(end.v));
         let turned = spun(w0, v0) + fall.by(c).by(t);
-        let line = format!("{} = {}", self.tex(&turned), self.tex(&spun(&w, &v)));
+        let line = self.equation(&turned, &spun(&w, &v));
         self.formula(line);
         self.say("thrown.balance", &[]);
         let left = kinetic(w0, v0) - heat + fall.by(end.x);
-        let line = format!("{} = {}", self.tex(&left), self.tex(&kinetic(&w, &v)));
+        let line = self.equation(&left, &kinetic(&w, &v));
         self.formula(line);
         if level && (rolls || !matches!(self.scene.end, End::Time(..))) {
             // The speed at which rolling begins, and the heat, without the friction.
@@ -1226,11 +1181,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
             let lost = mass.times(&own).times(square(slip)).over(&whole);
             self.say("thrown.by_momentum", &[]);
-            let lines =
-                [(end.v, speed), (heat, lost)].map(|(symbol, from)| self.chain(symbol, &from).concat());
-            for line in packed(lines) {
-                self.formula(if line.contains('&') { aligned(&line) } else { line });
-            }
+            let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| self.chain(symbol, &from));
+            self.formulas(lines);
         }
         self.begin_as("why", "which");
         self.say(if level { "thrown.why_level" } else { "thrown.why" }, &[]);
@@ -1258,7 +1210,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm));
         let j = self.inertia_of(body).per(c.unwrap_or_else(Factors::one).squared());
         let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
-        let needed = self.valued(&in_sense(needed.clone(), self.value(&needed)), "N");
+        let needed = self.valued(&self.positive(&needed), "N");
         let limit = self.number(mu_s, r"\mu_s", "1") * normal;
         let limit = self.valued(&limit, "N");
         self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &limit)]);
@@ -1288,15 +1240,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let by = in_sense(a.into(), self.value(&a.into()));
                 let from = root(Expr::Number(2, 1) * by * self.distance());
                 self.say("motion.speed_of_slip", &[]);
-                let tex = self.chain(v, &from).concat();
-                let tex = if tex.contains('&') { aligned(&tex) } else { tex };
+                let tex = self.chain(v, &from);
                 self.formula(tex);
             } else {
                 let displacement = match self.s {
                     Expr::Symbol(s) => Some(s),
                     _ => None,
                 };
-                self.forget(&[Some(step.symbol), displacement]);
+                self.forget([step.symbol].into_iter().chain(displacement));
                 self.tell_new();
             }
         }
@@ -1320,23 +1271,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (Some(v), Some(w)) = (part.v, part.omega) else { return Ok(()) };
         let half = ratio(1, 2);
         let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
-        let turn = if self.value(
-            &self
-                .t
-                .page
-                .steps
-                .iter()
-                .find(|s| Some(s.symbol) == part.alpha)
-                .map_or(ZERO, |s| s.symbol.into()),
-        ) < 0.0
-        {
-            -1.0
-        } else {
-            1.0
-        };
+        let alpha = self.get(of_body(Quantity::Alpha, body))?;
+        let turn = self.symbols.value(alpha);
         let row = |n: &Self, degree| {
             let row = n.row(Coordinate { body, degree });
-            positive_first(row.into_iter().map(|(_, e)| e).collect())
+            positive_first(row.into_iter().map(|(_, e)| e))
         };
         let (forces, moments) = (row(self, Degree::Along), row(self, Degree::Turn));
         let wrapped = |n: &Self, e: Expr, sense: f64, by: Expr| n.tex(&(in_sense(e, sense) * by));
@@ -1454,8 +1393,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 self.say("pinned.forces", &[("angle", &angle)]);
             }
         } else if sprung {
-            let at_end = [self.spring.as_ref().map(|s| s.tension), Some(self.acceleration())];
-            self.forget(&at_end);
+            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
+            self.forget(at_end.collect::<Vec<_>>());
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.acceleration();
@@ -1471,9 +1410,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let by = format!("${} = {}$", self.symbols.tex(a), self.tex(&in_sense(by, self.sense)));
             self.say(name, &[("a", &by)]);
         }
-        let normals: Vec<Option<SymbolId>> = self.normals().into_iter().map(Some).collect();
         if !rolling.is_empty() {
-            self.forget(&normals);
+            let normals = self.normals();
+            self.forget(normals);
         }
         self.tell_new();
         for (t, body) in rolling {
@@ -1729,7 +1668,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
             let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
-            let push = positive_first(vec![in_sense(sum(given), self.sense)]);
+            let push = positive_first([in_sense(sum(given), self.sense)]);
             let ratio = self.magnitude(self.m.ratio(along));
             let hold = (mu * n) * ratio.expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
@@ -1845,7 +1784,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.scene.span == Span::ToTurningPoint
             && let Ok((slack, true)) = self.t.turning_or_slack()
         {
-            let size = in_sense(slack.clone(), self.value(&slack));
+            let size = self.positive(&slack);
             let slack = self.valued(&size, "m");
             self.say("holds.goes_slack", &[("s", &slack)]);
         }
@@ -1985,7 +1924,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if turning.is_empty() || masses.is_empty() || !self.straight() {
             return;
         }
-        let drive = positive_first(vec![in_sense(self.drive.clone(), self.sense)]);
+        let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
         let light = Expr::Number(2, 1) * self.distance() * drive;
         let light = light.over(sum(masses));
         let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
