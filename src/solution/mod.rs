@@ -1,10 +1,9 @@
 //! Worked solutions: two pages that go the short way, show the long one, and say why the first is shorter. A solution whose numbers
 //! are not those of the key is never printed, a short page stands in its place.
 //!
-//! The terms of a scene (each action with its point, velocity ratios, inertias) are read in [`terms`]; [`account`] derives each
-//! quantity from them, [`narrate`] words them; what a question asks by a formula is answered from these in [`asked`]; a pinned
-//! body ([`pinned`]), one thrown with slip ([`thrown`]) and particles ([`lamina`]) bring terms of their own and use the same
-//! [`page::Page`]. The sections, by id, in the order of the text, each where there is something to say:
+//! The terms of a scene (each action with its point, velocity ratios, inertias; of a body on a pin at any angle) are read in
+//! [`terms`]; [`account`] derives each quantity from them, [`narrate`] words them; what a question asks by a formula is answered
+//! from these in [`asked`]. The sections, by id, in the order of the text, each where there is something to say:
 //! - `answers` in a box, `given`: the data; `idea`, `sketch`;
 //! - `unknown`: what no sheet gives; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
 //! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas;
@@ -18,7 +17,6 @@ pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
-pub mod lamina;
 pub mod narrate;
 pub mod page;
 pub mod stop;
@@ -194,17 +192,9 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     if !draft.scene.growths.is_empty() {
         return Err(Beyond::GrowingForce.into());
     }
-    scene(draft)?;
+    narrate::sections(draft)?;
     asked::not_given(draft);
     asked::answer(draft)
-}
-
-/// The derivation that the scene needs.
-fn scene(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return lamina::sections(draft);
-    }
-    narrate::sections(draft)
 }
 
 /// Is every question answered, and every number that of the key?

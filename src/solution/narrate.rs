@@ -12,10 +12,10 @@ use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::page::WITHIN;
+use crate::solution::page::{Page, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Pivot};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, Pivot};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
@@ -51,6 +51,9 @@ struct LegEnd {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        return particles(draft);
+    }
     let (ties, thrown) = (&draft.scene.ties, draft.scene.thrown().is_some());
     let slips = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. }) && !thrown);
     let slips: Vec<usize> = slips.collect();
@@ -114,6 +117,126 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     n.limits()?;
     n.onward();
     Ok(())
+}
+
+/// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
+const NOTHING: f64 = 1e-13;
+
+/// Words particles that move as one body: the mass centre and the rotation about it, then the sum over the particles. About any
+/// other point there is a cross term, which is shown for the particle whose velocity is known.
+fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
+    let (1, Some(p)) = (draft.scene.bodies.len(), Particles::new(draft)) else {
+        return Err(Beyond::Unfound.into());
+    };
+    let mut page = Page::new(draft);
+    let known = format!("${}$", p.names[p.known]);
+    let each = |of: &dyn Fn(usize) -> Expr| sum((0..p.names.len()).map(of));
+    page.begin("idea");
+    page.say("lamina.idea", &[]);
+    page.begin("sketch");
+    page.out.blocks = vec![Block::Picture("scene".to_owned())];
+    page.begin_as("short", "short_lamina");
+    page.say("lamina.centre", &[]);
+    let total = |page: &mut Page, tex: &str, unit: &str, all: Expr| {
+        let symbol = page.unknown(tex, unit);
+        page.symbols.settle_by(symbol, &all);
+        symbol
+    };
+    let mass = total(&mut page, r"\sum m_i", "kg", each(&|i| p.m[i].clone()));
+    let mx = total(&mut page, r"\sum m_i\,x_i", "kg m", each(&|i| &p.m[i] * &p.x[i]));
+    let my = total(&mut page, r"\sum m_i\,y_i", "kg m", each(&|i| &p.m[i] * &p.y[i]));
+    let mass = page.find(&["m", "M"], "kg", mass);
+    let (x, y) = (page.find(&["x_G"], "m", mx / mass), page.find(&["y_G"], "m", my / mass));
+    let arm = |i: usize| square(&p.x[i] - x) + square(&p.y[i] - y);
+    let head = [
+        r"m_i\ (\mathrm{kg})",
+        r"x_i\ (\mathrm{m})",
+        r"y_i\ (\mathrm{m})",
+        r"m_i\,x_i\ (\mathrm{kg}\,\mathrm{m})",
+        r"m_i\,y_i\ (\mathrm{kg}\,\mathrm{m})",
+        r"\rho_i\ (\mathrm{m})",
+        r"m_i\,\rho_i^{2}\ (\mathrm{kg}\,\mathrm{m}^{2})",
+    ];
+    table(&mut page, &p, &head, &|i| {
+        let (m, x, y) = (&p.m[i], &p.x[i], &p.y[i]);
+        vec![m.clone(), x.clone(), y.clone(), m * x, m * y, root(arm(i)), m * arm(i)]
+    });
+    page.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}".to_owned());
+    let own = total(&mut page, r"\sum m_i\,\rho_i^{2}", "kg m^2", each(&|i| &p.m[i] * arm(i)));
+    let own = page.find(&["I_G"], "kg m^2", own);
+    for symbol in [mass, x, y, own] {
+        let from = page.from(symbol);
+        page.display(symbol, &from, "");
+    }
+    for (quantity, symbol) in [(Quantity::XG, x), (Quantity::YG, y), (Quantity::IG, own)] {
+        page.answer(of_body(quantity, 0), DerivedAnswer::Value(symbol));
+    }
+    page.say("lamina.velocity", &[("known", &known)]);
+    let [vx, vy] = p.velocity(&x.into(), &y.into());
+    let (vx, vy) = (page.find(&["v_{Gx}"], "m/s", vx), page.find(&["v_{Gy}"], "m/s", vy));
+    page.tell_new();
+    page.say("lamina.split", &[]);
+    let half = ratio(1, 2);
+    let both = &half * mass * (square(vx) + square(vy)) + &half * own * square(&p.spin);
+    let energy = page.find(&["T", "E"], "J", both);
+    page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
+    page.tell_new();
+    page.begin_as("long", "long_lamina");
+    page.say("lamina.velocities", &[("known", &known)]);
+    let [ux, uy, spin, xk, yk] =
+        [&p.velocity[0], &p.velocity[1], &p.spin, &p.x[p.known], &p.y[p.known]].map(|e| page.tex(e));
+    page.formula(format!(r"v_{{x,i}} = {ux} - {spin}\,\left(y_i - {yk}\right)"));
+    page.formula(format!(r"v_{{y,i}} = {uy} + {spin}\,\left(x_i - {xk}\right)"));
+    let speed = |i: usize| sum(p.velocity(&p.x[i], &p.y[i]).map(square));
+    let share = |i: usize| &half * &p.m[i] * speed(i);
+    let head = [
+        r"v_{x,i}\ (\mathrm{m}/\mathrm{s})",
+        r"v_{y,i}\ (\mathrm{m}/\mathrm{s})",
+        r"v_i\ (\mathrm{m}/\mathrm{s})",
+        r"\tfrac{1}{2}\,m_i\,v_i^{2}\ (\mathrm{J})",
+    ];
+    table(&mut page, &p, &head, &|i| {
+        let [ux, uy] = p.velocity(&p.x[i], &p.y[i]);
+        vec![ux, uy, root(speed(i)), share(i)]
+    });
+    page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}".to_owned());
+    let all = total(&mut page, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", each(&share));
+    let again = page.find(&["T", "E"], "J", all);
+    page.display(again, &all.into(), "");
+    page.begin_as("why", "which");
+    let (n, count) = (p.names.len().to_string(), (2 * p.names.len()).to_string());
+    page.say("lamina.why", &[("n", &n), ("count", &count)]);
+    page.say("lamina.cross", &[("known", &known)]);
+    let [ux, uy] = &p.velocity;
+    let cross = uy * (x - &p.x[p.known]) - ux * (y - &p.y[p.known]);
+    page.find(&[r"T_{\times}", r"E_{\times}"], "J", mass * &p.spin * cross);
+    page.tell_new();
+    for (id, name) in [("limits", "lamina.limits"), ("onward", "lamina.onward")] {
+        page.begin(id);
+        page.say(name, &[]);
+    }
+    page.end();
+    Ok(())
+}
+
+/// A table with a row for each particle: its name and these cells, data as they are printed.
+fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) -> Vec<Expr>) {
+    let mut rows = vec![["i"].iter().chain(head).map(|c| format!("${c}$")).collect()];
+    for (i, name) in p.names.iter().enumerate() {
+        let cells = cells(i).into_iter().map(|e| match e {
+            Expr::Symbol(s) => {
+                let shown = page.symbols.shown(s);
+                format!("${}$", shown.split(r"\ ").next().unwrap_or_default())
+            }
+            e => {
+                let value = page.value(&e);
+                let value = if value.abs() < NOTHING { 0.0 } else { value };
+                format!("${}$", tex_digits(&shown::significant(value, FIGURES), page.words))
+            }
+        });
+        rows.push(std::iter::once(format!("${name}$")).chain(cells).collect());
+    }
+    page.table(rows);
 }
 
 /// Quantities of the scene as if its contacts were others: the equations of motion, solved again.

@@ -4,8 +4,8 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Arm, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Pin, Quantity, Rest,
-    RotaryInertia, Shape, Slope, Tie, Zero,
+    Arm, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Pin,
+    Quantity, Rest, RotaryInertia, Shape, Slope, Start, Tie, Zero,
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
@@ -534,6 +534,56 @@ impl Terms {
     /// `m` or `m k^2 + ...` of a coordinate, as one expression.
     pub fn inertia_expr(&self, c: Coordinate) -> Expr {
         sum(self.inertia(c).iter().map(Factors::expr))
+    }
+}
+
+/// Particles that move as one body.
+#[derive(Debug, Clone)]
+pub struct Particles {
+    /// Names of the particles.
+    pub names: Vec<String>,
+    /// Index of the particle whose velocity is known.
+    pub known: usize,
+    /// Masses.
+    pub m: Vec<Expr>,
+    /// Places.
+    pub x: Vec<Expr>,
+    /// Places.
+    pub y: Vec<Expr>,
+    /// Velocity of the particle that is known.
+    pub velocity: [Expr; 2],
+    /// Angular velocity.
+    pub spin: Expr,
+}
+
+impl Particles {
+    /// Those of the scene.
+    pub fn new(draft: &mut Draft) -> Option<Self> {
+        let scene = draft.scene;
+        let (body, known, numbers) = scene.start.iter().find_map(|s| match s {
+            Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
+                Some((*body, *particle, [*vx_m_s, *vy_m_s, *spin_rad_s]))
+            }
+            Start::Speed(..) => None,
+        })?;
+        let particles = &scene.bodies[body].particles;
+        let mut column = |of: fn(&Particle) -> Num, letter: &str, unit: &str| -> Vec<Expr> {
+            let number = |p: &Particle| draft.number(of(p), &format!("{letter}_{{{}}}", p.name), unit);
+            particles.iter().map(number).collect()
+        };
+        let (m, x) = (column(|p| p.mass_kg, "m", "kg"), column(|p| p.x_m, "x", "m"));
+        let y = column(|p| p.y_m, "y", "m");
+        let velocity = [draft.number(numbers[0], "v_x", "m/s"), draft.number(numbers[1], "v_y", "m/s")];
+        let spin = draft.number(numbers[2], r"\omega", "rad/s");
+        let names = particles.iter().map(|p| p.name.clone()).collect();
+        Some(Self { names, known, m, x, y, velocity, spin })
+    }
+
+    /// Velocity of a point: that of the known particle and that of the rotation about it.
+    pub fn velocity(&self, x: &Expr, y: &Expr) -> [Expr; 2] {
+        let [vx, vy] = &self.velocity;
+        let k = self.known;
+        [vx - &self.spin * (y - &self.y[k]), vy + &self.spin * (x - &self.x[k])]
     }
 }
 
