@@ -521,26 +521,23 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What of the forces of these kinds does not drop out, each as its share of the lead's equation.
     pub fn shares(&self, kinds: &[ForceKind]) -> Vec<(Action, Expr)> {
-        let mut list: Vec<(Action, Factors)> = Vec::new();
-        for action in self.m.actions.iter().filter(|a| kinds.contains(&a.kind)) {
-            let share = Factors::of(&action.force).times(self.point(action));
-            if !share.is_zero() {
-                list.push((action.clone(), share));
-            }
-        }
-        list.sort_by_key(|(a, share)| (negative(share), rank(a)));
-        list.into_iter().map(|(a, share)| (a, share.expr())).collect()
+        self.listed(&|a| kinds.contains(&a.kind), &|a| self.point(a))
     }
 
     /// Forces or moments in the equation of a coordinate.
     pub fn row(&self, c: Coordinate) -> Vec<(Action, Expr)> {
-        let mut list: Vec<(Action, Factors)> = Vec::new();
-        for action in self.m.actions.iter().filter(|a| a.body == c.body) {
-            let share = Factors::of(&action.force).times(self.m.lever(action, c));
-            if !share.is_zero() {
-                list.push((action.clone(), share));
-            }
-        }
+        self.listed(&|a| a.body == c.body, &|a| self.m.lever(a, c).clone())
+    }
+
+    /// These forces, each with its share, as they stand in an equation.
+    fn listed(
+        &self,
+        which: &dyn Fn(&Action) -> bool,
+        lever: &dyn Fn(&Action) -> Factors,
+    ) -> Vec<(Action, Expr)> {
+        let actions = self.m.actions.iter().filter(|a| which(a));
+        let shares = actions.map(|a| (a.clone(), a.force.factors().times(lever(a))));
+        let mut list: Vec<(Action, Factors)> = shares.filter(|(_, share)| !share.is_zero()).collect();
         list.sort_by_key(|(a, share)| (negative(share), rank(a)));
         list.into_iter().map(|(a, share)| (a, share.expr())).collect()
     }

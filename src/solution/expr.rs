@@ -102,12 +102,13 @@ pub fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
     if negative { minus(whole) } else { whole }
 }
 
-fn reduced(over: i64, under: i64) -> (i64, i64) {
+/// A fraction in lowest terms, its denominator > 0.
+pub fn reduced(over: i64, under: i64) -> (i64, i64) {
     let (mut a, mut b) = (over, under);
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    let divisor = a.abs().max(1);
+    let divisor = a.abs().max(1) * under.signum();
     (over / divisor, under / divisor)
 }
 
@@ -135,7 +136,7 @@ fn quotient(over: Expr, under: Expr) -> Expr {
         (Expr::Number(0, _), _) => ZERO,
         (over, Expr::Number(1, 1)) => over,
         (Expr::Number(a, b), Expr::Number(c, d)) if c != 0 => {
-            let (over, under) = reduced(a * d * c.signum(), b * c.abs());
+            let (over, under) = reduced(a * d, b * c);
             Expr::Number(over, under)
         }
         (Expr::Minus(over), under) => minus(quotient(*over, under)),
@@ -287,28 +288,29 @@ impl Expr {
         }
     }
 
+    /// The expressions that it is made of.
+    pub fn parts(&self) -> Vec<&Self> {
+        match self {
+            Self::Number(..) | Self::Symbol(_) => Vec::new(),
+            Self::Minus(inner) | Self::Power(inner, _) | Self::Root(inner) | Self::Of(_, inner) => {
+                vec![inner]
+            }
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().collect(),
+            Self::Quotient(over, under) => vec![over, under],
+        }
+    }
+
     /// The symbols in it, each once, in order.
     pub fn uses(&self) -> Vec<SymbolId> {
-        fn collect(expr: &Expr, found: &mut Vec<SymbolId>) {
-            match expr {
-                Expr::Number(..) => {}
-                Expr::Symbol(s) => {
-                    if !found.contains(s) {
-                        found.push(*s);
-                    }
-                }
-                Expr::Minus(inner) | Expr::Power(inner, _) | Expr::Root(inner) | Expr::Of(_, inner) => {
-                    collect(inner, found);
-                }
-                Expr::Sum(parts) | Expr::Product(parts) => parts.iter().for_each(|p| collect(p, found)),
-                Expr::Quotient(over, under) => {
-                    collect(over, found);
-                    collect(under, found);
-                }
+        let mut found = match self {
+            Self::Symbol(s) => vec![*s],
+            _ => Vec::new(),
+        };
+        for symbol in self.parts().into_iter().flat_map(Self::uses) {
+            if !found.contains(&symbol) {
+                found.push(symbol);
             }
         }
-        let mut found = Vec::new();
-        collect(self, &mut found);
         found
     }
 }

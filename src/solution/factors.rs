@@ -1,5 +1,5 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
-use crate::solution::expr::{Expr, SymbolId, ZERO, minus, power, product};
+use crate::solution::expr::{Expr, SymbolId, ZERO, minus, power, product, reduced};
 use crate::solution::symbols::Symbols;
 
 /// `constant * over / under`; factors that occur above and below are gone.
@@ -8,15 +8,6 @@ pub struct Factors {
     constant: (i64, i64),
     over: Vec<Expr>,
     under: Vec<Expr>,
-}
-
-fn divisor(a: i64, b: i64) -> i64 {
-    if b == 0 { a.abs().max(1) } else { divisor(b, a % b) }
-}
-
-fn reduced(over: i64, under: i64) -> (i64, i64) {
-    let common = divisor(over, under);
-    (over / common * under.signum(), under.abs() / common)
 }
 
 /// What of `from` is not in `taken`, each as often as it stands there more.

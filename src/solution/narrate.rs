@@ -3,7 +3,8 @@
 use crate::figure::names;
 use crate::num::shown;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Span, Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Slope, Span,
+    Thrown, Tie,
 };
 use crate::solution::account::{Account, Eliminated, LOOK, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
@@ -345,6 +346,19 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn new(t: Account<'d, 'a>, short: Short) -> Self {
         Self { t, short, rows: Vec::new(), gone: Vec::new(), ratios_told: false }
     }
+    // As those of the account and the page; named here so that what they are given may look at the narrator.
+    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        self.t.page.say(name, pieces);
+    }
+    fn formula(&mut self, tex: String) {
+        self.t.page.formula(tex);
+    }
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.get(label)
+    }
+    fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
+        self.t.page.tell(symbols);
+    }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
         name.map_or_else(String::new, |w| self.words.get(w).to_owned())
@@ -452,17 +466,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         if matches!(self.short, Short::Energy | Short::Motion) {
             if let Some((t, body)) = self.rolling().first().copied() {
-                let body = self.body(body);
-                self.say("idea.rolls", &[("body", &body)]);
+                self.say("idea.rolls", &[("body", &self.body(body))]);
                 let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
                 if self.short == Short::Energy {
                     self.say("idea.idle_roll", &[("force", &f)]);
                 }
             }
             if let Some((t, body)) = self.held() {
-                let body = self.body(body);
                 let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
-                self.say("idea.held", &[("body", &body)]);
+                self.say("idea.held", &[("body", &self.body(body))]);
                 if self.short == Short::Energy {
                     self.say("idea.idle_held", &[("force", &f)]);
                 }
@@ -502,9 +514,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (lead, d) = (self.lead(), self.distance());
         let against = self.value(&self.s) < 0.0;
         if place && against && pivot.is_none() {
-            let body = self.body(lead.body);
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
-            self.say("energy.against", &[("body", &body), ("way", &sense)]);
+            self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
@@ -520,9 +531,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
-        let balance = self.balance(&d);
         let links = self.links(false, |n, c| n.m.speed(c));
-        self.formula(balance);
+        self.formula(self.balance(&d));
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
         }
@@ -538,8 +548,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         match pivot {
             None => self.tell_groups(),
             Some(_) if self.sense < 0.0 => {
-                let name = self.names(&[self.speed()]);
-                self.say("pinned.magnitude", &[("omega", &name)]);
+                self.say("pinned.magnitude", &[("omega", &self.names(&[self.speed()]))]);
             }
             Some(_) => {}
         }
@@ -573,8 +582,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let line = self.chain(pivot.about, &whole);
         let gathered = short != whole && !matches!(short, Expr::Sum(_)) && *own != ZERO;
         if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
-            let line = line.replacen(" = ", &format!(" = {} = ", self.tex(&short)), 1);
-            self.formula(line);
+            self.formula(line.replacen(" = ", &format!(" = {} = ", self.tex(&short)), 1));
         } else {
             self.display(pivot.about, &whole, "");
         }
@@ -596,8 +604,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             _ => None,
         };
         if let Some(name) = name {
-            let angle = self.angle(&self.last);
-            self.say(name, &[("angle", &angle)]);
+            self.say(name, &[("angle", &self.angle(&self.last))]);
         }
         let turned = self.symbols.named(&format!(r"\Delta {}", self.symbols.tex(pivot.angle)));
         if turned.is_some() {
@@ -663,8 +670,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 _ => self.formula(line),
             }
             if self.symbols.value(gamma) > 1.0 && !spring {
-                let gamma = self.names(&[gamma]);
-                self.say("energy.ratio_check", &[("gamma", &gamma)]);
+                self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
             }
         }
     }
@@ -740,8 +746,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 }
             } else {
                 let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
-                let chain = self.chained(f);
-                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &chain)]);
+                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &self.chained(f))]);
             }
         }
     }
@@ -766,11 +771,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         match self.spring.clone() {
             Some(s) => {
                 let pull = s.stiffness.by(&s.gamma).by(&s.stretch);
-                let pull = self.valued(&pull, "N");
                 let drive = self.drive.clone();
                 let against = self.valued(&self.positive(&drive), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
-                self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
+                self.say(name, &[("pull", &self.valued(&pull, "N")), ("against", &against), ("way", &sense)]);
             }
             None => {
                 let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
@@ -815,8 +819,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
             && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
         {
-            let pull = self.chained(pull);
-            self.say("motion.spring_there", &[("pull", &pull)]);
+            self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
         }
         let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
         if let Some(s) = self.spring.clone() {
@@ -945,9 +948,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Energy is one balance for the unknown speeds of several freedoms.
     fn why_together(&mut self) {
         self.begin_as("why", "which");
-        let speeds = self.speeds();
-        let speeds = self.names(&speeds);
-        self.say("why.together", &[("unknown", &speeds)]);
+        self.say("why.together", &[("unknown", &self.names(&self.speeds()))]);
         self.say("why.ask", &[]);
     }
 
@@ -1146,8 +1147,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let pieces = [("asked", &*self.inline(t)), ("event", &*self.names(&[event]))];
             self.say(if rolls { "thrown.by_then" } else { "thrown.not_yet" }, &pieces);
         }
-        let at = self.inline(&slid);
-        self.say("thrown.state", &[("t", &at)]);
+        self.say("thrown.state", &[("t", &self.inline(&slid))]);
         let way = |start: &Expr, rate: SymbolId| start * &slid + ratio(1, 2) * (rate * square(&slid));
         let spins = (asked.is_some() && !rolls).then(|| &w0 + alpha * &slid);
         let mark = if rolls { r"\mathrm{r}" } else { "1" };
@@ -1290,13 +1290,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let half = ratio(1, 2);
         let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
         let (w, v) = (Expr::from(end.w), Expr::from(end.v));
-        let turned = spun(w0, v0) + fall.by(c).by(t);
-        let line = self.equation(&turned, &spun(&w, &v));
-        self.formula(line);
+        self.formula(self.equation(&(spun(w0, v0) + fall.by(c).by(t)), &spun(&w, &v)));
         self.say("thrown.balance", &[]);
-        let left = kinetic(w0, v0) - heat + fall.by(end.x);
-        let line = self.equation(&left, &kinetic(&w, &v));
-        self.formula(line);
+        self.formula(self.equation(&(kinetic(w0, v0) - heat + fall.by(end.x)), &kinetic(&w, &v)));
         if level && (rolls || !matches!(self.scene.end, End::Time(..))) {
             // The speed at which rolling begins, and the heat, without the friction.
             let carried = mass.plus(&own.per(square(c)));
@@ -1320,8 +1316,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Can a thrown body roll on?
     fn rolls_on(&mut self, body: usize, mu_s: Num) -> Result<(), DerivationStop> {
         let normal = self.get(of_body(Quantity::Normal, body))?;
-        let shown = self.shown(normal);
-        self.say("thrown.presses", &[("n", &shown)]);
+        self.say("thrown.presses", &[("n", &self.shown(normal))]);
         let fall = self.fall();
         if self.still_slips() {
             return Ok(());
@@ -1335,8 +1330,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
         let needed = self.valued(&self.positive(&needed), "N");
         let limit = self.number(mu_s, r"\mu_s", "1") * normal;
-        let limit = self.valued(&limit, "N");
-        self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &limit)]);
+        self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &self.valued(&limit, "N"))]);
         Ok(())
     }
 
@@ -1351,9 +1345,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (a, alpha) = self.tell_own(body)?;
         let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| self.magnitude(&x.arm));
         if let Some(c) = c {
-            let share = c.times(alpha).over(a);
-            let share = self.valued(&share, "1");
-            self.say("motion.share", &[("share", &share)]);
+            self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
         }
         self.skip_new();
         let v = self.t.speed_at_end()?;
@@ -1363,8 +1355,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let by = in_sense(a.into(), self.value(&a.into()));
                 let from = root(Expr::Number(2, 1) * by * self.distance());
                 self.say("motion.speed_of_slip", &[]);
-                let tex = self.chain(v, &from);
-                self.formula(tex);
+                self.formula(self.chain(v, &from));
             } else {
                 let displacement = match self.s {
                     Expr::Symbol(s) => Some(s),
@@ -1413,8 +1404,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let f = self.names(&f);
         self.say("slip.centre", &[("friction", &f)]);
         self.formula(format!(r"{centre}, \qquad {rotation}"));
-        let names = self.names(&[v, w]);
-        self.say("slip.neither", &[("unknown", &names), ("friction", &f)]);
+        self.say("slip.neither", &[("unknown", &self.names(&[v, w])), ("friction", &f)]);
         Ok(())
     }
 
@@ -1434,8 +1424,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if let Some(pivot) = &self.m.pivot {
             let pin = self.names(&[pivot.radial, pivot.across]);
             let alpha = self.names(&[self.acceleration()]);
-            let more = [("pin", &*pin), ("alpha", &*alpha)];
-            self.say("pinned.why", &[&pieces[..], &more].concat());
+            self.say("pinned.why", &[&pieces[..], &[("pin", &*pin), ("alpha", &*alpha)]].concat());
         } else if even {
             self.say("why.neither", &pieces);
         } else {
@@ -1447,8 +1436,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 (false, false) => "none",
             };
             let ties = self.phrase(&format!("why.ties_{ties}"), &[]);
-            let with = [&pieces[..], &[("ties", ties.trim_end())]].concat();
-            self.say("why.newton", &with);
+            self.say("why.newton", &[&pieces[..], &[("ties", ties.trim_end())]].concat());
             if self.gone.is_empty() {
                 self.say("why.no_reaction", &[]);
             } else {
@@ -1458,8 +1446,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
-                let silent = self.names(&silent);
-                self.say("why.price", &[("forces", &silent)]);
+                self.say("why.price", &[("forces", &self.names(&silent))]);
             }
             if self.asks(Quantity::T) {
                 self.say("why.price_time", &[]);
@@ -1471,9 +1458,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn why_not_energy(&mut self) {
         self.begin("why");
         let v = self.speed();
-        let s = self.inline(&self.s.clone());
-        let v = self.names(&[v]);
-        self.say("why.not_energy", &[("v", &v), ("s", &s)]);
+        self.say("why.not_energy", &[("v", &self.names(&[v])), ("s", &self.inline(&self.s.clone()))]);
         self.say("why.ask", &[]);
     }
 
@@ -1512,8 +1497,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sprung = !self.shares(&kinds).is_empty();
         if self.m.pivot.is_some() {
             if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-                let angle = self.angle(&self.last);
-                self.say("pinned.forces", &[("angle", &angle)]);
+                self.say("pinned.forces", &[("angle", &self.angle(&self.last))]);
             }
         } else if sprung {
             let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
@@ -1622,8 +1606,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("pinned.means", &[("pairs", &pairs.join("; "))]);
         let name = self.free(&[r"\mu", r"\nu"]);
         let mean = self.symbols.found(&name, a, "");
-        let shown = self.shown(mean);
-        self.say("pinned.mean_found", &[("mean", &shown)]);
+        self.say("pinned.mean_found", &[("mean", &self.shown(mean))]);
         let period = self.named(&[r"\tau", r"\tau_1"], "s");
         let label = of_body(Quantity::Period, self.lead().body);
         self.found(label, period, turns / (frequency * mean));
@@ -1652,15 +1635,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let sense = self.way(body, value);
         if value != 0.0 {
-            let symbol = self.names(&[f]);
-            self.say("friction.points", &[("f", &symbol), ("way", &sense)]);
+            self.say("friction.points", &[("f", &self.names(&[f])), ("way", &sense)]);
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
             let most = self.valued(&(mu * n), "N");
-            let symbol = self.names(&[f]);
-            self.say("friction.not_mu", &[("f", &symbol), ("most", &most)]);
+            self.say("friction.not_mu", &[("f", &self.names(&[f])), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {
             self.skip_new();
@@ -1673,8 +1654,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 && self.symbols.value(k0) >= self.datum(r)
             {
                 let r = self.number(r, "R", "m");
-                let r = self.inline(&r);
-                self.say("friction.any_wheel", &[("r", &r), ("way", &up)]);
+                self.say("friction.any_wheel", &[("r", &self.inline(&r)), ("way", &up)]);
             }
         }
         Ok(())
@@ -1736,7 +1716,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin("holds");
         let lead = self.lead();
         let part = &self.m.parts[lead.body];
-        let sloped = matches!(part.path, "incline" | "vertical");
+        let line = self.scene.bodies[lead.body].line;
+        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
         let up = self.sense * f64::from(part.up) > 0.0;
         let word = match (sloped, up) {
             _ if self.stays() => Word::Stays,
@@ -1806,8 +1787,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let (name, most) = (self.body(body), self.valued(&(mu * n), "N"));
-        let f = self.shown(f);
-        self.say("holds.held", &[("body", &name), ("f", &f), ("most", &most)]);
+        self.say("holds.held", &[("body", &name), ("f", &self.shown(f)), ("most", &most)]);
         Ok(())
     }
 
@@ -1840,8 +1820,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
-        let mu = self.valued_plain(&mu);
-        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &mu)]);
+        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &self.valued_plain(&mu))]);
         if value > most {
             return Ok(());
         }
@@ -1907,9 +1886,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.scene.span == Span::ToTurningPoint
             && let Ok((slack, true)) = self.t.turning_or_slack()
         {
-            let size = self.positive(&slack);
-            let slack = self.valued(&size, "m");
-            self.say("holds.goes_slack", &[("s", &slack)]);
+            self.say("holds.goes_slack", &[("s", &self.valued(&self.positive(&slack), "m"))]);
         }
         Ok(())
     }
@@ -1947,8 +1924,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("pinned.brakes_late", &angle);
         } else {
             let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
-            let least = rough(self, least, "rad^2/s^2");
-            self.say("pinned.never_rests", &[angle[0], ("least", &least)]);
+            self.say("pinned.never_rests", &[angle[0], ("least", &rough(self, least, "rad^2/s^2"))]);
         }
     }
 
@@ -2018,10 +1994,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return;
         }
         let percent = shown::significant(100.0 * self.value(&pivot.own.over(pivot.about)), 2);
-        let percent = tex_digits(&percent, self.words);
         let faster = end >= self.value(&self.v0).abs();
         let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
-        self.say(name, &[("percent", &percent)]);
+        self.say(name, &[("percent", &tex_digits(&percent, self.words))]);
         let given = self.scene.bodies.iter().any(|b| matches!(b.inertia, Some(RotaryInertia::Moment(_))));
         if self.scene.is_pendulum() && !given {
             self.say("pinned.no_mass", &[]);
@@ -2051,8 +2026,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let light = Expr::Number(2, 1) * self.distance() * drive;
         let light = light.over(sum(masses));
         let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
-        let v = self.shown(v);
-        self.say("limits.massless", &[("v", &v), ("fast", &fast)]);
+        self.say("limits.massless", &[("v", &self.shown(v)), ("fast", &fast)]);
     }
 
     /// Where the driving force just balances: nothing happens.
@@ -2079,8 +2053,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             &format!("${force} ="),
             &format!("${} =", marked(&force, r"\mathrm{0}").replace(r"\mathrm{0}", "0")),
         );
-        let force = self.inline(&action.force);
-        self.say("limits.balance", &[("force", &force), ("is", &text)]);
+        self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
     }
 
     /// Shares of the kinetic energy.
@@ -2095,8 +2068,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let share = self.get(of_scene(Quantity::RotationalFraction))?;
         let percent = shown::significant(100.0 * self.symbols.value(share), 2);
         self.skip_new();
-        let percent = tex_digits(&percent, self.words);
-        self.say("limits.spin", &[("percent", &percent)]);
+        self.say("limits.spin", &[("percent", &tex_digits(&percent, self.words))]);
         Ok(())
     }
 

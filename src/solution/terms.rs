@@ -87,8 +87,6 @@ pub struct BodyTerms {
     pub turn: Factors,
     /// 1 if forward is up (or right), else -1: the sense in which friction counts as positive.
     pub up: i8,
-    /// Line it moves on, for words: `incline`, `vertical`, `level`; `axle` where it only turns.
-    pub path: &'static str,
     /// Slips: its spin is a freedom of its own.
     pub slips: bool,
 }
@@ -628,12 +626,6 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
             let n = draft.unknown(&tex, "N");
             (n, mass.expr() * &g * level)
         });
-        let path = match body.line.map(|l| l.slope) {
-            None => "axle",
-            Some(Slope::Level) => "level",
-            Some(Slope::Vertical) => "vertical",
-            Some(Slope::Degrees(_)) => "incline",
-        };
         parts.push(BodyTerms {
             label: names::body(draft.words, draft.scene, i),
             tag,
@@ -647,7 +639,6 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
             along: Factors::zero(),
             turn: Factors::zero(),
             up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
-            path,
             slips: (0..scene.ties.len())
                 .any(|t| rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)),
         });
