@@ -376,8 +376,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if !self.m.one {
             self.together()?;
         }
-        let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
-        self.drive = positive_first(all.into_iter().map(|(_, e)| e));
+        self.drive = self.share_sum(&[ForceKind::Given, ForceKind::Kinetic]);
         let lead = self.lead();
         let mut push = self.value(&self.drive);
         if let Some(s) = &self.spring {
@@ -527,6 +526,16 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Forces or moments in the equation of a coordinate.
     pub fn row(&self, c: Coordinate) -> Vec<(Action, Expr)> {
         self.listed(&|a| a.body == c.body, &|a| self.m.lever(a, c).clone())
+    }
+
+    /// The sum of [`Self::shares`].
+    pub fn share_sum(&self, kinds: &[ForceKind]) -> Expr {
+        positive_first(self.shares(kinds).into_iter().map(|(_, e)| e))
+    }
+
+    /// The sum of [`Self::row`].
+    pub fn row_sum(&self, c: Coordinate) -> Expr {
+        positive_first(self.row(c).into_iter().map(|(_, e)| e))
     }
 
     /// These forces, each with its share, as they stand in an equation.
@@ -717,8 +726,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let turned = self.radians(&angle - &first);
         let works = self.works_on(&pivot, &angle, turned, &stretches);
         self.square = square(&self.v0) + number(2) * sum(works) / pivot.about;
-        let row = self.row(self.lead()).into_iter().map(|(_, e)| e);
-        self.drive = positive_first(row);
+        self.drive = self.row_sum(self.lead());
         if let Some(spring) = &pivot.spring {
             let law = spring.law(up, &angle, &spring.length(up, &angle));
             let put = |e: Expr, (symbol, is): (&SymbolId, &Expr)| e.put(*symbol, is);
@@ -1307,7 +1315,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::XEq => {
                 let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
                 // Without friction, which would hold it in many places.
-                let given = positive_first(self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e));
+                let given = self.share_sum(&[ForceKind::Given]);
                 Ok(if self.m.tied { self.rest_under(&spring, &given) } else { ZERO })
             }
             Quantity::OmegaSmall | Quantity::PeriodSmall => {
@@ -1330,8 +1338,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return beyond(Beyond::Unfound);
         }
         if self.own(c) {
-            let over = positive_first(self.row(c).into_iter().map(|(_, e)| e));
-            return Ok(over.over(self.m.inertia_expr(c)));
+            return Ok(self.row_sum(c).over(self.m.inertia_expr(c)));
         }
         let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
         Ok(by.by(self.m.ratio(c)))

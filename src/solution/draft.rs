@@ -328,22 +328,11 @@ impl<'a> Draft<'a> {
             A, Alpha, Direction, Friction, FrictionIfRolled, MuRequired, Normal, PowerCouple, PowerPull,
             Rolls, Tension, Value,
         };
-        let forced = [
-            A,
-            Alpha,
-            Direction,
-            Friction,
-            FrictionIfRolled,
-            MuRequired,
-            Normal,
-            PowerCouple,
-            PowerPull,
-            Rolls,
-            Tension,
-            Value,
-        ];
-        self.scene.pinned().is_some()
-            || asked::needed(self.scene, self.problem).iter().any(|label| forced.contains(&label.quantity))
+        let kinetic = |q| matches!(q, A | Alpha | Direction | PowerCouple | PowerPull | Rolls | Value);
+        let forced =
+            |q| kinetic(q) || matches!(q, Friction | FrictionIfRolled | MuRequired | Normal | Tension);
+        let pinned = self.scene.pinned().is_some();
+        pinned || asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
     }
 
     /// Is this label asked?

@@ -23,6 +23,9 @@ use crate::solution::written::width;
 use crate::solve::outcome::Word;
 use std::ops::{Deref, DerefMut};
 
+/// What drives the lead or holds it back.
+const DRIVING: [ForceKind; 3] = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
+
 /// Which way comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Short {
@@ -259,7 +262,7 @@ pub fn as_if(
     let a = n.acceleration();
     if n.m.one {
         let right = n.effective.by(a);
-        let line = n.equation(&n.all_shares(), &right);
+        let line = n.equation(&n.share_sum(&DRIVING), &right);
         n.say("asked.together", &[]);
         n.formula(line);
     }
@@ -859,7 +862,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !from.is_empty() {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
-        let sum_of = self.all_shares();
+        let sum_of = self.share_sum(&DRIVING);
         let right = self.effective.by(a);
         let line = self.equation(&sum_of, &right);
         let value = self.symbols.shown(a);
@@ -981,11 +984,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("instant.energy", &[]);
         self.tell_new();
         if self.forces_asked() { self.motion("long") } else { Ok(()) }
-    }
-
-    fn all_shares(&self) -> Expr {
-        let kinds = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
-        positive_first(self.shares(&kinds).into_iter().map(|(_, e)| e))
     }
 
     fn say_senses(&mut self) {
@@ -1133,7 +1131,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.tell_new();
         // Would it roll on?
         let normal = self.get(of_body(Quantity::Normal, body))?;
-        let (fall, j) = (self.fall(), self.inertia_of(body).per(square(&c)));
+        let (fall, j) = (self.share_sum(&[ForceKind::Given]), self.inertia_of(body).per(square(&c)));
         let rolling = fall.over(self.m.parts[body].mass.plus(&j));
         let grip = self.number(thrown.mu_s, r"\mu_s", "1") * normal;
         let holds = self.value(&j.by(&rolling)).abs() <= self.value(&grip);
@@ -1168,22 +1166,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mut rates = [a, alpha];
         let of_rolling = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
         if rolls || of_rolling.iter().any(|q| self.asks(*q)) {
-            self.say(if fall == ZERO { "thrown.roll_level" } else { "thrown.roll" }, &[]);
-            let tex = marked(self.symbols.tex(a), r"\mathrm{r}");
-            let a_r = self.find(&[&tex], "m/s^2", rolling);
-            let f = self.get(of_body(Quantity::Friction, body))?;
-            let tex = marked(self.symbols.tex(f), r"\mathrm{r}");
-            let f_r =
-                if fall == ZERO { ZERO } else { in_sense(j.by(a_r), -f64::from(self.m.parts[body].up)) };
-            let f_r = self.find(&[&tex], "N", f_r);
-            self.draft.answer(of_body(of_rolling[1], body), DerivedAnswer::Value(f_r));
-            self.ends_as(of_body(of_rolling[0], body), a_r);
-            if self.asks(of_rolling[2]) {
-                let size = self.size(f_r.into());
-                let mu = self.find(&[r"\mu_{\mathrm{min}}"], "1", size / normal);
-                self.ends_as(of_body(of_rolling[2], body), mu);
-            }
-            self.tell_new();
+            let [a_r, f_r] = self.once_rolling(rolling, &j)?;
             if let (true, Some(t), Some(event)) = (rolls, &asked, event) {
                 self.say("thrown.leg", &[]);
                 let left = self.find(&[r"\Delta t"], "s", t - event);
@@ -1199,23 +1182,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 self.ends_as(of_body(Quantity::Friction, body), f_r);
             }
         }
-        let [turned, started] =
-            [(&v0, first.v, a), (&first.v.into(), end.v, rates[0])].map(|(from, to, a)| {
-                let turns = self.value(from) * self.symbols.value(to) < 0.0;
-                turns.then(|| square(from) / (Expr::Number(2, 1) * a))
-            });
         if self.asks(Quantity::Distance) {
-            let turn = turned.map(|way| -way).or_else(|| started.map(|way| first.x - way));
-            let way = match turn {
-                // There and back.
-                Some(turn) => {
-                    let turn = self.find(&["x_t"], "m", turn);
-                    magnitude(turn) + magnitude(end.x - turn)
-                }
-                None => in_sense(end.x.into(), self.symbols.value(end.x)),
-            };
-            let d = self.find(&["d", "d_G"], "m", way);
-            self.ends_as(of_body(Quantity::Distance, body), d);
+            self.there_and_back([v0.clone(), first.v.into(), end.v.into()], [a, rates[0]], [first.x, end.x]);
         }
         let sized = [end.v, end.w, end.phi].map(|s| self.sized(s));
         let of = |q| of_body(q, body);
@@ -1234,9 +1202,36 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
-    /// Sum of the given forces on the lead.
-    fn fall(&self) -> Expr {
-        positive_first(self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e))
+    /// Acceleration and friction of a thrown body once it rolls.
+    fn once_rolling(&mut self, rolling: Expr, j: &Factors) -> Result<[SymbolId; 2], DerivationStop> {
+        let body = self.lead().body;
+        let level = rolling == ZERO;
+        self.say(if level { "thrown.roll_level" } else { "thrown.roll" }, &[]);
+        let f = self.get(of_body(Quantity::Friction, body))?;
+        let [a_tex, f_tex] = [self.acceleration(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
+        let a = self.find(&[&a_tex], "m/s^2", rolling);
+        let back = -f64::from(self.m.parts[body].up);
+        let f = self.find(&[&f_tex], "N", if level { ZERO } else { in_sense(j.by(a), back) });
+        self.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(f));
+        self.ends_as(of_body(Quantity::ARolling, body), a);
+        self.tell_new();
+        Ok([a, f])
+    }
+
+    /// How far a thrown body goes in all: from one leg to the next it has these speeds and places, on each an acceleration.
+    fn there_and_back(&mut self, v: [Expr; 3], a: [SymbolId; 2], x: [SymbolId; 2]) {
+        let turn = (0..2).find(|i| self.value(&v[*i]) * self.value(&v[i + 1]) < 0.0);
+        let way = match turn {
+            Some(leg) => {
+                let more = -(square(&v[leg]) / (Expr::Number(2, 1) * a[leg]));
+                let turn = self.find(&["x_t"], "m", if leg == 0 { more } else { x[0] + more });
+                magnitude(turn) + magnitude(x[1] - turn)
+            }
+            None => self.positive(&x[1].into()),
+        };
+        let d = self.find(&["d", "d_G"], "m", way);
+        let body = self.lead().body;
+        self.ends_as(of_body(Quantity::Distance, body), d);
     }
 
     /// Moment of inertia of a body as one term.
@@ -1282,7 +1277,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         rolls: bool,
     ) {
         let body = self.lead().body;
-        let (fall, mass, own) = (self.fall(), self.m.parts[body].mass.clone(), self.inertia_of(body));
+        let (fall, mass, own) =
+            (self.share_sum(&[ForceKind::Given]), self.m.parts[body].mass.clone(), self.inertia_of(body));
         let level = fall == ZERO;
         self.begin_as("long", "slip_energy");
         self.say(if level { "thrown.momentum_level" } else { "thrown.momentum" }, &[]);
@@ -1317,7 +1313,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn rolls_on(&mut self, body: usize, mu_s: Num) -> Result<(), DerivationStop> {
         let normal = self.get(of_body(Quantity::Normal, body))?;
         self.say("thrown.presses", &[("n", &self.shown(normal))]);
-        let fall = self.fall();
+        let fall = self.share_sum(&[ForceKind::Given]);
         if self.still_slips() {
             return Ok(());
         }
@@ -1349,21 +1345,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.skip_new();
         let v = self.t.speed_at_end()?;
-        if let Some(step) = self.steps.iter().find(|s| s.symbol == v).cloned() {
-            if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
-                // v^2 = 2 a d, with the acceleration as it was found.
-                let by = in_sense(a.into(), self.value(&a.into()));
-                let from = root(Expr::Number(2, 1) * by * self.distance());
-                self.say("motion.speed_of_slip", &[]);
-                self.formula(self.chain(v, &from));
-            } else {
-                let displacement = match self.s {
-                    Expr::Symbol(s) => Some(s),
-                    _ => None,
-                };
-                self.forget([step.symbol].into_iter().chain(displacement));
-                self.tell_new();
-            }
+        if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
+            // v^2 = 2 a d, with the acceleration as it was found.
+            let by = self.positive(&a.into());
+            let from = root(Expr::Number(2, 1) * by * self.distance());
+            self.say("motion.speed_of_slip", &[]);
+            self.formula(self.chain(v, &from));
+        } else {
+            self.tell([v].into_iter().chain(self.s.uses()));
         }
         for quantity in [Quantity::Omega, Quantity::Phi, Quantity::SlipDistance] {
             self.get(of_body(quantity, body))?;
@@ -1387,19 +1376,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
         let turn = self.symbols.value(alpha);
-        let row = |n: &Self, degree| {
-            let row = n.row(Coordinate { body, degree });
-            positive_first(row.into_iter().map(|(_, e)| e))
-        };
-        let (forces, moments) = (row(self, Degree::Along), row(self, Degree::Turn));
-        let wrapped = |n: &Self, e: Expr, sense: f64, by: Expr| n.tex(&(in_sense(e, sense) * by));
-        let centre = format!(
-            "{} = {}",
-            wrapped(self, forces, place, d),
-            self.tex(&(&half * part.mass.expr() * square(v)))
-        );
+        let [forces, moments] =
+            [Degree::Along, Degree::Turn].map(|degree| self.row_sum(Coordinate { body, degree }));
+        let (work, gain) = (in_sense(forces, place) * d, &half * part.mass.expr() * square(v));
         let spin = sum(part.inertia.iter().map(|i| &half * i.expr() * square(w)));
-        let rotation = format!("{} = {}", wrapped(self, moments, turn, phi.into()), self.tex(&spin));
+        let centre = self.equation(&work, &gain);
+        let rotation = self.equation(&(in_sense(moments, turn) * phi), &spin);
         let f = self.kinetic_frictions();
         let f = self.names(&f);
         self.say("slip.centre", &[("friction", &f)]);
@@ -1963,7 +1945,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Ok(());
         }
         if self.slip.is_some() {
-            let level = self.fall() == ZERO && !self.still_slips();
+            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips();
             self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
             return Ok(());
         }
