@@ -662,8 +662,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let push = positive_first([in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
                 let gained = if self.m.one { twice.over(&self.effective) } else { twice.expr() };
-                let before = if self.v0 == ZERO { ZERO } else { square(self.v0.clone()) };
-                self.found(v_label, v, root(before + gained));
+                self.found(v_label, v, root(square(&self.v0) + gained));
                 self.v = v.into();
                 accelerated(self);
             }
@@ -982,7 +981,6 @@ impl<'d, 'a> Account<'d, 'a> {
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
-        let way = |x: &Expr| (&spring.stretch - x).over(&spring.gamma);
         let mut last = None;
         match self.scene.end {
             End::Travel(_, d) => self.s = in_sense(self.length(d), self.sense),
@@ -1030,7 +1028,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some(x) = last {
             let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
             self.step(x1, x);
-            self.new_way(way(&x1.into()));
+            self.new_way((&spring.stretch - x1).over(&spring.gamma));
             last = Some(x1.into());
         }
         let last = match last {
@@ -1040,11 +1038,9 @@ impl<'d, 'a> Account<'d, 'a> {
                 from => self.swung(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
             },
         };
-        let squares =
-            if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
+        let squares = square(&spring.stretch) - square(&last);
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
         let twice = positive_first([&spring.stiffness * squares, others]);
-        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
         match self.scene.end {
             End::TurningPoint(_) => {
                 self.found(v_label, v, ZERO);
@@ -1054,14 +1050,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.found(v_label, v, self.v.clone());
             }
             _ => {
-                self.found(v_label, v, root(before + twice / &self.effective));
+                self.found(v_label, v, root(square(&self.v0) + twice / &self.effective));
                 self.v = v.into();
             }
         }
         self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
-        let pull = spring.tension.by(&spring.gamma);
-        let now = positive_first([pull, self.drive.clone()]);
+        let now = positive_first([spring.tension.by(&spring.gamma), self.drive.clone()]);
         self.found(a_label, a, now / &self.effective);
         Ok(())
     }
@@ -1086,8 +1081,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
         let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
-        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
-        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(before + work / &self.effective));
+        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(square(&self.v0) + work / &self.effective));
         Ok(Some((time.into(), speed.into())))
     }
 
@@ -1789,7 +1783,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return beyond(Beyond::Unfound);
         }
         let stored = &spring.stiffness * square(&spring.stretch);
-        let moving = if self.v0 == ZERO { ZERO } else { &self.effective * square(&self.v0) };
+        let moving = &self.effective * square(&self.v0);
         Ok(-((stored + moving) / (number(2) * &self.drive)))
     }
 }

@@ -279,6 +279,12 @@ pub fn as_if(
     Ok(found)
 }
 
+/// Is there a difference in it, which may have either sign?
+fn subtracts(e: &Expr) -> bool {
+    let less = |t: &&Expr| matches!(t, Expr::Minus(_));
+    matches!(e, Expr::Sum(_)) && e.parts().iter().any(less) || e.parts().into_iter().any(subtracts)
+}
+
 /// What friction rolling would need on a contact that is said to slip.
 fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
     let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
@@ -437,7 +443,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let ratio = self.m.ratio(c);
                 let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
                 let right = by.by(&ratio);
-                Some(format!("${} = {}$", self.symbols.tex(symbol), self.tex(&right)))
+                Some(self.stated(symbol, &right))
             })
             .collect()
     }
@@ -468,27 +474,22 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("pinned.idea_pin", &[]);
         }
         if matches!(self.short, Short::Energy | Short::Motion) {
-            if let Some((t, body)) = self.rolling().first().copied() {
-                self.say("idea.rolls", &[("body", &self.body(body))]);
-                let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
-                if self.short == Short::Energy {
-                    self.say("idea.idle_roll", &[("force", &f)]);
-                }
-            }
-            if let Some((t, body)) = self.held() {
-                let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
-                self.say("idea.held", &[("body", &self.body(body))]);
-                if self.short == Short::Energy {
-                    self.say("idea.idle_held", &[("force", &f)]);
-                }
-            }
             let cords = self.cords();
+            let ties =
+                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
+            for (found, name, idle) in ties {
+                let Some((t, body)) = found else { continue };
+                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
+                if self.short == Short::Energy {
+                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
+                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
+                }
+            }
             if !cords.is_empty() {
-                let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                let forces = self.names(&forces);
                 self.say("idea.cords", &[]);
                 if self.short == Short::Energy {
-                    self.say("idea.idle_cords", &[("forces", &forces)]);
+                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
+                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
                 }
             }
         }
@@ -634,7 +635,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// `s = m_e (v^2 - v0^2)/(2 F)`
     fn way_by_energy(&self) -> Expr {
         let squares = square(&self.v) - square(&self.v0);
-        let squares = if self.v == ZERO { -square(&self.v0) } else { squares };
         &self.effective * squares / (Expr::Number(2, 1) * &self.drive)
     }
 
@@ -660,14 +660,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
             let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-            let tail = if given && !spring && self.s != ZERO && self.asks_label(travel) {
-                self.get(travel).ok().map(|l| {
-                    let from = self.steps.last().map_or(ZERO, |s| s.from.clone());
-                    self.chain(l, &from)
-                })
-            } else {
-                None
-            };
+            let told = given && !spring && self.s != ZERO && self.asks_label(travel);
+            let tail = if told { self.get(travel).ok() } else { None }.map(|l| self.step_of(l));
             match tail {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
                 _ => self.formula(line),
@@ -684,11 +678,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
         if let Some(s) = &self.spring {
-            let squares = match &self.last {
-                &ZERO => square(&s.stretch),
-                x1 => square(&s.stretch) - square(x1),
-            };
-            works.push(ratio(1, 2) * &s.stiffness * squares);
+            works.push(ratio(1, 2) * &s.stiffness * (square(&s.stretch) - square(&self.last)));
         }
         if self.m.pivot.is_some() {
             works.clone_from(&self.works);
@@ -698,18 +688,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
-            let mut all = Vec::new();
-            for c in self.coordinates() {
-                let Some(v) = self.m.speed(c) else { continue };
-                for i in self.m.inertia(c) {
-                    all.push(i.times(square(v)).by(&half));
-                }
-            }
-            sum(all)
+            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.speed(c)?)));
+            let inertias = speeds.flat_map(|(c, v)| self.m.inertia(c).into_iter().map(move |i| (i, v)));
+            sum(inertias.map(|(i, v)| i.times(square(v)).by(&half)))
         } else {
-            let gain = square(self.v.clone()) - square(&self.v0);
-            let gain = if self.v == ZERO { -square(&self.v0) } else { gain };
-            ratio(1, 2) * &self.effective * gain
+            ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
         };
         let one = self.equation(&left, &right);
         if width(&one) <= LINE { one } else { format!(r"{} \\ &= {}", self.tex(&left), self.tex(&right)) }
@@ -768,9 +751,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     fn tell_direction(&mut self) {
         let lead = self.lead();
-        let part = &self.m.parts[lead.body];
-        let up = self.sense * f64::from(part.up) > 0.0;
-        let sense = self.way(lead.body, if up { 1.0 } else { -1.0 });
+        let sense = self.way(lead.body, self.sense * f64::from(self.m.parts[lead.body].up));
         match self.spring.clone() {
             Some(s) => {
                 let pull = s.stiffness.by(&s.gamma).by(&s.stretch);
@@ -829,12 +810,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             // One place on the way, not that at the end.
             let names = if self.symbols.named("s").is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
-            let stretch = &s.stretch - s.gamma.by(s_now);
-            let law = &s.stiffness * stretch;
-            let still = self.t.still();
-            let law = format!("${} = {}$", self.symbols.tex(s.tension), self.tex(&law));
-            if !still {
-                self.say("motion.spring", &[("law", &law)]);
+            let law = &s.stiffness * (&s.stretch - s.gamma.by(s_now));
+            if !self.t.still() {
+                self.say("motion.spring", &[("law", &self.stated(s.tension, &law))]);
             }
         }
         if !links.is_empty() {
@@ -853,8 +831,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             .iter()
             .map(|g| {
                 let n = self.number_of(g.row);
-                let is = format!("${} = {}$", self.symbols.tex(g.force), self.tex(&g.is));
-                self.phrase("motion.from", &[("n", &n), ("is", &is)])
+                self.phrase("motion.from", &[("n", &n), ("is", &self.stated(g.force, &g.is))])
             })
             .collect();
         let n = self.number_of(last);
@@ -862,17 +839,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !from.is_empty() {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
-        let sum_of = self.share_sum(&DRIVING);
-        let right = self.effective.by(a);
-        let line = self.equation(&sum_of, &right);
-        let value = self.symbols.shown(a);
-        let tex = self.symbols.tex(a).to_owned();
+        let line = self.equation(&self.share_sum(&DRIVING), &self.effective.by(a));
         if self.spring.is_none() {
-            let whole = format!(r"{line}, \qquad {tex} = {value}");
+            let value = format!("{} = {}", self.symbols.tex(a), self.symbols.shown(a));
+            let whole = format!(r"{line}, \qquad {value}");
             if !from.is_empty() || width(&whole) > WITHIN {
                 self.formula(whole);
             } else {
-                self.add(format!("${line}$, ${tex} = {value}$."));
+                self.add(format!("${line}$, ${value}$."));
             }
         } else {
             self.formula(line);
@@ -1475,8 +1449,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for (_, body) in &rolling {
             let _ = self.get(of_body(Quantity::Friction, *body));
         }
-        let kinds = [ForceKind::Spring];
-        let sprung = !self.shares(&kinds).is_empty();
+        let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
         if self.m.pivot.is_some() {
             if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
                 self.say("pinned.forces", &[("angle", &self.angle(&self.last))]);
@@ -1487,17 +1460,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.acceleration();
-            let name = if self.short == Short::Energy && self.v0 == ZERO && self.straight() {
-                "forces.back"
-            } else {
-                "forces.rows"
-            };
-            let v = self.speed();
-            let by = square(v) / (Expr::Number(2, 1) * self.distance());
-            let place = matches!(self.scene.end, End::Travel(..));
-            let name = if place { name } else { "forces.rows" };
-            let by = format!("${} = {}$", self.symbols.tex(a), self.tex(&in_sense(by, self.sense)));
-            self.say(name, &[("a", &by)]);
+            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
+            let back = place && self.short == Short::Energy && self.v0 == ZERO;
+            let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
+            let by = self.stated(a, &in_sense(by, self.sense));
+            self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
         }
         if !rolling.is_empty() {
             let normals = self.normals();
@@ -1646,26 +1613,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn read_signs(&mut self, body: usize, terms: &[(Action, Factors)]) {
         for (action, lever) in terms {
             let whole = lever.expr();
-            let name = match action.source {
-                ForceSource::Weight(_) => "friction.weight".to_owned(),
-                _ => "friction.force".to_owned(),
-            };
             let force = self.inline(&action.force);
-            let mixed = match &whole {
-                Expr::Sum(parts) => parts.iter().any(|p| matches!(p, Expr::Minus(_))),
-                Expr::Product(parts) => parts.iter().any(
-                    |p| matches!(p, Expr::Sum(terms) if terms.iter().any(|t| matches!(t, Expr::Minus(_)))),
-                ),
-                _ => false,
+            let name = match action.source {
+                _ if subtracts(&whole) => "friction.changes",
+                ForceSource::Weight(_) => "friction.weight",
+                _ => "friction.force",
             };
-            let positive = self.value(&(whole.clone() * self.size(action.force.clone()))) > 0.0;
-            let sense = self.way(body, if positive { 1.0 } else { -1.0 });
-            if mixed {
-                let factor = self.inline(&whole);
-                self.say("friction.changes", &[("force", &force), ("factor", &factor), ("way", &sense)]);
-            } else {
-                self.say(&name, &[("force", &force), ("way", &sense)]);
-            }
+            let sense = self.way(body, self.value(&(whole.clone() * self.size(action.force.clone()))));
+            let factor = self.inline(&whole);
+            self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
     }
 
@@ -1708,7 +1664,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (false, true) => Word::Forward,
             (false, false) => Word::Back,
         };
-        self.word(Label { quantity: Quantity::Direction, of: Owner::Body(lead.body) }, word);
+        self.word(of_body(Quantity::Direction, lead.body), word);
         self.torn_loose()?;
         let mut taut: Vec<String> = Vec::new();
         for tie in 0..self.scene.ties.len() {
@@ -1753,10 +1709,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             }
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
-            let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
-            let push = positive_first([in_sense(sum(given), self.sense)]);
-            let ratio = self.magnitude(self.m.ratio(along));
-            let hold = (mu * n) * ratio.expr();
+            let push = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
+            let hold = (mu * n) * self.magnitude(self.m.ratio(along)).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
         }
@@ -1764,7 +1718,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     /// What slides as soon as it moves, and stays.
-    fn held_by_friction(&mut self, body: usize, mu: crate::scene::Num) -> Result<(), DerivationStop> {
+    fn held_by_friction(&mut self, body: usize, mu: Num) -> Result<(), DerivationStop> {
         let mu = self.number(mu, r"\mu_s", "1");
         let n = self.get(of_body(Quantity::Normal, body))?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
@@ -1774,7 +1728,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     /// `|F| <= mu_s N` as far as the scene looks.
-    fn grips(&mut self, body: usize, mu_s: Option<crate::scene::Num>) -> Result<(), DerivationStop> {
+    fn grips(&mut self, body: usize, mu_s: Option<Num>) -> Result<(), DerivationStop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let normal = self.shown(n);
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
@@ -1802,19 +1756,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
-        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &self.valued_plain(&mu))]);
-        if value > most {
-            return Ok(());
+        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &self.valued(&mu, "1"))]);
+        if value <= most {
+            self.word(of_body(Quantity::Rolls, body), Word::Yes);
         }
-        self.word(of_body(Quantity::Rolls, body), Word::Yes);
         Ok(())
-    }
-
-    fn valued_plain(&self, e: &Expr) -> String {
-        match e {
-            Expr::Symbol(s) => self.shown(*s),
-            e => self.inline(e),
-        }
     }
 
     /// The contact slides against the friction that was assumed.
@@ -1951,8 +1897,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
             self.massless_limit();
-        }
-        if self.spring.is_none() && self.v0 == ZERO && self.short == Short::Energy {
             self.balance_limit();
         }
         if self.v0 == ZERO && self.short != Short::Motion {
@@ -1987,11 +1931,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Without rotary inertia: the closed form of the speed that is left.
     fn massless_limit(&mut self) {
-        let turning: Vec<Coordinate> = self
-            .coordinates()
-            .into_iter()
-            .filter(|c| c.degree == Degree::Turn && !self.m.inertia(*c).is_empty())
-            .collect();
         let v = self.speed();
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
         let masses: Vec<Expr> = lines
@@ -2001,7 +1940,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             })
             .filter(|e| *e != ZERO)
             .collect();
-        if turning.is_empty() || masses.is_empty() || !self.straight() {
+        if !self.spins() || masses.is_empty() || !self.straight() {
             return;
         }
         let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
@@ -2017,13 +1956,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
         });
         let Some((action, share)) = pull else { return };
-        let others: Vec<Expr> = self
-            .t
-            .shares(&[ForceKind::Given])
-            .into_iter()
-            .filter(|(a, _)| a.source != action.source)
-            .map(|(_, e)| -e)
-            .collect();
+        let others = self.shares(&[ForceKind::Given]).into_iter();
+        let others: Vec<Expr> = others.filter(|(a, _)| a.source != action.source).map(|(_, e)| -e).collect();
         let per = Factors::of(&share).per(&action.force);
         let needed = positive_first(others.clone()).over(&per);
         if others.is_empty() || self.value(&needed) <= 0.0 {
@@ -2031,19 +1965,19 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let force = self.tex(&action.force);
         let digits = tex_digits(&shown::significant(self.value(&needed), FIGURES), self.words);
-        let text = format!(r"${force} = {} = {digits}\ {}$", self.tex(&needed), tex_of("N")).replace(
-            &format!("${force} ="),
-            &format!("${} =", marked(&force, r"\mathrm{0}").replace(r"\mathrm{0}", "0")),
-        );
+        let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
         self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
+    }
+
+    /// Has anything that turns a moment of inertia?
+    fn spins(&self) -> bool {
+        self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty())
     }
 
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
-        let turning =
-            self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty());
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
-        if !turning || !moving || self.value(&self.v) == 0.0 {
+        if !self.spins() || !moving || self.value(&self.v) == 0.0 {
             return Ok(());
         }
         self.skip_new();

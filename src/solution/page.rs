@@ -171,6 +171,10 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn inline(&self, e: &Expr) -> String {
         format!("${}$", self.tex(e))
     }
+    /// `$symbol = e$`
+    pub fn stated(&self, symbol: SymbolId, e: &Expr) -> String {
+        format!("${}$", self.equation(&symbol.into(), e))
+    }
     /// Several symbols.
     pub fn names(&self, all: &[SymbolId]) -> String {
         let list: Vec<String> = all.iter().map(|s| format!("${}$", self.symbols.tex(*s))).collect();
