@@ -1403,6 +1403,11 @@ impl<'d, 'a> Account<'d, 'a> {
         })
     }
 
+    /// The radius of the contact of a body.
+    pub fn radius_of(&self, body: usize) -> Option<Factors> {
+        self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm))
+    }
+
     /// A reaction: from the row in which it is the only unknown left, others first where need be.
     fn reaction(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let tie = match label.of {

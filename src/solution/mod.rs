@@ -128,13 +128,11 @@ fn made(
         }
     }
     // What is not given comes before the first formula, a question to go on with at the end.
-    if let Some(at) = sections.iter().position(|s| s.id == "unknown") {
-        let early = sections.remove(at);
-        sections.insert(2, early);
-    }
-    if let Some(at) = sections.iter().position(|s| s.id == "onward") {
-        let last = sections.remove(at);
-        sections.push(last);
+    for (id, place) in [("unknown", 2), ("onward", sections.len() - 1)] {
+        if let Some(at) = sections.iter().position(|s| s.id == id) {
+            let moved = sections.remove(at);
+            sections.insert(place, moved);
+        }
     }
 
     let pictures = if beyond.is_none() { pictures(&draft) } else { Vec::new() };

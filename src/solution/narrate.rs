@@ -646,12 +646,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let gammas = self.gammas.clone();
         for (tie, gamma, is) in gammas {
             let Some(action) = self.m.action_of(tie).cloned() else { continue };
-            let contact = self.contact_of(action.body).and_then(|t| self.m.action_of(t)).cloned();
-            let Some(contact) = contact else {
+            let Some(c) = self.radius_of(action.body) else {
                 self.display(gamma, &is, "");
                 continue;
             };
-            let c = self.magnitude(&contact.arm);
             let away = c.by(&is);
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
@@ -1295,8 +1293,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("thrown.rolls_on_level", &[]);
             return Ok(());
         }
-        let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm));
-        let j = self.inertia_of(body).per(c.unwrap_or_else(Factors::one).squared());
+        let c = self.radius_of(body).unwrap_or_else(Factors::one);
+        let j = self.inertia_of(body).per(c.squared());
         let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
         let needed = self.valued(&self.positive(&needed), "N");
         let limit = self.number(mu_s, r"\mu_s", "1") * normal;
@@ -1313,8 +1311,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Err(Beyond::Unfound.into());
         }
         let (a, alpha) = self.tell_own(body)?;
-        let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| self.magnitude(&x.arm));
-        if let Some(c) = c {
+        if let Some(c) = self.radius_of(body) {
             self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
         }
         self.skip_new();
@@ -1768,10 +1765,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let a = self.get(of_body(Quantity::A, body))?;
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
         let friction = self.get(of_body(Quantity::Friction, body))?;
-        let arm = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| x.arm.clone());
-        let Some(arm) = arm else { return Err(Beyond::Unfound.into()) };
-        let c = self.magnitude(&arm).expr();
-        let contact = a - c * alpha;
+        let Some(c) = self.radius_of(body) else { return Err(Beyond::Unfound.into()) };
+        let contact = a - c.expr() * alpha;
         let up = f64::from(self.m.parts[body].up);
         let value = self.value(&contact) * up;
         let friction = self.symbols.value(friction);

@@ -220,18 +220,23 @@ impl Terms {
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
-                Tie::Roll { body, .. } | Tie::Slip { body, .. } => {
-                    let rolls = rolled == Some(t) || matches!(tie, Tie::Roll { .. });
-                    let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
+                    let held = match tie {
+                        Tie::Slide { .. } => stays(draft, *body),
+                        Tie::Roll { .. } => true,
+                        _ => rolled == Some(t),
+                    };
+                    let kind = if held { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(draft, tag, rolled));
-                    self.rub(draft, t, kind, force);
-                }
-                Tie::Slide { body, .. } => {
-                    let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(draft, tag, rolled));
-                    let kind = if stays(draft, *body) { ForceKind::Reaction } else { ForceKind::Kinetic };
-                    self.rub(draft, t, kind, force);
+                    let tag = below(draft, tag, rolled);
+                    let force =
+                        draft.named(&[&tagged("F", &tag), &tagged("R", &tag), &tagged("H", &tag)], "N");
+                    // Friction is positive up.
+                    for action in tie.actions() {
+                        let up = self.parts[action.body].up;
+                        let levers = levers(draft, &action).map(|l| l.signed(up));
+                        self.push(ForceSource::Tie(t), kind, true, action.body, force.into(), levers);
+                    }
                 }
                 Tie::Cord(cord) => {
                     let (kind, force) = match &cord.to {
@@ -240,40 +245,26 @@ impl Terms {
                             cords += 1;
                             let tag = if tensed > 1 { cords.to_string() } else { String::new() };
                             let tag = below(draft, &tag, rolled);
-                            let tex = draft.free(&[&tagged("T", &tag), &tagged("S", &tag)]);
+                            let force = draft.named(&[&tagged("T", &tag), &tagged("S", &tag)], "N");
                             let spring = matches!(other, Far::Spring { .. });
                             let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
-                            (kind, draft.unknown(&tex, "N").into())
+                            (kind, force.into())
                         }
                     };
                     for end in tie.actions() {
-                        let (along, arm) = levers(draft, &end);
+                        let [along, arm] = levers(draft, &end);
                         let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
                         let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
-                        self.actions.push(Action {
-                            contact: false,
-                            source: ForceSource::Tie(t),
-                            kind,
-                            body: end.body,
-                            force: force.clone(),
-                            along,
-                            arm,
-                        });
+                        let levers = [along, arm];
+                        self.push(ForceSource::Tie(t), kind, false, end.body, force.clone(), levers);
                     }
                 }
             }
         }
         for (i, c) in scene.couples.iter().enumerate() {
             let force = draft.number(c.moment_n_m, "M", "N m");
-            self.actions.push(Action {
-                contact: false,
-                source: ForceSource::Couple(i),
-                kind: ForceKind::Given,
-                body: c.body,
-                force,
-                along: Factors::zero(),
-                arm: Factors::one().signed(if c.forward { 1 } else { -1 }),
-            });
+            let levers = [Factors::zero(), Factors::one().signed(if c.forward { 1 } else { -1 })];
+            self.push(ForceSource::Couple(i), ForceKind::Given, false, c.body, force, levers);
         }
         self.weigh(draft);
     }
@@ -295,16 +286,14 @@ impl Terms {
         let own = sum(part.inertia.iter().map(Factors::expr));
         part.inertia = vec![about.factors()];
         let weight = part.mass.by(&self.g);
-        let mut act = |source, kind, force: Expr, arm: Factors| {
-            let along = Factors::zero();
-            self.actions.push(Action { source, kind, contact: false, body, force, along, arm });
-        };
-        act(ForceSource::Weight(body), ForceKind::Given, weight, arm.times(&h));
+        let levers = [Factors::zero(), arm.times(&h)];
+        self.push(ForceSource::Weight(body), ForceKind::Given, false, body, weight, levers);
         let spring = pin.spring.map(|s| {
             let force = [(["F_s", r"F_{\mathrm{s}}"], "N"), (["n_r", "c_r"], "1"), (["n_t", "c_t"], "1")];
             let force = force.map(|(names, unit)| draft.named(&names, unit));
             let b = draft.number(s.at_m, "b", "m");
-            act(ForceSource::Spring(body), ForceKind::Spring, force[0].into(), b.factors().times(force[2]));
+            let levers = [Factors::zero(), b.factors().times(force[2])];
+            self.push(ForceSource::Spring(body), ForceKind::Spring, false, body, force[0].into(), levers);
             PivotSpring {
                 b,
                 anchor: [draft.number(s.x_m, "x_A", "m"), draft.number(s.y_m, "y_A", "m")],
@@ -332,45 +321,29 @@ impl Terms {
         }
     }
 
-    /// The friction of a contact, positive up.
-    fn rub(&mut self, draft: &mut Draft, tie: usize, kind: ForceKind, force: SymbolId) {
-        for action in draft.scene.ties[tie].actions() {
-            let up = self.parts[action.body].up;
-            let (along, arm) = levers(draft, &action);
-            self.actions.push(Action {
-                contact: true,
-                source: ForceSource::Tie(tie),
-                kind,
-                body: action.body,
-                force: force.into(),
-                along: along.signed(up),
-                arm: arm.signed(up),
-            });
-        }
+    fn push(
+        &mut self,
+        source: ForceSource,
+        kind: ForceKind,
+        contact: bool,
+        body: usize,
+        force: Expr,
+        [along, arm]: [Factors; 2],
+    ) {
+        self.actions.push(Action { source, kind, contact, body, force, along, arm });
     }
 
     /// The weights of the bodies on slopes.
     fn weigh(&mut self, draft: &mut Draft) {
         let scene = draft.scene;
         for (i, body) in scene.bodies.iter().enumerate() {
-            let climb = match body.line.map(|l| l.slope) {
-                None | Some(Slope::Level) => continue,
-                Some(Slope::Vertical) => ONE,
-                Some(Slope::Degrees(angle)) => sine(draft.number(angle, r"\theta", "deg")),
-            };
-            if climb == ZERO {
-                continue;
+            let [climb, _] = slope(draft, body);
+            if climb != ZERO {
+                let part = &self.parts[i];
+                let levers = [climb.factors().signed(-part.up), Factors::zero()];
+                let weight = part.mass.expr() * &self.g;
+                self.push(ForceSource::Weight(i), ForceKind::Given, false, i, weight, levers);
             }
-            let part = &self.parts[i];
-            self.actions.push(Action {
-                contact: false,
-                source: ForceSource::Weight(i),
-                kind: ForceKind::Given,
-                body: i,
-                force: part.mass.expr() * &self.g,
-                along: Factors::of(&climb).signed(-part.up),
-                arm: Factors::zero(),
-            });
         }
     }
 
@@ -388,7 +361,7 @@ impl Terms {
                 }
                 Tie::Cord(cord) if cord.to == Far::Fixed => {
                     let part = &self.parts[cord.from.body];
-                    let (along, arm) = lever(draft, &cord.from);
+                    let [along, arm] = lever(draft, &cord.from);
                     let loose = part.a.is_none() || part.alpha.is_none() || part.slips;
                     if loose || arm.is_zero() || inner[cord.from.body].is_some() {
                         return None;
@@ -432,7 +405,7 @@ impl Terms {
             });
             let (one, two) = next?;
             let given = self.point_of(draft, one);
-            let (along, arm) = lever(draft, two);
+            let [along, arm] = lever(draft, two);
             let part = &self.parts[two.body];
             if part.slips && !arm.is_zero() {
                 return None;
@@ -464,7 +437,7 @@ impl Terms {
 
     /// Velocity of a cord's end along the cord, away from the body, per unit velocity of the lead.
     fn point_of(&self, draft: &mut Draft, end: &CordEnd) -> Factors {
-        let (along, arm) = lever(draft, end);
+        let [along, arm] = lever(draft, end);
         let part = &self.parts[end.body];
         part.along.times(&along).plus(&part.turn.times(&arm))
     }
@@ -611,19 +584,16 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
             let tag = below(draft, if several { &tag } else { "" }, rolled);
             let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            let tex = draft.free(&names);
-            draft.unknown(&tex, unit)
+            draft.named(&names, unit)
         };
         let moves = body.line.is_some();
         let a = moves.then(|| named(draft, &["a", "a_G"], lines > 1, "m/s^2"));
         let v = moves.then(|| named(draft, &["v", "v_2"], lines > 1, "m/s"));
         let alpha = body.turns.then(|| named(draft, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
         let omega = body.turns.then(|| named(draft, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
-        let level = level(draft, body);
+        let [_, level] = slope(draft, body);
         let normal = body.line.is_some_and(|l| l.surface).then(|| {
-            let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
-            let tex = draft.free(&[&tex, "N_s"]);
-            let n = draft.unknown(&tex, "N");
+            let n = draft.named(&[&tagged("N", if surfaces > 1 { &tag } else { "" }), "N_s"], "N");
             (n, mass.expr() * &g * level)
         });
         parts.push(BodyTerms {
@@ -647,17 +617,17 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
 }
 
 /// `along` and `arm` of a force: its share along the line, its arm about the mass centre.
-fn levers(draft: &mut Draft, action: &crate::scene::Action) -> (Factors, Factors) {
+fn levers(draft: &mut Draft, action: &crate::scene::Action) -> [Factors; 2] {
     let sign = |x: f64| if x < 0.0 { -1 } else { 1 };
     let arm = match action.arm {
         None => Factors::zero(),
         Some((radius, sense)) => Factors::of(&draft.number(radius, "R", "m")).signed(sign(sense)),
     };
-    (Factors::one().signed(sign(action.along)), arm)
+    [Factors::one().signed(sign(action.along)), arm]
 }
 
 /// The same of a cord's end.
-pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
+fn lever(draft: &mut Draft, end: &CordEnd) -> [Factors; 2] {
     levers(draft, &end.action())
 }
 
@@ -679,16 +649,16 @@ pub fn mark_of(draft: &Draft, rolled: Option<usize>) -> &'static str {
     }
 }
 
-fn friction(draft: &mut Draft, tag: &str) -> SymbolId {
-    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag), &tagged("H", tag)]);
-    draft.unknown(&tex, "N")
-}
-
-fn level(draft: &mut Draft, body: &Body) -> Expr {
+/// Components of the weight along the line of a body and across, over the weight.
+fn slope(draft: &mut Draft, body: &Body) -> [Expr; 2] {
     match body.line.map(|l| l.slope) {
-        None | Some(Slope::Vertical) => ZERO,
-        Some(Slope::Level) => ONE,
-        Some(Slope::Degrees(angle)) => cosine(draft.number(angle, r"\theta", "deg")),
+        None => [ZERO, ZERO],
+        Some(Slope::Level) => [ZERO, ONE],
+        Some(Slope::Vertical) => [ONE, ZERO],
+        Some(Slope::Degrees(angle)) => {
+            let angle = draft.number(angle, r"\theta", "deg");
+            [sine(&angle), cosine(angle)]
+        }
     }
 }
 
