@@ -533,6 +533,26 @@ impl<'d, 'a> Account<'d, 'a> {
         positive_first(self.shares(kinds).into_iter().map(|(_, e)| e))
     }
 
+    /// The equations of motion of a body, both sides; with its coordinate one that belongs to a coordinate of the scene.
+    pub fn equations(&self, body: usize) -> Vec<(Option<Coordinate>, Expr, Expr)> {
+        let (mut all, part) = (Vec::new(), &self.m.parts[body]);
+        for c in [along(body), turn(body)] {
+            let (inertia, forces) = (self.m.inertia(c), self.row_sum(c));
+            if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || forces != ZERO) {
+                all.push((Some(c), forces, sum(inertia.iter().map(|i| i.by(a)))));
+            }
+            if let (Degree::Along, Some((normal, is))) = (c.degree, part.normal.clone()) {
+                all.push((None, normal - is, ZERO));
+            }
+        }
+        if let (Some(pivot), Some(a), Some(v)) = (&self.m.pivot, part.alpha, part.omega) {
+            let (mh, [toward, aside]) = (part.mass.times(&pivot.h), self.m.beside_the_pin(pivot));
+            all.push((None, pivot.radial + toward, mh.by(square(v))));
+            all.push((None, pivot.across + aside, mh.by(a)));
+        }
+        all
+    }
+
     /// The sum of [`Self::row`].
     pub fn row_sum(&self, c: Coordinate) -> Expr {
         positive_first(self.row(c).into_iter().map(|(_, e)| e))

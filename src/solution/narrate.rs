@@ -515,9 +515,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             None => {}
         }
         let place = pivot.is_some() || matches!(self.scene.end, End::Travel(..) | End::Position(..));
-        let (lead, d) = (self.lead(), self.distance());
-        let against = self.value(&self.s) < 0.0;
-        if place && against && pivot.is_none() {
+        let lead = self.lead();
+        if place && pivot.is_none() && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
             self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
         }
@@ -536,7 +535,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
         let links = self.links(false, |n, c| n.m.speed(c));
-        self.formula(self.balance(&d));
+        self.formula(self.balance(&self.distance()));
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
         }
@@ -561,18 +560,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !place {
             self.forget(v);
         }
-        let asked = asked::needed(self.scene, self.problem);
-        for label in asked {
+        for label in asked::needed(self.scene, self.problem) {
             if matches!(label.quantity, Quantity::V | Quantity::Omega) {
                 let _ = self.get(label);
             }
         }
         self.tell_new();
-        for quantity in [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax] {
-            if self.asks(quantity) && self.spring.is_some() {
-                self.tell_fastest();
-                break;
-            }
+        let fastest = [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax];
+        if spring.is_some() && fastest.iter().any(|q| self.asks(*q)) {
+            self.tell_fastest();
         }
     }
 
@@ -973,36 +969,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mut firsts: Vec<(usize, usize, usize)> = Vec::new();
         for body in 0..self.m.parts.len() {
             let before = n;
-            for degree in [Degree::Along, Degree::Turn] {
-                let c = Coordinate { body, degree };
-                let inertia = self.m.inertia(c);
-                let shares: Vec<Expr> = self.row(c).into_iter().map(|(_, e)| e).collect();
-                if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || !shares.is_empty())
-                {
-                    n += 1;
-                    let by = Factors::of(&a.into());
-                    let right = sum(inertia.iter().map(|i| i.by(&by)));
-                    let left = positive_first(shares);
-                    rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
-                    self.rows.push((c, n));
-                }
-                let across = self.m.parts[body].normal.clone().filter(|_| degree == Degree::Along);
-                if let Some((normal, is)) = across {
-                    n += 1;
-                    let left = Expr::from(normal) - is;
-                    rows.push(format!(r"{} = 0 \quad ({n})", self.tex(&left)));
-                }
-            }
-            if let Some(pivot) = self.m.pivot.clone() {
-                let [a, v] = [self.acceleration(), self.speed()];
-                let mh = self.m.parts[body].mass.times(&pivot.h);
-                let pin = [(pivot.radial, square(v)), (pivot.across, a.into())];
-                let beside = self.m.beside_the_pin(&pivot);
-                for ((own, rate), beside) in pin.into_iter().zip(beside) {
-                    n += 1;
-                    let (left, right) = (own + beside, mh.by(rate));
-                    rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
-                }
+            for (c, left, right) in self.equations(body) {
+                n += 1;
+                rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
+                self.rows.extend(c.map(|c| (c, n)));
             }
             if n > before {
                 firsts.push((body, before + 1, n));
