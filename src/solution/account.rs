@@ -601,7 +601,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
         let tex = self.free(&[&names[0], &names[1]]);
         let mut mark = String::new();
-        if self.symbols.named(&tex).is_some() {
+        if self.symbols.named(&[&tex]).is_some() {
             // Another body or cord bears it already.
             mark = match label.of {
                 Owner::Body(b) => self.m.parts[b].tag.clone(),
@@ -768,7 +768,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The angle that a body on a pin has turned, in radians with its sign.
     pub fn turned(&mut self, pivot: &Pivot) -> SymbolId {
         let name = format!(r"\Delta {}", self.symbols.tex(pivot.angle));
-        self.symbols.named(&name).unwrap_or_else(|| {
+        self.symbols.named(&[&name]).unwrap_or_else(|| {
             let angle = self.radians(&self.last - &pivot.first);
             self.page.find(&[&name], "rad", angle)
         })
@@ -802,8 +802,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn last_length(&mut self, pivot: &Pivot, spring: &PivotSpring) -> SymbolId {
         let last = spring.length(pivot.up, &self.last);
         let names = ["s_1", "d_1"];
-        let known = names.iter().find_map(|n| self.symbols.named(n));
-        known.unwrap_or_else(|| self.page.find(&names, "m", last))
+        self.symbols.named(&names).unwrap_or_else(|| self.page.find(&names, "m", last))
     }
 
     /// The motion of a body on a pin up to its end.
@@ -819,7 +818,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let mut stretches = [ZERO, ZERO];
         if let Some(spring) = &pivot.spring {
             let names = ["s_0", "d_0"];
-            let known = names.iter().find_map(|n| self.symbols.named(n));
+            let known = self.symbols.named(&names);
             let first = spring.length(pivot.up, &pivot.first);
             let first = known.unwrap_or_else(|| self.page.find(&names, "m", first));
             let last = self.last_length(pivot, spring);
@@ -1132,22 +1131,6 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The label of the lead: this for a line, that for a turn.
     pub fn of_lead(&self, line: Quantity, spin: Quantity) -> Label {
         of_body(if self.straight() { line } else { spin }, self.lead().body)
-    }
-
-    /// The speed of the lead at the end.
-    ///
-    /// # Errors
-    /// What is not covered.
-    pub fn speed_at_end(&mut self) -> Result<SymbolId, DerivationStop> {
-        self.get(self.of_lead(Quantity::V, Quantity::Omega))
-    }
-
-    /// The greatest speed of the lead's body.
-    ///
-    /// # Errors
-    /// What is not covered.
-    pub fn top_speed(&mut self) -> Result<SymbolId, DerivationStop> {
-        self.get(of_body(Quantity::VMax, self.lead().body))
     }
 
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
@@ -1481,8 +1464,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let most = match self.spring {
             Some(_) => {
                 let [one, other] = self.extremes(body)?;
-                let larger = self.value(&one.1.into()).abs() >= self.value(&other.1.into()).abs();
-                if larger { one.1 } else { other.1 }
+                if self.symbols.value(one).abs() >= self.symbols.value(other).abs() { one } else { other }
             }
             None => {
                 // Kinetic friction says nothing of the grip that rolling needs.
@@ -1496,20 +1478,19 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(self.size(most.into()) / n)
     }
 
-    /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring, each with the
-    /// stretch there, m: it is linear in the tension, so one of them is the largest.
+    /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring: it is linear in the
+    /// tension, so one of them is the largest.
     ///
     /// # Errors
     /// What is not covered.
-    pub fn extremes(&mut self, body: usize) -> Result<[(f64, SymbolId); 2], DerivationStop> {
+    pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
             _ => self.turning_or_slack()?.0,
         };
         let first = self.friction_at(body, &ZERO, "0")?;
         let last = if far == self.s {
-            let now = self.get(of_body(Quantity::Friction, body))?;
-            (self.value(&self.stretch_at(&far)), now)
+            self.get(of_body(Quantity::Friction, body))?
         } else {
             self.friction_at(body, &far, "2")?
         };
@@ -1539,7 +1520,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
-    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<(f64, SymbolId), DerivationStop> {
+    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<SymbolId, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
@@ -1565,7 +1546,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.step(symbol, symbol.into());
             }
         }
-        Ok((self.value(&stretch), symbol))
+        Ok(symbol)
     }
 
     /// By how much the friction on a body grows with the tension of a cord: from its closed form.

@@ -334,6 +334,8 @@ struct Narrator<'d, 'a> {
     /// The rows as they are numbered.
     rows: Vec<(Coordinate, usize)>,
     gone: Vec<Eliminated>,
+    /// Does a thrown body still slip at the time that is asked?
+    still_slips: bool,
     /// Are the ratios of displacements on the page?
     ratios_told: bool,
 }
@@ -353,7 +355,7 @@ impl DerefMut for Narrator<'_, '_> {
 
 impl<'d, 'a> Narrator<'d, 'a> {
     fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self { t, short, rows: Vec::new(), gone: Vec::new(), ratios_told: false }
+        Self { t, short, rows: Vec::new(), gone: Vec::new(), still_slips: false, ratios_told: false }
     }
     // As those of the account and the page; named here so that what they are given may look at the narrator.
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
@@ -522,7 +524,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.t.speed_at_end().ok();
+        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega)).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
             let kept = self.steps.split_off(at.unwrap_or(0));
@@ -591,7 +593,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// What the balance of a body on a pin takes: where it ends, the angle turned, the lengths of the spring.
     fn before_the_balance(&mut self, pivot: &Pivot) {
         self.tell_inertia(pivot);
-        let of = |n: &Self, names: [&str; 2]| names.iter().find_map(|name| n.symbols.named(name));
+        let of = |n: &Self, names: [&str; 2]| n.symbols.named(&names);
         let stretched = of(self, ["l_0", "l_n"]).filter(|l| self.steps.iter().any(|s| s.symbol == *l));
         let first = of(self, ["s_0", "d_0"]);
         if stretched.is_some() {
@@ -606,7 +608,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if let Some(name) = name {
             self.say(name, &[("angle", &self.angle(&self.last))]);
         }
-        let turned = self.symbols.named(&format!(r"\Delta {}", self.symbols.tex(pivot.angle)));
+        let turned = self.symbols.named(&[&format!(r"\Delta {}", self.symbols.tex(pivot.angle))]);
         if turned.is_some() {
             self.say("pinned.radians", &[]);
             self.tell(turned);
@@ -737,7 +739,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
-            let _ = self.t.top_speed();
+            let _ = self.get(of_body(Quantity::VMax, self.lead().body));
             self.say("energy.fastest", &[]);
             self.tell_new();
         }
@@ -802,7 +804,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
         if let Some(s) = self.spring.clone() {
             // One place on the way, not that at the end.
-            let names = if self.symbols.named("s").is_some() { ["s_{x}"] } else { ["s"] };
+            let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
             let law = &s.stiffness * (&s.stretch - s.gamma.by(s_now));
             if !self.t.still() {
@@ -1087,9 +1089,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let pieces = [("asked", &*self.inline(t)), ("event", &*self.names(&[event]))];
             self.say(if rolls { "thrown.by_then" } else { "thrown.not_yet" }, &pieces);
         }
+        self.still_slips = asked.is_some() && !rolls;
         self.say("thrown.state", &[("t", &self.inline(&slid))]);
         let way = |start: &Expr, rate: SymbolId| start * &slid + ratio(1, 2) * (rate * square(&slid));
-        let spins = (asked.is_some() && !rolls).then(|| &w0 + alpha * &slid);
+        let spins = self.still_slips.then(|| &w0 + alpha * &slid);
         let mark = if rolls { r"\mathrm{r}" } else { "1" };
         let mark = if asked.is_some() { mark } else { "" };
         let phi = way(&w0, alpha);
@@ -1246,17 +1249,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("why.ask_slip", &[]);
     }
 
-    /// Does a thrown body still slip at the time that is asked?
-    fn still_slips(&self) -> bool {
-        matches!(self.scene.end, End::Time(..)) && self.symbols.named(r"\Delta t").is_none()
-    }
-
     /// Can a thrown body roll on?
     fn rolls_on(&mut self, body: usize, mu_s: Num) -> Result<(), DerivationStop> {
         let normal = self.get(of_body(Quantity::Normal, body))?;
         self.say("thrown.presses", &[("n", &self.shown(normal))]);
         let fall = self.share_sum(&[ForceKind::Given]);
-        if self.still_slips() {
+        if self.still_slips {
             return Ok(());
         }
         if fall == ZERO {
@@ -1285,7 +1283,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
         }
         self.skip_new();
-        let v = self.t.speed_at_end()?;
+        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega))?;
         if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
@@ -1710,9 +1708,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.skip_new();
         if self.spring.is_some() {
             let ends = self.extremes(body)?;
-            let [a, b] = ends.map(|(_, f)| self.symbols.value(f).abs());
-            largest = if a >= b { ends[0].1 } else { ends[1].1 };
-            let both: Vec<String> = ends.iter().map(|(_, f)| self.shown(*f)).collect();
+            let [a, b] = ends.map(|f| self.symbols.value(f).abs());
+            largest = if a >= b { ends[0] } else { ends[1] };
+            let both = ends.map(|f| self.shown(f));
             let far = match self.scene.span {
                 Span::ToEnd => "end",
                 Span::ToTurningPoint => "turn",
@@ -1856,7 +1854,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Ok(());
         }
         if self.slip.is_some() {
-            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips();
+            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
             self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
             return Ok(());
         }
@@ -1961,9 +1959,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
         let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
-        let stretch = |tex: &str| self.symbols.named(tex).map_or(0.0, |s| self.symbols.value(s).abs());
+        let stretch = |names| self.symbols.named(names).map_or(0.0, |s| self.symbols.value(s).abs());
         // A spring that is stretched further holds it back.
-        let braked = stretch(r"\delta_1") > stretch(r"\delta_0");
+        let braked = stretch(&[r"\delta_1", "e_1"]) > stretch(&[r"\delta_0", "e_0"]);
         let name = match () {
             () if self.m.pivot.is_some() && braked => "pinned.onward_spring",
             () if self.m.pivot.is_some() => "pinned.onward",

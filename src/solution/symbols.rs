@@ -73,9 +73,10 @@ impl<'w> Symbols<'w> {
         self.given(tex, f64::NAN, &shown::significant(f64::NAN, FIGURES), unit, false)
     }
 
-    /// The quantity that bears this symbol and has a value.
-    pub fn named(&self, tex: &str) -> Option<SymbolId> {
-        self.lines.iter().rposition(|l| l.tex == tex && !l.value.is_nan()).map(SymbolId)
+    /// The quantity that bears one of these symbols and has a value.
+    pub fn named(&self, names: &[&str]) -> Option<SymbolId> {
+        let found = |l: &QuantityLine| names.contains(&l.tex.as_str()) && !l.value.is_nan();
+        self.lines.iter().rposition(found).map(SymbolId)
     }
 
     /// A quantity that is not known yet, of the kind of another.
