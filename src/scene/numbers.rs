@@ -97,6 +97,8 @@ impl<'a, T: Real> Numbers<'a, T> {
             | Q::PinRadial
             | Q::PinTangential
             | Q::PinForce
+            | Q::PinX
+            | Q::PinY
             | Q::SpringForce => self.mass_exponent,
             _ => 0,
         }

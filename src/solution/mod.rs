@@ -257,7 +257,7 @@ fn named(draft: &Draft, label: Label) -> String {
             Tie::Cord(cord) => names::cord(draft.words, draft.scene, cord),
             Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
         },
-        Owner::Scene => String::new(),
+        Owner::Scene | Owner::Joint(_) | Owner::Strut(_) | Owner::Spot(_) => String::new(),
     };
     let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
     let symbol = draft.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {

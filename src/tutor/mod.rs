@@ -393,8 +393,8 @@ impl<'a, 'w> Tutor<'a, 'w> {
 const fn group(quantity: Quantity) -> &'static str {
     use Quantity as Q;
     match quantity {
-        Q::V | Q::Omega | Q::VMax | Q::OmegaMax => "speed",
-        Q::A | Q::Alpha | Q::ARolling => "acceleration",
+        Q::V | Q::VX | Q::VY | Q::Omega | Q::VMax | Q::OmegaMax => "speed",
+        Q::A | Q::AX | Q::AY | Q::Alpha | Q::ARolling => "acceleration",
         Q::Friction | Q::Normal => "friction",
         Q::FrictionIfRolled | Q::MuRequired | Q::KBound => "rolling",
         Q::T => "time",
@@ -406,7 +406,7 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::XEq | Q::DAtVMax => "equilibrium",
         Q::XG | Q::YG => "centre",
         Q::IG | Q::IO => "inertia",
-        Q::PinRadial | Q::PinTangential | Q::PinForce => "pin",
+        Q::PinRadial | Q::PinTangential | Q::PinX | Q::PinY | Q::PinForce => "pin",
         Q::SpringForce => "spring",
         Q::Period | Q::PeriodSmall | Q::OmegaSmall => "swing",
         Q::Direction => "direction",

@@ -354,7 +354,9 @@ fn integrate(task: &mut LinearDerivation) -> Result<(), DerivationStop> {
             task.find(s, &(-(square(&task.v0) / (number(2) * a))));
             task.s = s.into();
         }
-        End::AtOnce | End::Angle(..) | End::Rolling(_) => return task.beyond(Beyond::OtherEnd),
+        End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
+            return task.beyond(Beyond::OtherEnd);
+        }
     }
     Ok(())
 }

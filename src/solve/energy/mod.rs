@@ -6,6 +6,7 @@
 pub mod account;
 pub mod balance;
 pub mod instant;
+pub mod joined;
 pub mod pinned;
 pub mod quadrature;
 pub mod speeds;
@@ -35,6 +36,9 @@ use std::cell::Cell;
 /// Errors: ties that hold the ending coordinate fast, a start that contradicts them or leaves open what is asked.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return joined::road(scene, &n);
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
     }
@@ -457,7 +461,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => None,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),

@@ -4,7 +4,9 @@
 pub mod equations;
 pub mod instant;
 pub mod integrate;
+pub mod joined;
 pub mod pinned;
+pub mod planar;
 pub mod swing;
 pub mod thrown;
 pub mod travel;
@@ -30,6 +32,9 @@ use smallvec::{SmallVec, smallvec};
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return joined::road(scene, &n);
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
     }
@@ -468,7 +473,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
                 }
                 End::TurningPoint(_) => Event::Fall(0.0),
-                End::Angle(..) | End::Rolling(_) | End::AtOnce => return None,
+                End::Angle(..) | End::Rolling(_) | End::AtOnce | End::Leaves(_) => return None,
             };
             Some((event, s))
         });
@@ -496,7 +501,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => (None, None),
         }
     }
 
