@@ -81,7 +81,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let free = account.balance(&first, &account.rates(&first))?;
     let rate = free.force.balance(-(free.bend * spin.square())).cleared(free.size);
     account.sense = if spin.is_zero() { rate.sign() } else { spin.sign() };
-    account.slide(&first);
+    let motion = account.rates(&first).iter().map(|r| r.map(|x| x.signed(account.sense))).collect();
+    account.slide(&first, &motion);
     let own = account.across_friction(&first)?;
     let rubbed = account.balance(&first, &own)?;
     let sets_off = rubbed.force.balance(-(rubbed.bend * spin.square())).cleared(rubbed.size)
@@ -165,14 +166,13 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         self.velocity(poses, motion, spot.body, pose::of_spot(self.scene, self.n, spot))
     }
 
-    /// Notes in which sense points slide in guides that rub.
-    fn slide(&mut self, poses: &Poses<T>) {
-        let rates = self.rates(poses);
+    /// Notes in which sense points slide in guides that rub, by a motion.
+    fn slide(&mut self, poses: &Poses<T>, motion: &Motion<T>) {
         for (j, joint) in self.scene.joints.iter().enumerate() {
             if let JointKind::Guide { at, direction_deg, mu_k: Some(_), .. } = joint.kind {
                 let u = pose::direction(self.n, direction_deg);
-                let v = self.of_spot(poses, &rates, at);
-                self.sliding[j] = (v[0] * u[0]).balance(v[1] * u[1]).sign() * self.sense;
+                let v = self.of_spot(poses, motion, at);
+                self.sliding[j] = (v[0] * u[0]).balance(v[1] * u[1]).sign();
             }
         }
     }
@@ -698,31 +698,50 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         let poses = pose::poses(self.scene, self.n, &self.start, true).ok_or(Refusal::Freedoms(2))?;
         if !spin.is_zero() {
             let poses = self.poses(T::zero())?;
+            let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
+            self.slide(&poses, &motion);
             let (second, _) = self.acceleration(&poses, spin.square())?;
             return self.tell(&poses, spin, second, road);
         }
+        // What starts from rest slides as it would without friction.
+        let mut sum = self.sets_off(&poses)?;
+        self.slide(&poses, &sum);
+        if self.sliding.iter().any(|s| *s != 0.0) {
+            sum = self.sets_off(&poses)?;
+        }
+        let moves = |b: usize, along: T| self.velocity(&poses, &sum, b, along);
+        let turning = |b: usize| sum[b][2];
+        let still: Motion<T> = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
+        self.all(&poses, &still, &moves, &turning, road)
+    }
+
+    /// Accelerations from rest, of any number of freedoms: a sum of the motions that the joints allow, from the balances of the
+    /// virtual motions in which normal forces and their friction do no work.
+    fn sets_off(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
         let bodies = self.scene.bodies.len();
-        let reduced = self.conditions(&poses, false).0.reduce(&[]);
-        let modes: Vec<Motion<T>> = reduced
-            .open()
-            .into_iter()
-            .map(|which| (0..bodies).map(|b| [0, 1, 2].map(|i| reduced.in_mode(which, 3 * b + i))).collect())
-            .collect();
+        let modes = |virtually: bool| -> Vec<Motion<T>> {
+            let reduced = self.conditions(poses, virtually).0.reduce(&[]);
+            let mode = |which: usize| {
+                (0..bodies).map(|b| [0, 1, 2].map(|i| reduced.in_mode(which, 3 * b + i))).collect()
+            };
+            reduced.open().into_iter().map(mode).collect()
+        };
+        let (modes, virtual_modes) = (modes(false), modes(true));
         let mut rows = Equations::new(modes.len());
-        for one in &modes {
+        for one in &virtual_modes {
             let row = rows.row();
             for (cell, other) in row.iter_mut().zip(&modes) {
                 for (b, numbers) in self.n.bodies.iter().enumerate() {
                     let (centre, gyration) = self.centres[b];
                     for along in [centre + gyration, centre - gyration] {
                         let (v, u) =
-                            (self.velocity(&poses, one, b, along), self.velocity(&poses, other, b, along));
-                        *cell = *cell
-                            + plant!("energy: inertia of two motions", numbers.mass.scale2(-1)) * dot(v, u);
+                            (self.velocity(poses, one, b, along), self.velocity(poses, other, b, along));
+                        let half = numbers.mass.scale2(-1);
+                        *cell = *cell + plant!("energy: inertia of two motions", half) * dot(v, u);
                     }
                 }
             }
-            let powers = self.powers(&poses, one);
+            let powers = self.powers(poses, one);
             let size = powers.iter().map(|p| p.size()).sum();
             row[modes.len()] = powers.into_iter().fold(T::zero(), |sum, p| sum + p).cleared(size);
             rows.sized(size);
@@ -732,14 +751,11 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         for (mode, rate) in modes.iter().zip(&rates) {
             for (s, m) in sum.iter_mut().zip(mode) {
                 for (s, m) in s.iter_mut().zip(m) {
-                    *s = *s + *m * *rate;
+                    *s = s.balance(*m * *rate);
                 }
             }
         }
-        let moves = |b: usize, along: T| self.velocity(&poses, &sum, b, along);
-        let turning = |b: usize| sum[b][2];
-        let still: Motion<T> = smallvec![[T::zero(); 3]; bodies];
-        self.all(&poses, &still, &moves, &turning, road)
+        Ok(sum)
     }
 
     /// Everything of one place: the velocities, accelerations of points, angular accelerations counter-clockwise.

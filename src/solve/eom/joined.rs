@@ -87,7 +87,14 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
         let state = mechanism.state(&start, !spin.is_zero())?;
-        let response = mechanism.respond(&state, &nothing)?;
+        let smooth = mechanism.respond(&state, &nothing)?;
+        // What starts from rest slides as it would without friction.
+        let senses = if spin.is_zero() {
+            sliding(&mechanism, |at| mechanism.pull_off(&state, &smooth, at))
+        } else {
+            sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v * spin))
+        };
+        let response = mechanism.respond(&state, &senses)?;
         teller.tell(&state, &response, spin, mechanism.turning(&response, mechanism.lead))?;
         return Ok(teller.road);
     }
@@ -96,7 +103,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let (a, b) = mechanism.turning(&free, mechanism.lead);
     let first = a.balance(b * spin.square());
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let sliding = sliding(&mechanism, &state, sense);
+    let sliding = sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
     let motion =
         Motion { mechanism: &mechanism, start, sense, half_square: spin.square().scale2(-1), sliding };
     // Friction may hold what would set off without it.
@@ -111,13 +118,13 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     Ok(teller.road)
 }
 
-/// The senses in which points slide in guides that rub, for a leading angle that changes in this sense.
-fn sliding<T: Real>(mechanism: &Mechanism<T>, state: &State<T>, sense: f64) -> SmallVec<[f64; 4]> {
+/// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
+fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: impl Fn(Spot) -> [T; 2]) -> SmallVec<[f64; 4]> {
     let of = |kind: &JointKind| match *kind {
         JointKind::Guide { at, direction_deg, mu_k: Some(_), .. } => {
             let [c, s] = crate::scene::pose::direction(mechanism.n, direction_deg);
-            let [x, y] = mechanism.speed(state, at);
-            (x * c).balance(y * s).sign() * sense
+            let [x, y] = moves(at);
+            (x * c).balance(y * s).sign()
         }
         _ => 0.0,
     };

@@ -358,6 +358,16 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let r = self.lever(&state.poses, spot);
         [x - spin * r[1], y + spin * r[0]]
     }
+    /// Acceleration of a point from rest.
+    pub fn pull_off(&self, state: &State<T>, response: &Response<T>, spot: Spot) -> Vector<T> {
+        let [x, y] = self.acceleration(response, spot.body, T::zero());
+        if !self.turns(spot.body) {
+            return [x, y];
+        }
+        let turn = response.solution.get(self.first[spot.body] + 2, CONSTANT);
+        let r = self.lever(&state.poses, spot);
+        [x - turn * r[1], y + turn * r[0]]
+    }
     /// The force of a joint at this square of the rate: its components to the right and up on the first body, or along its
     /// normal, or the tension of a cord; `None` where the joints leave it open.
     pub fn reaction(&self, response: &Response<T>, joint: usize, square: T) -> Option<SmallVec<[T; 2]>> {
