@@ -7,13 +7,15 @@ use crate::bank::{FigureLabels, Problem};
 use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
-use crate::figure::{layout, names, parts, say};
+use crate::figure::{joined, layout, names, parts, say};
 use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Arm, Attach, Couple, End, Far, Owner, Pin, Quantity, Slope, Tie};
+use crate::scene::{
+    Arm, Attach, Couple, End, Far, Joint, JointKind, Owner, Pin, Quantity, Slope, StrutEnd, Tie, pose,
+};
 use crate::words::Words;
 
 /// Radius to which a body is drawn.
@@ -126,6 +128,7 @@ pub fn resultants(
 fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
+        _ if this.planar.is_some() => in_the_plane(view, body),
         Some(pin) => Some(swinging(view, body, pin)),
         None => moving(view, body),
     }
@@ -143,7 +146,7 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
     scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
-        && (found(Quantity::A) || found(Quantity::Alpha))
+        && (found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
 }
 
 /// Free-body diagram and kinetic diagram of a body at the moment that is asked; of a body that is thrown with slip, while it
@@ -474,6 +477,105 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
     Diagram { forces, couples, unknown: None, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
+}
+
+/// The diagrams of a body in the plane, at the position that is asked.
+fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
+    let plane = joined::Plane::new(view)?;
+    // An end that is no angle is shown where it starts.
+    let laid = plane.end.clone().unwrap_or_else(|| plane.start.clone());
+    let this = &view.scene.bodies[body];
+    let mass = view.kilograms(this);
+    let g = plane.centre(view, &laid, body);
+    let name = |joint: &Joint, symbol: &str| {
+        let plain: String = joint.name.chars().filter(char::is_ascii_alphanumeric).collect();
+        symbol::symbol(&names::tagged(symbol, &format!(r"\mathrm{{{plain}}}")))
+    };
+    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
+        ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
+    };
+    let weight = mass * view.of(view.scene.gravity_m_s2);
+    let mut forces = vec![force(g, weight, Vec2::DOWN, names::weight(view, body))];
+    for (j, joint) in view.scene.joints.iter().enumerate() {
+        let found = |q: Quantity| view.solved(q, Owner::Joint(j)).unwrap_or(0.0);
+        for (i, spot) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
+            let at = plane.spot(view, &laid, spot);
+            // The force on the second body of a hinge is the opposite one.
+            let side = if i == 0 { 1.0 } else { -1.0 };
+            match joint.kind {
+                JointKind::Pin { .. } | JointKind::Hinge { .. } => {
+                    for (symbol, quantity, towards) in
+                        [("X", Quantity::PinX, Vec2::RIGHT), ("Y", Quantity::PinY, Vec2::UP)]
+                    {
+                        forces.push(force(at, side * found(quantity), towards, name(joint, symbol)));
+                    }
+                }
+                JointKind::Guide { direction_deg, mu_k, .. } => {
+                    let direction = Vec2::at_degrees(view.of(direction_deg));
+                    let normal = found(Quantity::Normal);
+                    forces.push(force(at, normal, direction.left(), name(joint, "N")));
+                    if mu_k.is_some() {
+                        let up = pose::upward([direction.x, direction.y]);
+                        let rubs = found(Quantity::Friction);
+                        let friction = force(at, rubs, direction * up, name(joint, "F"));
+                        forces.push(ForceArrow { role: Role::Friction, ..friction });
+                    }
+                }
+                JointKind::Cord { place_m, .. } => {
+                    let far = vec2(view.of(place_m[0]), view.of(place_m[1])) * plane.scale;
+                    forces.push(force(at, found(Quantity::Tension), (far - at).unit(), name(joint, "T")));
+                }
+            }
+        }
+    }
+    for (s, strut) in view.scene.struts.iter().enumerate() {
+        let pull = view.solved(Quantity::SpringForce, Owner::Strut(s)).unwrap_or(0.0);
+        let near = plane.spot(view, &laid, strut.at);
+        let far = match strut.to {
+            StrutEnd::Ground([x, y]) => vec2(view.of(x), view.of(y)) * plane.scale,
+            StrutEnd::Spot(spot) => plane.spot(view, &laid, spot),
+        };
+        let label = || symbol::symbol(r"F_{\mathrm{s}}");
+        if strut.at.body == body {
+            forces.push(force(near, pull, (far - near).unit(), label()));
+        }
+        if matches!(strut.to, StrutEnd::Spot(spot) if spot.body == body) {
+            forces.push(force(far, pull, (near - far).unit(), label()));
+        }
+    }
+    for push in view.scene.pushes.iter().filter(|p| p.at.body == body) {
+        let given = view.symbol(push.force_n);
+        let label = if given.is_empty() { symbol::symbol("P") } else { given };
+        let towards = joined::towards(view, &laid, push);
+        forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
+    }
+    let planar = this.planar.as_ref()?;
+    let with_mass = |symbol: &str, value: f64| {
+        let mut label = names::mass(view, body);
+        label.extend(symbol::magnitude(symbol::symbol(symbol), value < 0.0));
+        label
+    };
+    let part = |quantity: Quantity, towards: Vec2, symbol: &str| {
+        let a = found(view, quantity, body);
+        ForceArrow { role: Role::Motion, ..ForceArrow::new(g, towards, mass * a, with_mass(symbol, a)) }
+    };
+    let parts = vec![part(Quantity::AX, Vec2::RIGHT, "a_x"), part(Quantity::AY, Vec2::UP, "a_y")];
+    let alpha = found(view, Quantity::Alpha, body);
+    let turn = this.turns.then(|| {
+        let mut label = symbol::symbol(&names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]));
+        let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
+        label.extend(symbol::magnitude(symbol::symbol(&symbol), alpha < 0.0));
+        let sense = if planar.clockwise { -1.0 } else { 1.0 };
+        Turning { value: alpha * view.inertia(this) * sense, label }
+    });
+    let couples = couples_on(view, body, planar.clockwise);
+    let scale = plane.scale;
+    let draw = move |board: &mut Board| {
+        plane.outline(board, view, &laid, body, Role::Body);
+        board.dot(g);
+    };
+    let kinetic = Kinetic { parts, turn, round: 27.0 };
+    Some(Diagram { forces, couples, unknown: None, kinetic, centre: g, scale, body: Box::new(draw) })
 }
 
 /// Both diagrams with the sign between them.

@@ -84,6 +84,14 @@ pub fn direction<T: Real>(n: &Numbers<T>, degrees: Num) -> [T; 2] {
     [c, s]
 }
 
+/// Below this sine a line is level.
+const LEVEL: f64 = 1e-12;
+
+/// 1 where a direction leads up, or to the right on a level, else -1: the sense in which friction along it is told.
+pub fn upward<T: Real>([c, s]: [T; 2]) -> f64 {
+    if s.size() < LEVEL { c.sign() } else { s.sign() }
+}
+
 /// Direction of an axis at this angle, as the angle of the body counts, with its derivatives by it.
 fn axis<T: Real>(planar: &Planar, angle: &Half<T>) -> Point<T> {
     let (s, c) = (angle.full_sine(), angle.full_cosine());

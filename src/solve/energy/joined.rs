@@ -809,6 +809,13 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
             for (quantity, (force, _)) in quantities.iter().zip(&forces) {
                 self.say(road, *quantity, of, *force);
             }
+            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [(normal, _)]) =
+                (joint.kind, forces.as_slice())
+            {
+                let up = pose::upward(pose::direction(self.n, direction_deg));
+                let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
+                self.say(road, Quantity::Friction, of, -most.signed(self.sliding[j]).signed(up));
+            }
             if let [(x, _), (y, _)] = forces.as_slice() {
                 self.say(road, Quantity::PinForce, of, (x.square() + y.square()).root());
             }

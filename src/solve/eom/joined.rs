@@ -9,6 +9,7 @@ use crate::num::gauss::{self, PerNode, Unsettled};
 use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
+use crate::scene::pose;
 use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot, Start};
 use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Road, Said};
@@ -95,7 +96,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
             sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v * spin))
         };
         let response = mechanism.respond(&state, &senses)?;
-        teller.tell(&state, &response, spin, mechanism.turning(&response, mechanism.lead))?;
+        let lead = mechanism.turning(&response, mechanism.lead);
+        teller.tell(&state, &response, (spin, lead), &senses)?;
         return Ok(teller.road);
     }
     let state = mechanism.state(&start, true)?;
@@ -122,7 +124,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
 fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: impl Fn(Spot) -> [T; 2]) -> SmallVec<[f64; 4]> {
     let of = |kind: &JointKind| match *kind {
         JointKind::Guide { at, direction_deg, mu_k: Some(_), .. } => {
-            let [c, s] = crate::scene::pose::direction(mechanism.n, direction_deg);
+            let [c, s] = pose::direction(mechanism.n, direction_deg);
             let [x, y] = moves(at);
             (x * c).balance(y * s).sign()
         }
@@ -405,15 +407,16 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), stop.way);
         let (first, _) = self.at(T::zero())?;
         let (state, response) = self.at(stop.way)?;
+        let size = self.mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
             let (high, low) = (self.mechanism.height(&state, b), self.mechanism.height(&first, b));
             if body.planar.is_some() {
-                teller.say_scaled(Quantity::Rise, Owner::Body(b), high - low, high.size() + low.size());
+                teller.say_scaled(Quantity::Rise, Owner::Body(b), high - low, size);
             }
         }
         let speed = stop.half_square.scale2(1).root().signed(self.sense);
         let lead = self.mechanism.turning(&response, self.mechanism.lead);
-        teller.tell(&state, &response, speed, lead)
+        teller.tell(&state, &response, (speed, lead), &self.sliding)
     }
 
     /// Half the square of the rate after this way.
@@ -467,23 +470,24 @@ impl<T: Real> Teller<'_, '_, T> {
         &mut self,
         state: &State<T>,
         response: &Response<T>,
-        rate: T,
-        lead: (T, T),
+        (rate, lead): (T, (T, T)),
+        sliding: &[f64],
     ) -> Result<(), Refusal> {
         let (scene, mechanism) = (self.scene, self.mechanism);
         let square = rate.square();
         let terms = lead.0.size() + lead.1.size() * square.size();
         let mut energy = T::zero();
+        // The fastest point moves no faster than this share of the leading angle's rate.
+        let fastest = rate.size() * mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
             let of = Owner::Body(b);
             let [vx, vy] = mechanism.velocity(state, b).map(|v| v * rate);
             let speed = (vx.square() + vy.square()).root();
             let numbers = self.n.bodies[b];
             energy = energy + numbers.mass * speed.square();
-            let size = speed.f64();
-            self.say(Quantity::V, of, speed);
-            self.say_scaled(Quantity::VX, of, vx, size);
-            self.say_scaled(Quantity::VY, of, vy, size);
+            self.say_scaled(Quantity::V, of, speed, fastest);
+            self.say_scaled(Quantity::VX, of, vx, fastest);
+            self.say_scaled(Quantity::VY, of, vy, fastest);
             let [ax, ay] = mechanism.acceleration(response, b, square);
             let size = ax.size() + ay.size();
             self.say_scaled(Quantity::AX, of, ax, size);
@@ -500,7 +504,7 @@ impl<T: Real> Teller<'_, '_, T> {
             let points = body.planar.as_ref().map_or(0, |p| p.points.len());
             for spot in (0..points).map(|point| Spot { body: b, point }) {
                 let [x, y] = mechanism.speed(state, spot).map(|v| v * rate);
-                self.say(Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root());
+                self.say_scaled(Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root(), fastest);
             }
         }
         self.say(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
@@ -518,6 +522,14 @@ impl<T: Real> Teller<'_, '_, T> {
             };
             for (quantity, force) in quantities.iter().zip(&force) {
                 self.say_scaled(*quantity, of, *force, force.size() + weights);
+            }
+            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [normal]) =
+                (joint.kind, force.as_slice())
+            {
+                let up = pose::upward(pose::direction(self.n, direction_deg));
+                let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
+                let friction = -most.signed(sliding[j]).signed(up);
+                self.say_scaled(Quantity::Friction, of, friction, force[0].size() + weights);
             }
             if let [x, y] = force.as_slice() {
                 self.say(Quantity::PinForce, of, (x.square() + y.square()).root());

@@ -381,6 +381,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let known = (first..first + count).all(|i| !response.solution.is_open(i));
         known.then(|| (first..first + count).map(|i| response.at(i, square)).collect())
     }
+    /// Sum of the distances of all points from the origins of their axes, m: what lengths and speeds are small beside.
+    pub fn size(&self) -> f64 {
+        let bodies = self.scene.bodies.iter().filter_map(|b| b.planar.as_ref());
+        let places = bodies.flat_map(|p| p.points.iter().map(|(_, place)| *place).chain([p.centre]));
+        places.map(|place| pose::along(self.n, place).size()).sum()
+    }
     /// Height of a mass centre.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
         self.centre(&state.poses, body)[1]

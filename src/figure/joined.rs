@@ -1,0 +1,514 @@
+//! The picture of joined bodies in the plane: at the start, with the position considered as a ghost.
+use crate::figure::pinned::dimension;
+use crate::figure::view::SceneView;
+use crate::figure::{names, say};
+use crate::num::half::Half;
+use crate::picture::board::{Board, LabelTie};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Role, symbol};
+use crate::scene::{
+    Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Rest, RotaryInertia, Shape, Spot, StrutEnd,
+    pose,
+};
+
+/// Pixels of the longer side of all that moves.
+const SIDE: f64 = 290.0;
+/// Half the width of a rod.
+const THICK: f64 = 5.0;
+
+/// Where a body lies on the board.
+#[derive(Debug, Clone, Copy)]
+pub struct Laid {
+    /// Origin of its axis.
+    pub origin: Vec2,
+    /// Direction of its axis.
+    pub axis: Vec2,
+}
+
+/// Bodies in the plane on the board.
+#[derive(Debug, Clone)]
+pub struct Plane {
+    /// Pixels per metre.
+    pub scale: f64,
+    /// The bodies at the start.
+    pub start: Vec<Laid>,
+    /// The bodies at the position considered, where it is another one.
+    pub end: Option<Vec<Laid>>,
+}
+
+impl Plane {
+    /// How the bodies of a view lie; `None` where the joints do not place them.
+    pub fn new(view: &SceneView) -> Option<Self> {
+        let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+        let at = |angle: &Half<f64>, at_start: bool| {
+            let laid = pose::poses(view.scene, &numbers, angle, at_start)?;
+            let vector = |p: pose::Point<f64>| vec2(p[0].value, p[1].value);
+            let laid: Vec<Laid> =
+                laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
+            laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
+        };
+        let start = at(&view.scene.start_angle(&numbers), true)?;
+        let lead = view.scene.lead()?;
+        let turned = |degrees: f64| at(&Half::of_degrees(degrees), false);
+        let end = match view.scene.end {
+            End::Angle(c, n) if c.body == lead => turned(view.of(n)),
+            _ => None,
+        };
+        let mut plane = Self { scale: 1.0, start, end };
+        let (mut low, mut high) = (vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY));
+        for (b, body) in view.scene.bodies.iter().enumerate() {
+            let Some(planar) = &body.planar else { continue };
+            for along in span(view, b, planar) {
+                for laid in std::iter::once(&plane.start).chain(&plane.end) {
+                    let p = laid[b].origin + laid[b].axis * along;
+                    (low, high) = (low.inf(&p), high.sup(&p));
+                }
+            }
+        }
+        for place in view.scene.joints.iter().filter_map(fixed_place) {
+            let p = ground(view, place);
+            (low, high) = (low.inf(&p), high.sup(&p));
+        }
+        for strut in &view.scene.struts {
+            if let StrutEnd::Ground(place) = strut.to {
+                let p = ground(view, place);
+                (low, high) = (low.inf(&p), high.sup(&p));
+            }
+        }
+        let size = (high - low).x.max((high - low).y);
+        plane.scale = if size > 0.0 && size.is_finite() { SIDE / size } else { SIDE };
+        let scale = plane.scale;
+        for laid in plane.start.iter_mut().chain(plane.end.iter_mut().flatten()) {
+            laid.origin *= scale;
+        }
+        Some(plane)
+    }
+
+    /// A point of a body.
+    pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
+        let place = view.scene.planar(spot.body).and_then(|p| p.points.get(spot.point));
+        let along = place.map_or(0.0, |(_, place)| along(view, *place));
+        laid[spot.body].origin + laid[spot.body].axis * (along * self.scale)
+    }
+    /// The mass centre of a body.
+    pub fn centre(&self, view: &SceneView, laid: &[Laid], body: usize) -> Vec2 {
+        let along = view.scene.planar(body).map_or(0.0, |p| along(view, p.centre));
+        laid[body].origin + laid[body].axis * (along * self.scale)
+    }
+
+    /// The outline of a body.
+    pub fn outline(&self, board: &mut Board, view: &SceneView, laid: &[Laid], body: usize, role: Role) {
+        let this = &view.scene.bodies[body];
+        let Some(planar) = &this.planar else { return };
+        let Laid { origin, axis } = laid[body];
+        if !this.turns {
+            let side = view.scene.joints.iter().find_map(|j| match j.kind {
+                JointKind::Guide { at, direction_deg, .. } if at.body == body => {
+                    Some(Vec2::at_degrees(view.of(direction_deg)))
+                }
+                _ => None,
+            });
+            let (a, b) = (side.unwrap_or(axis) * 15.0, side.unwrap_or(axis).left() * 10.0);
+            board.lines(&[origin + a + b, origin - a + b, origin - a - b, origin + a - b], true, role);
+            return;
+        }
+        let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * self.scale));
+        let (side, on) = (axis.left() * THICK, axis * THICK);
+        board.lines(&[from - on + side, to + on + side, to + on - side, from - on - side], true, role);
+        if !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
+            let mass = view.kilograms(this);
+            let round = match &this.inertia {
+                Some(RotaryInertia::Shape(_, r)) => view.of(*r),
+                _ if mass > 0.0 => (view.inertia(this) / mass).max(0.0).sqrt(),
+                _ => 0.0,
+            };
+            board.circle(self.centre(view, laid, body), (round * self.scale).max(9.0), role);
+        }
+    }
+}
+
+/// A distance along the axis of a body, m.
+fn along(view: &SceneView, place: Place) -> f64 {
+    match place {
+        Place::At(n) => view.of(n),
+        Place::HalfOf(n) => view.of(n) / 2.0,
+    }
+}
+
+/// From where to where a body lies along its axis, m.
+fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
+    let long = match view.scene.bodies[body].inertia {
+        Some(RotaryInertia::Shape(Shape::Rod, l)) => Some(view.of(l)),
+        _ => None,
+    };
+    let centre = along(view, planar.centre);
+    let ends = long.map(|l| [centre - l / 2.0, centre + l / 2.0]);
+    let points = planar.points.iter().map(|(_, p)| along(view, *p));
+    let all = points.chain([centre]).chain(ends.into_iter().flatten());
+    all.fold([f64::INFINITY, -f64::INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
+    vec2(view.of(place[0]), view.of(place[1]))
+}
+
+/// The fixed place of a joint.
+fn fixed_place(joint: &Joint) -> Option<[Num; 2]> {
+    match joint.kind {
+        JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => Some(place_m),
+        _ => None,
+    }
+}
+
+/// Draws the bodies with their joints, forces and sizes.
+pub fn draw(board: &mut Board, view: &SceneView) {
+    let Some(plane) = Plane::new(view) else { return };
+    for joint in &view.scene.joints {
+        guide(board, view, &plane, joint);
+    }
+    if let Some(end) = &plane.end {
+        for b in 0..view.scene.bodies.len() {
+            plane.outline(board, view, end, b, Role::Ghost);
+        }
+    }
+    for b in 0..view.scene.bodies.len() {
+        plane.outline(board, view, &plane.start, b, Role::Body);
+    }
+    for joint in &view.scene.joints {
+        held(board, view, &plane, joint);
+    }
+    for strut in &view.scene.struts {
+        let near = plane.spot(view, &plane.start, strut.at);
+        let far = match strut.to {
+            StrutEnd::Ground(place) => ground(view, place) * plane.scale,
+            StrutEnd::Spot(spot) => plane.spot(view, &plane.start, spot),
+        };
+        if (far - near).norm() > 14.0 {
+            board.spring(far, near, 9, 7.0);
+        } else {
+            board.line(far, near, Role::Spring);
+        }
+        if matches!(strut.to, StrutEnd::Ground(_)) && (far - near).norm() > 1.0 {
+            crate::figure::parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
+        }
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
+        let (middle, out) = (far.middle(near), (far - near).unit().left());
+        let rows = vec![view.label(strut.stiffness_n_m, "N/m"), view.label(rest, "m")];
+        let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
+        board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots);
+    }
+    letters(board, view, &plane);
+    angles(board, view, &plane);
+    for b in 0..view.scene.bodies.len() {
+        sizes(board, view, &plane, b);
+    }
+    loads(board, view, &plane);
+}
+
+/// A line that guides a point: hatched where it only pushes, else two rails.
+fn guide(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
+    let JointKind::Guide { at, through_m, direction_deg, one_sided, .. } = joint.kind else { return };
+    let direction = Vec2::at_degrees(view.of(direction_deg));
+    let through = ground(view, through_m) * plane.scale;
+    let mut reach: Vec<f64> = vec![0.0];
+    for laid in std::iter::once(&plane.start).chain(&plane.end) {
+        reach.push((plane.spot(view, laid, at) - through).dot(&direction));
+    }
+    let (low, high) = reach.iter().fold((f64::INFINITY, -f64::INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    let (from, to) = (through + direction * (low - 30.0), through + direction * (high + 30.0));
+    let normal = direction.left();
+    // What slides on it lies within it, a rod's end upon it.
+    let slider = !view.scene.bodies[at.body].turns;
+    let apart = if slider { 11.0 } else { 6.0 };
+    if one_sided {
+        board.hatch(from - normal * apart, to - normal * apart, -normal);
+        board.line(from - normal * apart, to - normal * apart, Role::Ground);
+    } else {
+        for side in [apart, -apart] {
+            board.line(from + normal * side, to + normal * side, Role::Ground);
+        }
+    }
+    if let JointKind::Guide { mu_k: Some(mu), .. } = joint.kind {
+        let middle = from.middle(to) - normal * apart;
+        let label = crate::figure::view::joined(symbol::symbol(r"\mu_k"), view.value(mu, ""));
+        let label = if view.symbol(mu).is_empty() { label } else { view.label(mu, "") };
+        board.wish(label, vec![(middle, -normal), (to, direction), (from, -direction)], Role::Friction);
+    }
+}
+
+/// Pins, hinges and cords.
+fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
+    match joint.kind {
+        JointKind::Guide { .. } => {}
+        JointKind::Hinge { one, .. } => board.circle(plane.spot(view, &plane.start, one), 3.6, Role::Inner),
+        JointKind::Pin { at, .. } => {
+            let place = plane.spot(view, &plane.start, at);
+            // The bracket stands where no body is.
+            let taken = |side: &Vec2| {
+                plane.start.iter().chain(plane.end.iter().flatten()).any(|laid| {
+                    let near = (laid.origin - place).norm() < 60.0;
+                    near && laid.axis.dot(side) > 0.8
+                })
+            };
+            let sides = [Vec2::DOWN, Vec2::UP, Vec2::LEFT, Vec2::RIGHT];
+            let side = sides.into_iter().find(|s| !taken(s)).unwrap_or(Vec2::DOWN);
+            let (wall, across) = (place + side * 24.0, side.left());
+            board.lines(&[wall - across * 12.0, place, wall + across * 12.0], true, Role::Inner);
+            let (a, b) = (wall + across * 24.0, wall - across * 24.0);
+            let (a, b) = if side.y < -0.5 || side.x < -0.5 { (b, a) } else { (a, b) };
+            board.hatch(a, b, side);
+            board.line(a, b, Role::Ground);
+            board.circle(place, 3.6, Role::Inner);
+        }
+        JointKind::Cord { at, place_m } => {
+            let (near, far) = (plane.spot(view, &plane.start, at), ground(view, place_m) * plane.scale);
+            board.line(near, far, Role::Cord);
+            crate::figure::parts::wall(board, far, (far - near).unit(), -14.0, 14.0);
+        }
+    }
+}
+
+/// Names of points, and the mass centre of a single body.
+fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
+    let mut named: Vec<Vec2> = Vec::new();
+    let single = view.scene.bodies.len() == 1;
+    for (b, body) in view.scene.bodies.iter().enumerate() {
+        let Some(planar) = body.planar.as_ref().filter(|_| body.turns) else { continue };
+        let axis = plane.start[b].axis;
+        let mut letter = |text: &str, at: Vec2, dot: bool| {
+            if named.iter().any(|p| (*p - at).norm() < 3.0) {
+                return;
+            }
+            named.push(at);
+            if dot {
+                board.dot(at);
+            }
+            let across = axis.left();
+            let spots = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d)).to_vec();
+            board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
+        };
+        if single {
+            letter("G", plane.centre(view, &plane.start, b), true);
+        }
+        for (point, (name, _)) in planar.points.iter().enumerate() {
+            letter(name, plane.spot(view, &plane.start, Spot { body: b, point }), false);
+        }
+    }
+}
+
+/// The angle of the leading body, at the start and at the position considered.
+fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
+    let Some(lead) = view.scene.lead() else { return };
+    let Some(planar) = view.scene.planar(lead) else { return };
+    let [x, y] = planar.from.components();
+    let zero = vec2(x, y);
+    let sense = if planar.clockwise { -1.0 } else { 1.0 };
+    let mut shown = Vec::new();
+    if let Some(start) = planar.start_deg {
+        shown.push((start, &plane.start, 46.0));
+    }
+    if let (End::Angle(_, n), Some(end)) = (view.scene.end, &plane.end) {
+        shown.push((n, end, 72.0));
+    }
+    for (num, laid, radius) in shown {
+        let degrees = view.of(num);
+        if matches!(num, Num::Fixed(_)) && degrees.abs() < 1e-9 {
+            continue;
+        }
+        let corner = laid[lead].origin;
+        board.line(corner + zero * 9.0, corner + zero * (radius + 16.0), Role::Ghost);
+        let from = zero.angle_of();
+        let to = from + sense * degrees * std::f64::consts::PI / 180.0;
+        if degrees.abs() * radius < 400.0 {
+            board.arc(corner, radius, from, to, Role::Dimension);
+        } else {
+            board.curved_arrow(corner, radius, from, to, Role::Dimension);
+        }
+        let at = |share: f64| {
+            let d = Vec2::at_angle(from + (to - from) * share);
+            (corner + d * radius, d)
+        };
+        board.wish(
+            view.label(num, "°"),
+            vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8)],
+            Role::Dimension,
+        );
+    }
+}
+
+/// Length, mass and radius of gyration of a body.
+fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
+    let this = &view.scene.bodies[body];
+    let Some(planar) = &this.planar else { return };
+    let Laid { origin, axis } = plane.start[body];
+    let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * plane.scale));
+    let lead = view.scene.lead() == Some(body);
+    // Away from where it goes and where its angle stands.
+    let out = match &plane.end {
+        Some(end) if end[body].axis.perp(&axis).abs() > 1e-6 => {
+            axis.left() * end[body].axis.perp(&axis).signum()
+        }
+        _ => axis.left(),
+    };
+    let out = if lead && plane.end.is_none() && planar.clockwise { -out } else { out };
+    let mut rows = Vec::new();
+    if let Some((n, weight)) = view.mass(this) {
+        rows.push(view.label(n, if weight { "N" } else { "kg" }));
+    }
+    match &this.inertia {
+        Some(RotaryInertia::Shape(Shape::Rod, l)) => {
+            dimension(board, from, to, out, 30.0, view.label(*l, "m"))
+        }
+        Some(RotaryInertia::Shape(_, r) | RotaryInertia::Gyration(r)) => rows.push(view.label(*r, "m")),
+        Some(RotaryInertia::Moment(i)) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
+        _ => {}
+    }
+    for (name, place) in &planar.points {
+        if let (Place::At(n @ Num::Datum(_)), true) = (place, this.turns)
+            && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == *n)
+            && !name.is_empty()
+        {
+            let at = origin + axis * (view.of(*n) * plane.scale);
+            dimension(board, origin, at, -out, 26.0, view.label(*n, "m"));
+        }
+    }
+    let middle = from.middle(to);
+    let side = if this.turns { THICK } else { 12.0 };
+    let spots = [-out, out, Vec2::UP, Vec2::DOWN].map(|d| (middle + d * side, d));
+    let more = [0.25, -0.25].map(|s| (middle + (to - from) * s - out * side, -out));
+    board.label(rows, Role::Dot, (LabelTie::Loose, 6.0), spots.into_iter().chain(more).collect());
+}
+
+/// Forces, couples and the spin at the start.
+fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
+    for push in &view.scene.pushes {
+        let at = plane.spot(view, &plane.start, push.at);
+        let towards = towards(view, &plane.start, push);
+        let tip = at + towards * 56.0;
+        board.arrow(at, tip, Role::Force);
+        let spots = vec![(tip, towards), (at.middle(tip), towards.left()), (at.middle(tip), towards.right())];
+        board.wish(view.label(push.force_n, "N"), spots, Role::Force);
+    }
+    for couple in &view.scene.couples {
+        let clockwise = view.scene.planar(couple.body).is_some_and(|p| p.clockwise);
+        let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
+        let laid = plane.start[couple.body];
+        let mid = laid.axis.angle_of();
+        let sense = if clockwise == forward { -1.0 } else { 1.0 };
+        let (from, to) = (mid + sense * 1.0, mid + sense * 4.6);
+        board.curved_arrow(laid.origin, 24.0, from, to, Role::Force);
+        let d = Vec2::at_angle(from + (to - from) * 0.3);
+        let spots =
+            vec![(laid.origin + d * 24.0, d), (laid.origin + Vec2::at_angle(to) * 24.0, Vec2::at_angle(to))];
+        board.wish(view.size_label(couple.moment_n_m, "N·m"), spots, Role::Force);
+    }
+    for (b, laid) in plane.start.iter().enumerate() {
+        for (_, num) in view.started(b).filter(|(degree, _)| *degree == Degree::Turn) {
+            let clockwise = view.scene.planar(b).is_some_and(|p| p.clockwise);
+            let sense = if clockwise == (view.of(num) >= 0.0) { -1.0 } else { 1.0 };
+            let mid = laid.axis.angle_of();
+            let radius = 92.0;
+            board.curved_arrow(laid.origin, radius, mid + sense * 0.08, mid + sense * 0.4, Role::Motion);
+            let d = Vec2::at_angle(mid + sense * 0.24);
+            board.wish(view.size_label(num, "rad/s"), vec![(laid.origin + d * radius, d)], Role::Motion);
+        }
+    }
+}
+
+/// Direction of a force.
+pub fn towards(view: &SceneView, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
+    let direction = Vec2::at_degrees(view.of(push.direction_deg));
+    if push.turns {
+        let axis = laid[push.at.body].axis;
+        axis * direction.x + axis.left() * direction.y
+    } else {
+        direction
+    }
+}
+
+/// What the picture shows, in words.
+pub fn tell(view: &SceneView, out: &mut Vec<String>) {
+    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.joined.{name}"), pieces);
+    let called = |spot: Spot| {
+        let (_, point) = view.scene.point_name(spot).unwrap_or(("", ""));
+        let body = names::body_within(view.words, view.scene, spot.body);
+        if view.scene.bodies[spot.body].turns {
+            say("point", &[("point", point), ("body", &body)])
+        } else {
+            body
+        }
+    };
+    let place = |place: [Num; 2]| {
+        let (x, y) = (say::text(view, place[0], "m"), say::text(view, place[1], "m"));
+        say("place", &[("x", &x), ("y", &y)])
+    };
+    for (b, body) in view.scene.bodies.iter().enumerate() {
+        out.push(say("body", &[("body", &say::named(view, body))]));
+        say::couples(view, b, out);
+        for (_, num) in view.started(b) {
+            out.push(say("spin", &[("spin", &say::text(view, num, "rad/s"))]));
+        }
+    }
+    if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {
+        let body = names::body_within(view.words, view.scene, lead);
+        let from = view.words.get(&format!("figure.joined.ray.{}", ray(planar)));
+        if let Some(start) = planar.start_deg {
+            out.push(say(
+                "start",
+                &[("body", &body), ("from", from), ("angle", &say::text(view, start, "°"))],
+            ));
+        }
+        if let End::Angle(_, n) = view.scene.end {
+            out.push(say("end", &[("angle", &say::text(view, n, "°"))]));
+        }
+    }
+    for joint in &view.scene.joints {
+        out.push(match joint.kind {
+            JointKind::Pin { at, place_m } => {
+                say("pin", &[("point", &called(at)), ("place", &place(place_m))])
+            }
+            JointKind::Hinge { one, other } => {
+                say("hinge", &[("one", &called(one)), ("other", &called(other))])
+            }
+            JointKind::Guide { at, direction_deg, one_sided, .. } => {
+                let angle = say::text(view, direction_deg, "°");
+                let name = match direction_deg {
+                    Num::Fixed(d) if d % 180.0 == 0.0 => "level",
+                    Num::Fixed(d) if d % 180.0 == 90.0 || d % 180.0 == -90.0 => "upright",
+                    _ => "sloped",
+                };
+                let line = say(name, &[("angle", &angle)]);
+                let what = if one_sided { "touches" } else { "guide" };
+                say(what, &[("point", &called(at)), ("line", &line)])
+            }
+            JointKind::Cord { at, place_m } => {
+                say("cord", &[("point", &called(at)), ("place", &place(place_m))])
+            }
+        });
+    }
+    for push in &view.scene.pushes {
+        let force = say::text(view, push.force_n, "N");
+        out.push(say("force", &[("force", &force), ("point", &called(push.at))]));
+    }
+    for strut in &view.scene.struts {
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
+        let list = [say::text(view, strut.stiffness_n_m, "N/m"), say::text(view, rest, "m")];
+        let to = match strut.to {
+            StrutEnd::Ground(p) => place(p),
+            StrutEnd::Spot(spot) => called(spot),
+        };
+        let list = list.join(say::separator(view));
+        out.push(say("spring", &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));
+    }
+}
+
+/// From where an angle counts and in which sense: a name in the word list.
+fn ray(planar: &Planar) -> String {
+    let from = match planar.from.components() {
+        [x, _] if x > 0.5 => "right",
+        [x, _] if x < -0.5 => "left",
+        [_, y] if y > 0.0 => "up",
+        _ => "down",
+    };
+    format!("{from}_{}", if planar.clockwise { "clockwise" } else { "counter" })
+}
