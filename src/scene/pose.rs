@@ -80,7 +80,12 @@ pub fn ground<T: Real>(n: &Numbers<T>, place: [Num; 2]) -> [T; 2] {
 
 /// Unit vector along a direction in degrees, counter-clockwise from the right.
 pub fn direction<T: Real>(n: &Numbers<T>, degrees: Num) -> [T; 2] {
-    let (s, c) = trig::sin_cos_of_degrees(n.get(degrees));
+    // A whole number of degrees is exactly that.
+    let degrees = match degrees {
+        Num::Fixed(x) if x.fract() == 0.0 => T::of(x),
+        other => n.get(other),
+    };
+    let (s, c) = trig::sin_cos_of_degrees(degrees);
     [c, s]
 }
 

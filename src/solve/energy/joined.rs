@@ -630,20 +630,21 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
             }
             _ => None,
         };
-        // The other joints must push on the way: the first road watches them.
-        let (mut push, mut hold) = (T::zero(), T::zero());
-        for power in self.powers(&self.poses(T::zero())?, &self.rates(&self.poses(T::zero())?)) {
-            let power = power.signed(self.sense);
-            if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
-        }
-        let rubbed = drive.0 - drive.1;
-        let course = Course {
-            sense: self.sense,
-            drive: (push, hold + if rubbed.sign() > 0.0 { rubbed } else { T::zero() }),
-            asked,
-            farthest: limit,
-            reached: found.is_some(),
-        };
+        // Only margins hang on the drive, and whether the other joints push on the way is watched by the first road.
+        let drive = ball::unwatched(|| {
+            let first = self.poses(T::zero())?;
+            let (mut push, mut hold) = (T::zero(), T::zero());
+            for power in self.powers(&first, &self.rates(&first)) {
+                let power = power.signed(self.sense);
+                if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
+            }
+            let rubbed = drive.0 - drive.1;
+            if rubbed.sign() > 0.0 {
+                hold = hold + rubbed;
+            }
+            Ok::<_, Refusal>((push, hold))
+        })?;
+        let course = Course { sense: self.sense, drive, asked, farthest: limit, reached: found.is_some() };
         road.course = Some(course);
         let Some(way) = found else { return Ok(()) };
         let rest = matches!(scene.end, End::TurningPoint(_));

@@ -175,12 +175,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             gauss::running(&driven).into_iter().zip(&factors).map(|(g, e)| (from + g) / *e).collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
-        let flat = growths.iter().all(|g| g.is_zero());
         Ok(Panel {
             ends,
             last: (from + gauss::mean(&driven)) / whole,
             time: gauss::mean(&times),
-            smooth: (flat || gauss::smooth(&growths, SMOOTH)) && gauss::smooth(&driven, SMOOTH),
+            // Growths are exponents: beside 1 they count.
+            smooth: gauss::smooth_beside(&growths, SMOOTH, 1.0)
+                && gauss::smooth_beside(&driven, SMOOTH, from.size()),
             timely: gauss::smooth(&times, gauss::SMOOTH),
             squares,
         })
