@@ -5,6 +5,8 @@ mod numeral;
 mod plain;
 #[cfg(feature = "program")]
 pub mod quick;
+#[cfg(feature = "program")]
+pub mod quiz;
 pub mod read;
 #[cfg(feature = "program")]
 pub mod roster;

@@ -32,7 +32,10 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     let (student, name) = (column("student"), column("name"));
     let Some(student) = student else {
         let missing = Finding::new("header", "no column `student`").at(place(header.line), 1);
-        findings.push(missing.hint(format!("the columns are: {}", header.fields.join(" | "))));
+        findings.push(missing.hint(format!(
+            "name the column with the ids `student`, and one with names `name`; the columns are: {}",
+            header.fields.join(" | ")
+        )));
         return Err(findings);
     };
     let mut all: Vec<(String, String)> = Vec::new();

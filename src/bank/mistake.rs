@@ -6,6 +6,7 @@ use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::bank::{Datum, Follow, Mistake, Question, measure, review};
 use crate::scene::{Label, Scene};
 use crate::units::spell;
+use std::cell::Cell;
 
 /// What the reader knows of the problem.
 pub struct Context<'a> {
@@ -158,13 +159,21 @@ fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<La
     None
 }
 
-/// Reads `follows: {v: r*omega}`: which part follows from which, and how.
-pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &Faults) -> Vec<Follow> {
+/// Reads `follows: {v: r*omega}`: which part follows from which, and how. Unless the questions are `whole`, one that is missing
+/// here may be one that cannot be read, which is a finding already.
+pub fn follows(
+    node: &Node,
+    (questions, whole): (&[Question], bool),
+    context: &Context,
+    faults: &Faults,
+) -> Vec<Follow> {
     let mut list = Vec::new();
     for (id, key, value) in named(node, "relations by question", faults) {
         let Some(index) = questions.iter().position(|q| q.id == id) else {
-            let hint = spell::hint(id, "questions", questions.iter().map(|q| q.id.as_str()));
-            faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
+            if whole {
+                let hint = spell::hint(id, "questions", questions.iter().map(|q| q.id.as_str()));
+                faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
+            }
             continue;
         };
         let Some(by) = expression(value, context, true, faults) else { continue };
@@ -175,13 +184,13 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
         }
         let from: Vec<usize> =
             (0..index).filter(|q| by.quantities().any(|l| l == questions[*q].label)).collect();
-        if from.is_empty() {
+        if from.is_empty() && whole {
             let earlier: Vec<&str> = questions[..index].iter().map(|q| q.id.as_str()).collect();
-            faults.hint(
-                value,
-                "this follows from no part that is asked before",
-                format!("name one of: {}", earlier.join(", ")),
-            );
+            let hint = match earlier.is_empty() {
+                true => format!("`{id}` is asked first: ask before it what it follows from"),
+                false => format!("name one of: {}", earlier.join(", ")),
+            };
+            faults.hint(value, "this follows from no part that is asked before", hint);
         }
         let text = value.text().unwrap_or("").trim().to_owned();
         list.push(Follow { question: index, from, by, text });
@@ -193,10 +202,13 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
 /// mix them up.
 fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> Option<Expression> {
     let text = node.text().unwrap_or("");
+    let scene_read = Cell::new(true);
     let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
         if let Some(found) = measure::datum(context.data, name) {
             return Ok(found);
         }
+        // Without a scene there is no quantity, and why there is none is a finding already.
+        scene_read.set(!context.cases.is_empty());
         let mut trouble = (format!("`{}` is not known", shorten(name)), None);
         for CaseContext { scene, .. } in context.cases {
             match review::label(scene, name).and_then(|label| measure::quantity(label, name)) {
@@ -211,7 +223,9 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
     match read {
         Ok(e) => Some(e),
         Err(fault) => {
-            fault.tell(node, text, faults);
+            if scene_read.get() {
+                fault.tell(node, text, faults);
+            }
             None
         }
     }

@@ -594,10 +594,9 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
             }
         }
         Ok(names) => {
-            for name in &names {
-                if symbols.contains(&name.as_str()) || TEMPLATE_NAMES.contains(&name.as_str()) {
-                    continue;
-                }
+            let known = |name: &str| symbols.contains(&name) || TEMPLATE_NAMES.contains(&name);
+            let unknown: Vec<&str> = names.iter().map(String::as_str).filter(|n| !known(n)).collect();
+            for name in &unknown {
                 let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
                 let hint = spell::hint(name, "known names", known());
                 faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
@@ -605,7 +604,13 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
             // A statement that lists values or particles may give any of them.
             let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
             if is_statement && !lists {
-                for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
+                // A misspelt name is a finding already.
+                let meant: Vec<&str> = unknown
+                    .iter()
+                    .filter_map(|name| spell::closest(name, symbols.iter().chain(TEMPLATE_NAMES).copied()))
+                    .collect();
+                let given = |s: &str| s == "g" || meant.contains(&s) || names.iter().any(|n| n == s);
+                for symbol in symbols.iter().filter(|s| !given(s)) {
                     faults.hint(
                         node,
                         format!("the statement never gives `{symbol}`"),

@@ -341,10 +341,9 @@ impl SceneReader<'_> {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
                     let slope = fields.need("slope", "theta");
                     fields.close();
-                    slope
-                        .filter(|n| !self.absent(n))
-                        .and_then(|n| self.number(n, Need::SLOPE))
-                        .map(Slope::Degrees)
+                    // One that cannot be read is some incline, along which bodies move up and down.
+                    let degrees = |n| Slope::Degrees(self.number(n, Need::SLOPE).unwrap_or(Num::Fixed(1.0)));
+                    slope.filter(|n| !self.absent(n)).map(degrees)
                 }),
                 _ => self.word(
                     value,

@@ -350,11 +350,13 @@ fn problem(
         .collect();
     let context = mistake::Context { data: &data, gravity: data.len() - 1, cases: &read_cases };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
+    let whole = questions.iter().all(|(_, question)| question.is_some());
     let asked: Vec<Question> = match asks_node.map(|n| asks(n, &questions, faults)) {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
-    let follows = follows_node.map_or_else(Vec::new, |n| mistake::follows(n, &asked, &context, faults));
+    let follows =
+        follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
         let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Findings> {
     let outputs = outputs(args)?;
     let loaded = banks::load(&args.of.bank)?;
-    let problem = banks::problem(&loaded, &args.of.problem)?;
+    let problem = banks::problem(&loaded, args.of.problem.as_deref())?;
     let data = data::data(&loaded.bank, problem, &args.of.set, args.of.seed)?;
     let (holds, study) = accuracy::measure(problem, &data, !args.no_time)?;
     match study {

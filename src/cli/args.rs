@@ -50,7 +50,7 @@ pub enum Verb {
     Generate(GenerateArgs),
     /// Grade submissions against a set
     #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega); or a folder or ZIP archive of the files that students saved\nfrom their sheets. Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason.\n\nOf a quiz that was made with `export`, SUBMISSIONS is the CSV file that the platform gives: in Moodle the report\n*Responses* with `question text` and `response` ticked, in Canvas *Student Analysis* of the quiz statistics. Each answer is\njudged by the variant whose code its question shows, and the mark goes to who answered:\n\n  slipstick grade pool-set responses.csv --out quiz-grades"
     )]
     Grade(GradeArgs),
     /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
@@ -196,7 +196,7 @@ pub struct GenerateArgs {
     #[arg(long, value_name = "ROSTER.csv")]
     pub roster: PathBuf,
     /// Seed, a whole number from 0; required unless --add is given, which takes it from the set
-    #[arg(long, value_name = "N", required_unless_present = "add")]
+    #[arg(long, value_name = "N", required_unless_present = "add", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Folder to make
     #[arg(long, value_name = "DIR")]
@@ -263,7 +263,8 @@ impl AttemptsArg {
 pub struct GradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
-    /// CSV file with the answers; `-` reads standard input; a folder or ZIP archive of files that sheets saved (answers-ID.csv)
+    /// The answers: a CSV file, or that of a quiz in Moodle or Canvas; a folder or ZIP archive of the files that sheets saved
+    /// (answers-ID.csv); `-` for standard input
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "GRADED")]
@@ -339,7 +340,7 @@ pub struct RegradeArgs {
     pub set: PathBuf,
     /// Folder of the grading, as grade made it
     pub graded: PathBuf,
-    /// CSV file with the answers, the same as before; `-` reads standard input
+    /// The same answers as before: a CSV file, a folder or ZIP archive of the files that sheets saved, `-` for standard input
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "NEW", required_unless_present = "dry_run")]
@@ -411,6 +412,11 @@ pub struct CheckArgs {
     pub hint: usize,
 }
 
+/// What data are drawn by.
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a whole number from 0 to {} is expected", u64::MAX))
+}
+
 /// A whole number from 1.
 fn at_least_one(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number from 1 is expected".to_owned())
@@ -422,7 +428,7 @@ pub struct PracticeArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Only these problems
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
@@ -437,13 +443,13 @@ pub struct PracticeArgs {
 pub struct ProblemArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
-    /// Id of the problem
-    pub problem: String,
+    /// Id of the problem; a bank of one problem needs none
+    pub problem: Option<String>,
     /// A datum with its unit, such as m=40kg; may be repeated
     #[arg(long, value_name = "SYMBOL=VALUE")]
     pub set: Vec<String>,
     /// Without --set: draw with this seed; not needed where all data are constants
-    #[arg(long, value_name = "N", conflicts_with = "set")]
+    #[arg(long, value_name = "N", conflicts_with = "set", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
 }
 
@@ -554,8 +560,8 @@ pub struct NewArgs {
 pub struct QuantitiesArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
-    /// Id of the problem
-    pub problem: String,
+    /// Id of the problem; a bank of one problem needs none
+    pub problem: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -650,7 +656,7 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "FILE", required_unless_present = "example")]
     pub truth: Option<PathBuf>,
     /// Seed, a whole number from 0
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
     /// Language of words such as `up`: en or de [default: that of the set]
     #[arg(long, value_name = "CODE")]

@@ -2,7 +2,7 @@
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
-use crate::folder::files;
+use crate::folder::{files, names};
 use crate::grade::verdict::Verdict;
 use crate::inspect::sentences::{refusal, right_answer};
 use crate::misconception::catalogue::{Catalogue, Entry};
@@ -13,12 +13,33 @@ use crate::tutor::{Told, Tutor};
 use crate::units;
 use crate::words::Words;
 use std::collections::BTreeSet;
+use std::path::Path;
+
+/// A folder, or another file of a sheet than the one that answers are checked by.
+fn no_sheet(given: &Path, is: &str) -> Finding {
+    let beside = if given.is_dir() { given.join(names::SHEET) } else { given.with_file_name(names::SHEET) };
+    let fault = Finding::new("", is).in_file(given.display().to_string());
+    fault.hint(match beside.is_file() {
+        true => format!("answers are checked by another file: give {}", beside.display()),
+        false => "give the file sheet.json that came with your sheet; the page sheet.html is for a browser"
+            .to_owned(),
+    })
+}
 
 /// Runs it.
 pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     let file = args.sheet.display().to_string();
+    if args.sheet.is_dir() {
+        return Err(no_sheet(&args.sheet, "is a folder").into());
+    }
     let text = files::read_text(&args.sheet)?;
-    let sheet = SheetFile::parse(&text).map_err(|f| f.in_file(&file))?;
+    let sheet = SheetFile::parse(&text).map_err(|fault| {
+        // What begins otherwise is no JSON at all: the page, or the sheet in Markdown or LaTeX.
+        match text.trim_start().starts_with('{') {
+            true => fault.in_file(&file),
+            false => no_sheet(&args.sheet, "is no sheet file"),
+        }
+    })?;
     // A sheet in a language that this program does not know is answered in English.
     let words = sheet.language.as_deref().and_then(Words::built_in);
     let words = words.or_else(|| Words::built_in("en")).unwrap_or_else(|| panic!("English is built in"));

@@ -7,7 +7,6 @@ use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{banks, deal, files, names, set, staged};
 use crate::review;
 use crate::set::dealer;
-use crate::sheet::self_check::Hosting;
 use crate::sheet::{output, terminal, texts};
 use std::path::Path;
 
@@ -118,12 +117,13 @@ fn told(plan: &Plan, made: &SetMade, folder: &Path, io: &mut Io) {
         plan.formats.iter().rev().map(|f| format!("sheet.{}", f.ending())).collect();
     sheets.push("sheet.json".to_owned());
     io.line(&format!("  start with:    {out}/{}", names::INDEX));
-    io.line(&format!("  for students:  {out}/students/ID/ ({}); nothing else", sheets.join(", ")));
-    if plan.hosting == Hosting::Site && plan.bank.self_check {
-        io.line(&format!(
-            "  on the web:    {out}/students/ as a whole: the sheets check themselves with the two files beside them"
-        ));
-    }
+    let sheets = sheets.join(", ");
+    io.line(&match plan.has_program() {
+        true => format!(
+            "  for students:  {out}/students as a whole, on a web server; give each the address of ID/sheet.html in it\n                 ({sheets}; the sheets check themselves with the two files beside the folders)"
+        ),
+        false => format!("  for students:  {out}/students/ID/ ({sheets}); nothing else"),
+    });
     let booklets = tell::booklets(plan.formats, folder);
     if !booklets.is_empty() {
         io.line(&format!("  to print:      {booklets} (all sheets)"));

@@ -4,8 +4,6 @@ use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::{Progress, banks};
-use crate::num::shown;
-use crate::problem::sweep;
 use crate::review;
 use crate::sheet::terminal;
 
@@ -43,10 +41,8 @@ pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {
         }
         io.line("");
     }
-    io.line(&review::chance(&sweeps));
-    for sweep in &sweeps {
-        let one = sweep::coincidence(std::slice::from_ref(sweep), review::CLASS);
-        io.line(&format!("  {} alone: at most {}", sweep.problem, shown::figures(one, 2)));
+    for line in review::chance(&sweeps) {
+        io.line(&line);
     }
     if findings.is_empty() { Ok(Exit::Fine) } else { Err(findings) }
 }

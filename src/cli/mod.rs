@@ -3,6 +3,7 @@ use crate::cli::args::{Typed, Verb};
 use crate::cli::tell::{Exit, Io, ResultStream};
 use crate::folder::files;
 use clap::Parser as _;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::ffi::OsString;
 use std::io::Write as _;
 use std::path::Path;
@@ -49,6 +50,28 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     }
 }
 
+/// What to write instead, where an argument is faulty or missing that its name does not explain.
+fn hint(error: &clap::Error) -> Option<&'static str> {
+    let at_fault = |name: &str| match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(arg)) => arg.starts_with(name),
+        Some(ContextValue::Strings(args)) => args.iter().any(|arg| arg.starts_with(name)),
+        _ => false,
+    };
+    if error.kind() == ErrorKind::ArgumentConflict && at_fault("--seed") {
+        Some("hint: --seed draws the data, --set gives them: write one of the two")
+    } else if at_fault("--seed ") {
+        Some(
+            "hint: a seed is any whole number from 0, such as --seed 2026: the same seed draws the same data again",
+        )
+    } else if at_fault("<PART=ANSWER>") {
+        Some(
+            "hint: write each answer with its part after the sheet, such as sheet.json 1.omega=\"12.5 rad/s\"",
+        )
+    } else {
+        None
+    }
+}
+
 fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     let typed = match Typed::try_parse_from(args) {
         Ok(typed) => typed,
@@ -56,6 +79,9 @@ fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
             let text = error.render().to_string();
             if error.use_stderr() {
                 io.note(text.trim_end());
+                if let Some(hint) = hint(&error) {
+                    io.note(hint);
+                }
                 return Exit::Faulty;
             }
             io.piece(&text);

@@ -8,7 +8,7 @@ use crate::inspect::quantities;
 /// Runs it.
 pub fn run(args: &args::QuantitiesArgs, io: &mut Io) -> Result<Exit, Findings> {
     let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem)?;
+    let problem = banks::problem(&loaded, args.problem.as_deref())?;
     io.piece(&match args.json {
         true => quantities::json(problem),
         false => quantities::table(problem),

@@ -8,6 +8,8 @@ use crate::scene::{Arm, Body, Degree, End, Num, Pin, PinSpring, Rest, RotaryIner
 
 /// Pixels of the farthest point from the pin.
 const REACH: f64 = 175.0;
+/// Least distance of the mark of the mass centre from an arc.
+const CLEAR: f64 = 10.0;
 
 /// A pinned body on the board, the pin at the origin.
 #[derive(Debug, Clone, Copy)]
@@ -172,17 +174,23 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         angles.push((n, degrees, 24.0));
     }
     let base = if hung.rod.is_some() { 50.0 } else { (hung.arm * 0.5).clamp(34.0, 60.0) };
+    // No arc runs through the mark of the mass centre.
+    let clear = |radius: f64| match radius - hung.arm {
+        off if off.abs() >= CLEAR => radius,
+        off if off < 0.0 => hung.arm - CLEAR,
+        _ => hung.arm + CLEAR,
+    };
     for (num, degrees, more) in angles {
-        arc(board, view, &hung, num, degrees, base + more);
+        arc(board, view, &hung, num, degrees, clear(base + more));
     }
     board.circle(Vec2::ZERO, 3.6, Role::Inner);
     if hung.arm > 4.0 {
         board.dot(g);
         let side = hung.across(start) * (if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
         // On either side of the body's line, if need be a little farther along it: arcs pass there.
-        let beside = |along: f64| [side, -side].map(|s| (g + s * 5.0 + d * along, s));
+        let beside = |along: f64| [side, -side].map(|s| (g + d * along, s));
         let spots = [0.0, 9.0, -9.0, 17.0, -17.0, 26.0, -26.0].into_iter().flat_map(beside).collect();
-        board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Near, 4.0), spots);
+        board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Clear, 9.0), spots);
     }
     sizes(board, view, body, pin, &hung, end.map(|e| e.1));
     if let Some(spring) = &pin.spring {

@@ -184,17 +184,17 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 board.wish(view.label(num, "m"), vec![(end, d)], Role::Dimension);
             }
             if *outer > 30.0 && p.on.is_some() {
-                // The mass centre has its letter where nothing runs.
-                // A hub too small for it has it above.
-                let small = rings.last().copied().filter(|r| *r < 27.0 && r + 22.0 < *outer);
-                let off = small.unwrap_or(0.0);
-                let angles = if small.is_some() {
-                    [90.0, 60.0, 120.0, 30.0, 0.0]
-                } else {
-                    [300.0, 250.0, 60.0, 120.0, 20.0]
+                // The mass centre has its letter where nothing runs: within the hub, or beyond it where there is room.
+                let small = rings.last().is_some_and(|r| *r < 27.0);
+                let within = [300.0, 250.0, 60.0, 120.0, 20.0].map(|degrees| p.spot(degrees, 0.0));
+                let hub = rings.last().copied().filter(|r| r + 22.0 < *outer);
+                let beyond = [90.0, 60.0, 120.0, 30.0, 0.0, 150.0, 210.0, 240.0, 300.0, 330.0];
+                let beyond = hub.into_iter().flat_map(|r| beyond.map(|degrees| p.spot(degrees, r)));
+                let around = match hub.is_some() && small {
+                    true => beyond.collect(),
+                    false => within.into_iter().chain(beyond).collect(),
                 };
-                let around = angles.map(|degrees| p.spot(degrees, off));
-                board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Near, 4.0), around.to_vec());
+                board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Clear, 4.0), around);
             }
             let mut list: Vec<Vec<TextRun>> = Vec::new();
             if let Some((n, weight)) = view.mass(body)

@@ -187,11 +187,19 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
     Ok(())
 }
 
-/// The problem of this id.
+/// The problem of this id; without one that of a bank that has no other.
 ///
 /// # Errors
-/// There is none.
-pub fn problem<'l>(loaded: &'l Loaded, id: &str) -> Result<&'l Problem, Finding> {
+/// There is none, or which one is meant is not said.
+pub fn problem<'l>(loaded: &'l Loaded, id: Option<&str>) -> Result<&'l Problem, Finding> {
+    let Some(id) = id else {
+        if let [only] = &loaded.bank.problems[..] {
+            return Ok(only);
+        }
+        let ids: Vec<&str> = loaded.bank.problems.iter().map(|p| p.id.as_str()).collect();
+        let fault = Finding::new("problems", "there are several: say which").in_file(&loaded.file);
+        return Err(fault.hint(format!("write one of these after the bank: {}", ids.join(", "))));
+    };
     loaded.bank.problems.iter().find(|p| p.id == id).ok_or_else(|| {
         let known = loaded.bank.problems.iter().map(|p| p.id.as_str());
         let fault = Finding::new("problems", format!("there is no problem `{id}`")).in_file(&loaded.file);

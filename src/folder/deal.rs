@@ -51,6 +51,10 @@ impl<'p> Plan<'p> {
         let (bank, problems) = (self.bank, self.problems);
         problems.iter().filter_map(|p| bank.problems.get(*p))
     }
+    /// Is the program that checks beside the sheets, so that these go on a web server as a whole?
+    pub fn has_program(&self) -> bool {
+        self.hosting == Hosting::Site && self.bank.self_check
+    }
 }
 
 /// The students of a roster file; nothing is drawn for them yet.
@@ -137,7 +141,7 @@ pub fn whole(
 /// What lies beside the sheets where they are put on a web server.
 fn of_site(plan: &Plan) -> Vec<(&'static str, &'static [u8])> {
     let files = names::OF_SITE.into_iter().zip([self_check::PROGRAM, self_check::WORKER.as_bytes()]);
-    files.filter(|_| plan.hosting == Hosting::Site && plan.bank.self_check).collect()
+    files.filter(|_| plan.has_program()).collect()
 }
 
 /// Booklets, the key for people, and the page to start from.
@@ -235,8 +239,9 @@ pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<()
     let form = blank_form(plan, set);
     let mut stale = Vec::new();
     // A key that somebody changed is not ours to mend: grading will say so.
-    if stored != key && key_file::compare(&stored, &keys).is_empty() {
-        stale.push((names::KEY, key));
+    if !key_file::is_of(&stored, &keys) && key_file::compare(&stored, &keys).is_empty() {
+        // One that an earlier version wrote comes back with codes, so that the set has another hash of it.
+        stale.extend([(names::SET, set.sealed(&key).into_bytes()), (names::KEY, key)]);
     }
     if set::form_is_blank(out) && files::read(&out.join(names::FORM)).is_ok_and(|f| f != form) {
         stale.push((names::FORM, form));

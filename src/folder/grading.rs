@@ -1,9 +1,12 @@
 //! Grading a file of submissions by a set: a folder with every answer's verdict, and with copies of all that it was made from.
+use crate::answer::quiz;
+use crate::answer::quiz::Quiz;
 use crate::bank::{Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::files::InTheWay;
 use crate::folder::handed_in::HandedIn;
+use crate::folder::quiz::{Place, Taken};
 use crate::folder::reports::ReportMade;
 use crate::folder::set::Replayed;
 use crate::folder::staged::Staged;
@@ -19,9 +22,10 @@ use crate::policy::{Counts, Policy};
 use crate::report::{gradebook, summary};
 use crate::set::grading;
 use crate::set::grading::StoredGrading;
+use crate::set::key_file;
 use crate::set::store::StoredSet;
 use crate::words::Words;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
 use std::io::{BufRead, Read, Write as _};
@@ -86,14 +90,14 @@ pub fn grade(job: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findin
     let text = |name: &str| files::read_text(&job.set.join(name));
     let (set_text, bank_text, key_text) = (text(names::SET)?, text(&set.bank.file)?, text(names::KEY)?);
     let replayed = not_drawn.is_none();
-    let made = make(job, Basis { set, bank, keys, replayed, set_text, bank_text, key_text }, input)?;
+    let asked = None;
+    let basis = Basis { set, bank, keys, replayed, set_text, bank_text, key_text, asked };
+    let made = make(job, basis, input)?;
     let mut summary = summary::grades(&made.table, &made.graded, &made.policy);
     if let Some(told) = not_drawn {
         summary.push_str(&format!("\n  {told}"));
     }
-    if let Some(handed_in) = &made.handed_in {
-        summary.push_str(&handed_in.told());
-    }
+    summary.push_str(&made.told);
     let out = job.out.display().to_string();
     match made.reports()? {
         Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
@@ -134,6 +138,8 @@ pub struct Basis {
     pub bank_text: String,
     /// key.csv.
     pub key_text: String,
+    /// Where `set` has the variants that a quiz asked: the set of which they are, and its keys.
+    pub asked: Option<(StoredSet, Vec<SheetKey>)>,
 }
 
 /// A grading that is whole, and not yet in its place.
@@ -145,8 +151,8 @@ pub struct StagedGrading {
     policy: Policy,
     grading: StoredGrading,
     reports: Reports,
-    /// Where the answers came in many files.
-    handed_in: Option<HandedIn>,
+    /// What there is to say of files and quizzes from which the answers come.
+    told: String,
 }
 
 impl StagedGrading {
@@ -203,29 +209,41 @@ const REPORTED: u64 = 300_000;
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
 pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
     let columns = columns(job.columns)?;
-    let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
-    let language = job.language.unwrap_or(&set.language);
+    let language = job.language.unwrap_or(&basis.set.language);
     let words = match job.language {
         Some(language) => banks::words(language)?,
         None => Words::of(language).unwrap_or_else(Words::english),
     };
     let courses = graded::read_courses(job.courses)?;
-    let policy = graded::policy(&bank.grading, &courses, job.attempts)?;
-    let names: Vec<(String, String)> =
-        set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
-    let mut table = KeyTable::new(keys, &names);
-    let settings = courses
-        .last()
-        .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
-    table.take_points(&policy);
-    let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
-    let options = Options {
+    let policy = graded::policy(&basis.bank.grading, &courses, job.attempts)?;
+    let mut options = Options {
         columns,
+        quiz: false,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
     let (spooled, handed_in) = spool(job.submissions, input)?;
-    let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
+    let submitted = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
+    // Who says which column is which has no download of a quiz, nor have the files of a class.
+    let alone = job.columns.is_empty() && handed_in.is_none();
+    let quiz = if alone { read_quiz(job, submitted)? } else { None };
+    let mut told = handed_in.as_ref().map_or_else(String::new, HandedIn::told);
+    options.quiz = quiz.is_some();
+    let (basis, of_quiz) = match &quiz {
+        Some(quiz) => {
+            let (basis, file, more) = of_quiz(job, quiz, basis, (&policy, &options))?;
+            told.push_str(&more);
+            (basis, Some(file))
+        }
+        None => (basis, None),
+    };
+    let path = of_quiz.as_ref().map_or(submitted, NamedTempFile::path);
+    let Basis { set, bank, keys, replayed, set_text, bank_text, key_text, .. } = basis;
+    let table = table(&set, keys, &policy);
+    let settings = courses
+        .last()
+        .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
+    let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
     let staged = Staged::new(job.out)?;
     let graded = answers(job, path, &table, &rules, &options, &staged)?;
     let put = |name: &str, bytes: &[u8]| staged.write(name, bytes);
@@ -237,6 +255,9 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
     let kept = kept.map(|(name, text)| (name.to_owned(), text));
     for (name, text) in kept.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
         put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
+    }
+    if let Some(handed_in) = &handed_in {
+        put(grading::JOINED, &handed_in.kept)?;
     }
     let hash = |path: &Path| match graded.cells <= REPORTED {
         true => graded::hash(path).map(Some).map_err(|f| staged.named(f.into())),
@@ -258,8 +279,10 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         attempts: job.attempts.map(|counts| counts.as_str().to_owned()),
         language: words.language().to_owned(),
         submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-        submissions_bytes: fs::metadata(path).map_or(0, |m| m.len()),
-        submissions_sha256: hash(path)?,
+        submissions_files: handed_in.as_ref().map(|all| all.files),
+        submissions_bytes: fs::metadata(submitted).map_or(0, |m| m.len()),
+        submissions_sha256: hash(submitted)?,
+        quiz: quiz.is_some(),
         answers_sha256: hash(&staged.path().join(names::ANSWERS))?,
         gradebook_sha256: hash(&staged.path().join(names::GRADEBOOK))?,
         columns: job.columns.to_vec(),
@@ -279,8 +302,81 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         policy,
         grading,
         reports: job.reports,
-        handed_in,
+        told,
     })
+}
+
+/// The keys with the names of the students and the points of the course.
+fn table(set: &StoredSet, keys: Vec<SheetKey>, policy: &Policy) -> KeyTable {
+    let names: Vec<(String, String)> =
+        set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
+    let mut table = KeyTable::new(keys, &names);
+    table.take_points(policy);
+    table
+}
+
+/// Is it the download of a quiz?
+fn read_quiz(job: &GradeOrder, path: &Path) -> Result<Option<Quiz>, Findings> {
+    let file = job.submissions.display().to_string();
+    // What cannot be read is told by grading.
+    let read = fs::File::open(path).and_then(|file| quiz::read(Box::new(file)));
+    read.unwrap_or(Ok(None)).map_err(|fault| fault.in_file(file).into())
+}
+
+/// The basis in which each student has the variants that the quiz asked, and the answers as a file of submissions.
+///
+/// Where a part was answered in several variants, that of the last or the first attempt counts, or the best one: then all are
+/// graded, and for each part that with the most points is taken.
+fn of_quiz(
+    job: &GradeOrder,
+    quiz: &Quiz,
+    basis: Basis,
+    (policy, options): (&Policy, &Options),
+) -> Result<(Basis, NamedTempFile, String), Findings> {
+    let file = job.submissions.display().to_string();
+    let fault = |e: io::Error| files::trouble(job.submissions, "cannot be read", &e);
+    let (set, keys) = basis.asked.as_ref().map_or((&basis.set, &basis.keys), |(set, keys)| (set, keys));
+    let taken = Taken::new(quiz, (set, keys), &basis.set, policy).map_err(|f| f.in_file(&file))?;
+    let mut spooled = NamedTempFile::new().map_err(fault)?;
+    spooled.write_all(&taken.text).map_err(fault)?;
+    // Which variant counts was settled when it was first graded.
+    if basis.asked.is_some() {
+        return Ok((basis, spooled, taken.told));
+    }
+    let points_of = |nth: usize| -> Result<BTreeMap<Place, f64>, Findings> {
+        let (set, keys) = taken.set((set, keys), &|_, _, _, _| nth);
+        let table = table(&set, keys, policy);
+        let rules = Rules::new(&table, policy)?;
+        let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(spooled.path())?)) };
+        let graded = run::grade(&open, &table, &rules, options, &mut io::sink(), &mut |_| {});
+        let graded = graded.map_err(|why| match why {
+            GradeFault::Io(e) | GradeFault::Write(e) => fault(e).into(),
+            GradeFault::Header(findings) => findings.in_file(&file),
+        })?;
+        let width = table.columns.len().max(1);
+        let place = |(i, points): (usize, &Option<f64>)| {
+            let (column, student) = (table.columns.get(i % width)?, table.students.get(i / width)?);
+            let first = table.columns.partition_point(|c| c.number < column.number);
+            Some(((student.id.clone(), column.number - 1, i % width - first), (*points)?))
+        };
+        Ok(graded.points.iter().enumerate().filter_map(place).collect())
+    };
+    let mut rounds = Vec::new();
+    if policy.attempts.counts == Counts::Best && taken.most() > 1 {
+        rounds = (0..taken.most()).map(points_of).collect::<Result<_, _>>()?;
+    }
+    let (set, keys) = taken.set((set, keys), &|id, problem, part, n| match policy.attempts.counts {
+        Counts::First => 0,
+        Counts::Last => n.saturating_sub(1),
+        Counts::Best => {
+            let at = (id.to_owned(), problem, part);
+            let points = |nth: &usize| rounds.get(*nth).and_then(|r| r.get(&at)).copied().unwrap_or(0.0);
+            // Of equal ones the first.
+            (0..n).rev().max_by(|a, b| points(a).total_cmp(&points(b))).unwrap_or(0)
+        }
+    });
+    let (set_text, key_text) = (set.text(), String::from_utf8_lossy(&key_file::text(&keys)).into_owned());
+    Ok((Basis { set, keys, set_text, key_text, ..basis }, spooled, taken.told))
 }
 
 /// Grades the file at `path` into the answers of a staged folder.

@@ -2,7 +2,8 @@
 //! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
 use crate::answer::submissions;
 use crate::finding::Finding;
-use crate::folder::files;
+use crate::folder::{files, names};
+use crate::guard;
 use crate::guard::unguarded;
 use crate::sheet::terminal;
 use std::fs::File;
@@ -19,12 +20,18 @@ const DEEPEST: usize = 8;
 const COLUMNS: [&str; 4] = ["student", "problem", "part", "answer"];
 /// When it was saved, where the file says so.
 const SAVED: &str = "saved_at";
+/// Which file an answer is from, in what is kept.
+const FILE: &str = "file";
+/// What to give.
+const HINT: &str = "give what students handed in: a CSV file, or a folder or ZIP archive of the files answers-ID.csv that their pages saved";
 
 /// Files of answers, joined.
 #[derive(Debug, Default)]
 pub struct HandedIn {
     /// One line for each answer.
     pub text: Vec<u8>,
+    /// The same lines to look at: each with the file that it is from, and nothing that a spreadsheet would run.
+    pub kept: Vec<u8>,
     /// How many files it is from.
     pub files: usize,
     /// Files that are none, and why.
@@ -79,6 +86,11 @@ pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
     } else {
         in_archive(path, &mut found)?;
     }
+    if let Some(made) = [names::SET, names::GRADING].into_iter().find(|name| path.join(name).is_file()) {
+        let what = format!("is no folder of answers: it has {made}, which slipstick made");
+        let fault = Finding::new("", what).in_file(path.display().to_string());
+        return Err(fault.hint(HINT));
+    }
     let mut all = HandedIn::default();
     let mut read: Vec<(String, String, Vec<[String; 4]>)> = Vec::new();
     for (name, bytes) in found {
@@ -90,17 +102,17 @@ pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
     if read.is_empty() {
         let what = format!("holds no file of answers{}", all.reasons());
         let fault = Finding::new("", what).in_file(path.display().to_string());
-        return Err(fault
-            .hint("give what the pages of the sheets save, answers-ID.csv, in a folder or a ZIP archive"));
+        return Err(fault.hint(HINT));
     }
     read.sort();
-    // Only grading reads this, so that nothing is guarded against spreadsheets.
     let mut joined = csv::Writer::from_writer(Vec::new());
     let no_room = |_| Finding::new("", "is too large to be joined").in_file(path.display().to_string());
     joined.write_record(COLUMNS.iter().chain([&SAVED])).map_err(no_room)?;
+    guard::push_line(&mut all.kept, COLUMNS.iter().chain([&SAVED, &FILE]));
     for (saved, name, rows) in &read {
         for row in rows {
             joined.write_record(row.iter().chain([saved])).map_err(no_room)?;
+            guard::push_line(&mut all.kept, row.iter().chain([saved, name]));
         }
         if let Some(students) = of_others(name, rows) {
             all.of_others.push((name.clone(), students));

@@ -74,7 +74,8 @@ pub fn of_set<'s>(
             })
             .collect(),
     });
-    page(plan.texts, "set", plan.name, &entries, people)
+    let about = if plan.has_program() { "index.set.site" } else { "index.set.about" };
+    page(plan.texts, ("set", about), plan.name, &entries, people)
 }
 
 /// The page of the reports: students with the names of their files; beside it lie the grades, or not.
@@ -110,12 +111,12 @@ pub fn of_grades<'s>(
             texts.words.get("index.grades.feedback").to_owned(),
         )],
     });
-    page(texts, "grades", set, &entries, people)
+    page(texts, ("grades", "index.grades.about"), set, &entries, people)
 }
 
 fn page<'p>(
     texts: &Texts,
-    kind: &str,
+    (kind, about): (&str, &str),
     set: &str,
     entries: &[Entry],
     people: impl Iterator<Item = Person<'p>>,
@@ -135,7 +136,8 @@ fn page<'p>(
     let mut view = View::new();
     view.text("language", words.language());
     view.foreign("title", &words.say(&format!("index.{kind}.title"), &[("set", set)]));
-    for text in ["about", "first", "students"] {
+    view.text("about", words.get(about));
+    for text in ["first", "students"] {
         view.text(text, words.get(&format!("index.{kind}.{text}")));
     }
     // Only a set is looked through; where nothing is told, there is nothing.

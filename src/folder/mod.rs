@@ -14,6 +14,7 @@ pub mod handed_in;
 pub mod index;
 pub mod matches;
 pub mod names;
+pub mod quiz;
 pub mod regrading;
 pub mod reports;
 pub mod set;

@@ -1,4 +1,5 @@
 //! Names of files: what a set, a grading and the reports of one consist of, and which names are therefore ours to replace.
+use crate::set::grading::JOINED;
 use crate::sheet::output::Format;
 use std::collections::BTreeSet;
 
@@ -91,7 +92,7 @@ pub fn course(i: usize) -> String {
 /// Does a grading hold this (a file, or `folder/`) beside its reports?
 pub fn is_of_grading(name: &str, courses: usize) -> bool {
     OF_GRADING.contains(&name)
-        || name == CHANGES
+        || [CHANGES, JOINED].contains(&name)
         || name.strip_prefix(BASIS).is_some_and(|below| {
             below == "/" || (0..courses).any(|i| below.strip_prefix('/') == Some(&course(i)))
         })

@@ -9,10 +9,10 @@ use crate::key::SheetKey;
 use crate::policy::Counts;
 use crate::regrade::changes::{Grading, Settings, Who, compare};
 use crate::report::changes::{ChangesTold, KeysBeforeAfter};
-use crate::set::store::StoredSet;
+use crate::set::store::{StoredSet, StoredVariant};
 use crate::set::{given, key_file};
 use crate::units::spell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::BufRead;
 use std::path::{Path, PathBuf};
@@ -64,7 +64,7 @@ impl Regrading {
         self.made.reports()?;
         self.made.finish()?;
         let (out, old, changes) = (out.display(), self.old.display(), names::CHANGES);
-        Ok(format!("Written to {out}, all changes in {out}/{changes}; {old} is as it was.\n"))
+        Ok(format!("Written to {out}, with every change in {out}/{changes}; {old} stays as it was.\n"))
     }
 }
 
@@ -77,13 +77,21 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
         may_write(out, job)?;
     }
     let old = graded::open(job.graded, None)?;
-    let set = set::open(job.set)?;
-    same_set(&old.set, &set, job)?;
+    let mut set = set::open(job.set)?;
+    same_set(&old, &set, job)?;
     let bank_path = job.bank.map_or_else(|| job.set.join(&set.bank.file), Path::to_owned);
     let bank_file = bank_path.display().to_string();
     let bank_text = files::read_text(&bank_path)?;
     let bank = banks::parse(&bank_text, &bank_file)?;
-    let keys = keys(&bank, &set, &bank_file)?;
+    let mut keys = keys(&bank, &set, &bank_file)?;
+    // Of a quiz each student keeps the variants that were asked; the set says which codes there are.
+    let asked = match old.grading.quiz {
+        true => {
+            let of_quiz = self::keys(&bank, &old.set, &bank_file)?;
+            Some((std::mem::replace(&mut set, old.set.clone()), std::mem::replace(&mut keys, of_quiz)))
+        }
+        false => None,
+    };
     same_parts(&old, &keys, &bank_file)?;
     same_units(&old, &keys, &bank_file)?;
     let mut courses = graded::courses(&old.folder);
@@ -122,9 +130,10 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
         set,
         bank,
         keys,
+        asked,
     };
     let made = grading::make(&grade, basis, input)?;
-    let mut told = format!("{} regraded\n", old.folder.display());
+    let mut told = format!("What changes in {}:\n", old.folder.display());
     let rules = (old.bank.hash.as_str(), hash.as_str(), bank_file.as_str());
     let csv = changes(&old, &made, &tables, &who_is, rules, courses.last().map(PathBuf::as_path), &mut told)?;
     let path = made.folder().join(names::CHANGES);
@@ -194,7 +203,8 @@ fn may_write(out: &Path, job: &RegradingJob) -> Result<(), Finding> {
 }
 
 /// The set must be that of the grading; students may have joined since.
-fn same_set(old: &StoredSet, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
+fn same_set(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
+    let old = &graded.set;
     let file = job.set.join(names::SET).display().to_string();
     let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);
     let hint = format!("give the set that {} was graded with", job.graded.display());
@@ -203,6 +213,19 @@ fn same_set(old: &StoredSet, new: &StoredSet, job: &RegradingJob) -> Result<(), 
         let told = |s: &StoredSet| format!("{}, seed {}, problems {}", s.name, s.seed, s.problems.join(", "));
         faults
             .push(finding("", format!("is another set ({}) than the one graded ({})", told(new), told(old))));
+    } else if graded.grading.quiz {
+        let variants = |set: &StoredSet| -> BTreeSet<String> {
+            let own =
+                |v: &StoredVariant| v.parts.values().chain([v]).map(StoredVariant::code).collect::<Vec<_>>();
+            set.students.iter().flat_map(|s| s.problems.iter().flat_map(own)).collect()
+        };
+        let gone: Vec<String> = variants(old).difference(&variants(new)).take(5).cloned().collect();
+        if !gone.is_empty() {
+            faults.push(finding(
+                "students",
+                format!("variants that the quiz asked are missing: {}", gone.join(", ")),
+            ));
+        }
     } else {
         let known: BTreeMap<&str, _> = new.students.iter().map(|s| (s.student.as_str(), s)).collect();
         for student in &old.students {

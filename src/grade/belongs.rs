@@ -11,6 +11,8 @@ pub(crate) struct Belongs {
     pub what: Option<u32>,
     /// The id differs in upper and lower case from that of the roster.
     pub respelled: bool,
+    /// It was given to another variant than the one that counts.
+    pub of_another: bool,
 }
 
 /// Finds it; rows of one student mostly stand together, so the last one is remembered.
@@ -33,7 +35,11 @@ impl Finder {
             }
         };
         let respelled = student.is_some_and(|(_, respelled)| respelled);
-        Belongs { who: student.map(|(who, _)| who), what, respelled }
+        let who = student.map(|(who, _)| who);
+        let is_other = |who: u32, what: u32| table.code(who as usize, what as usize).as_bytes() != cell.code;
+        let of_another =
+            !cell.code.is_empty() && who.zip(what).is_some_and(|(who, what)| is_other(who, what));
+        Belongs { who, what, respelled, of_another }
     }
 
     /// The number of a student, and whether upper and lower case had to be forgiven.

@@ -25,6 +25,8 @@ pub(crate) struct AnswerCell<'a> {
     pub problem: &'a [u8],
     pub part: &'a [u8],
     pub answer: &'a [u8],
+    /// Code of the variant to which it was given; empty where the file does not say it.
+    pub code: &'a [u8],
 }
 
 impl AnswerCell<'_> {
@@ -44,17 +46,18 @@ pub(crate) fn lossy(bytes: &[u8]) -> Cow<'_, str> {
 #[inline]
 pub(crate) fn cells<'a>(record: &Record<'a>, layout: &'a FileLayout, mut each: impl FnMut(&AnswerCell<'a>)) {
     let field = |i: usize| record.get(i).unwrap_or_default();
-    let (line, student) = (record.line(), trimmed(field(layout.student)));
+    let (line, student) = (layout.line(record), trimmed(field(layout.student)));
+    let code = layout.code.map_or(&b""[..], field);
     match &layout.form {
         FileForm::Long { problem, part, answer } => {
             let (problem, part) = (trimmed(field(*problem)), trimmed(field(*part)));
-            each(&AnswerCell { line, wide: None, student, problem, part, answer: field(*answer) });
+            each(&AnswerCell { line, wide: None, student, problem, part, answer: field(*answer), code });
         }
         FileForm::Wide(all) => {
             for (index, one) in all.iter().enumerate() {
                 let (problem, part) = (one.problem.as_bytes(), one.part.as_bytes());
                 let wide = Some((index, one));
-                each(&AnswerCell { line, wide, student, problem, part, answer: field(one.field) });
+                each(&AnswerCell { line, wide, student, problem, part, answer: field(one.field), code });
             }
         }
     }

@@ -80,6 +80,10 @@ pub(crate) fn credit(
 /// right ones, which may differ by what the tolerance allows.
 fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Winner]) -> Option<usize> {
     let (follow, first) = table.follow(what)?;
+    // Of parts with other data nothing follows.
+    if follow.from.iter().any(|part| table.code(who, first + part) != table.code(who, what)) {
+        return None;
+    }
     let numbers = table.numbers(who, first)?;
     let (key, half_width, kind) = number(table, who, what)?;
     let trivial = |n: f64| {

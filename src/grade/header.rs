@@ -3,6 +3,7 @@ use crate::answer::submissions::Header;
 use crate::finding::{Finding, Findings};
 use crate::grade::feedback::Feedback;
 use crate::grade::layout::{FileForm, FileLayout, WideColumn};
+use crate::grade::run::{Options, QUIZ_COLUMNS};
 use crate::grade::table::{KeyTable, joined};
 
 fn plain_header(text: &str) -> String {
@@ -58,8 +59,9 @@ const ROLES: [&str; 5] = ["student", "problem", "part", "answer", "submitted_at"
 pub(crate) fn layout(
     header: Option<Header>,
     table: &KeyTable,
-    columns: &[(String, String)],
+    options: &Options,
 ) -> Result<FileLayout, Findings> {
+    let columns = &options.columns[..];
     let Some(header) = header else {
         return Err(Finding::new("header", "the file is empty")
             .hint("the first line is `student,problem,part,answer`")
@@ -79,14 +81,19 @@ pub(crate) fn layout(
         FileForm::Wide(all) => all.iter().map(|w| w.field).collect(),
     };
     answers.push(student);
+    let named = |name: &str| header.fields.iter().position(|h| h == name).filter(|_| options.quiz);
+    let [told_line, code] = [QUIZ_COLUMNS[0], QUIZ_COLUMNS[1]].map(named);
     let fields = header.fields.iter().enumerate();
-    let unused = fields.filter(|(i, _)| !answers.contains(i) && submitted != Some(*i));
+    let unused =
+        fields.filter(|(i, _)| !answers.contains(i) && ![submitted, told_line, code].contains(&Some(*i)));
     Ok(FileLayout {
         width: header.fields.len(),
         least: answers.iter().max().map_or(1, |last| last + 1),
         delimiter: header.delimiter,
         student,
         submitted,
+        told_line,
+        code,
         unused: unused.map(|(_, field)| field.clone()).collect(),
         form,
     })

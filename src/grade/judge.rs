@@ -6,8 +6,8 @@ use crate::grade::belongs::{Belongs, Finder};
 use crate::grade::cells::{AnswerCell, GradingJob, lossy};
 use crate::grade::compare::{compare_with, verdict_on};
 use crate::grade::counts::GradedCounts;
-use crate::grade::layout::open_quote;
-use crate::grade::row::AnswerRow;
+use crate::grade::layout::{blank, open_quote};
+use crate::grade::row::{AnswerRow, OF_ANOTHER};
 use crate::grade::si::SiReader;
 use crate::grade::verdict::{Judgement, Verdict};
 use std::borrow::Cow;
@@ -75,7 +75,7 @@ impl<'w> Judge<'w> {
     {
         let GradingJob { table, say, rules, layout } = *self.job;
         let Judging { finder, numbers, counts } = judging;
-        let Belongs { who, what, respelled } = finder.find(table, cell);
+        let Belongs { who, what, respelled, of_another } = finder.find(table, cell);
         let (problem, part) = match what.map(|what| &table.columns[what as usize]) {
             Some(column) => (column.number.to_string().into(), column.part.as_str().into()),
             None => (lossy(cell.problem), lossy(cell.part)),
@@ -104,6 +104,15 @@ impl<'w> Judge<'w> {
         };
         let index = self.job.index(who, what);
         row.max_points = table.quick(index).1.points;
+        if of_another && !blank(cell.answer) {
+            row.verdict = Verdict::Superseded;
+            let (code, counts_code) = (lossy(cell.code), table.code(who as usize, what as usize));
+            let pieces = [("code", &*code), ("counts", counts_code)];
+            row.reason = say.fill("feedback.other_variant", &pieces);
+            row.credit = format!("{OF_ANOTHER}{code}").into();
+            counts.verdict(row.verdict, Some(what as usize));
+            return row;
+        }
         let mut judgement = self.job.judged((who, what), cell.answer, numbers);
         if judgement.verdict == Verdict::Unreadable
             && record.quote_left_open()

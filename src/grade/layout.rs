@@ -36,10 +36,23 @@ pub(crate) struct FileLayout {
     pub student: usize,
     /// Field of the time.
     pub submitted: Option<usize>,
+    /// Field of the line on which the answer stood before, where the file was made of another.
+    pub told_line: Option<usize>,
+    /// Field of the code of the variant.
+    pub code: Option<usize>,
     /// Where the answers stand.
     pub form: FileForm,
     /// Headers of fields that are not used.
     pub unused: Vec<String>,
+}
+
+impl FileLayout {
+    /// The line of a record, for people.
+    #[inline]
+    pub fn line(&self, record: &Record) -> u64 {
+        let told = self.told_line.and_then(|at| std::str::from_utf8(record.get(at)?).ok()?.parse().ok());
+        told.unwrap_or_else(|| record.line())
+    }
 }
 
 /// Why a record is one unreadable line, or that nothing stands in it.

@@ -26,6 +26,9 @@ pub const COLUMNS: [&str; 14] = [
 /// So many have always been there; gradings of the first versions have no others.
 const NEEDED: usize = 10;
 
+/// In the column `credit`, before its code: the answer was given to another variant than the one that counts.
+pub const OF_ANOTHER: &str = "variant:";
+
 /// One row: an answer cell and what became of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnswerRow<'r> {

@@ -27,15 +27,21 @@ use std::io::{Read, Write};
 pub struct Options<'w> {
     /// Role (`student`, `problem`, `part`, `answer`, `submitted_at`) and the header that stands for it.
     pub columns: Vec<(String, String)>,
+    /// The file was made of the download of a quiz: it says line and variant of each answer.
+    pub quiz: bool,
     /// Threads, at least 1.
     pub threads: usize,
     /// What is said of an answer.
     pub feedback: Feedback<'w>,
 }
 
+/// Columns of a file that was made of the download of a quiz beside the usual ones: the line of an answer, and
+/// the code of the variant to which it was given.
+pub const QUIZ_COLUMNS: [&str; 2] = ["line", "code"];
+
 impl Default for Options<'_> {
     fn default() -> Self {
-        Options { columns: Vec::new(), threads: 1, feedback: Feedback::english().clone() }
+        Options { columns: Vec::new(), quiz: false, threads: 1, feedback: Feedback::english().clone() }
     }
 }
 
@@ -150,7 +156,8 @@ fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Resul
     let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
     while shown.len() < first.len() && source.next_batch(&mut batch)? {
         batch.records(&mut scratch, |record| {
-            if !first.contains(&record.line()) {
+            let line = job.layout.line(record);
+            if !first.contains(&line) {
                 return;
             }
             let text = String::from_utf8_lossy(record.get(field).unwrap_or_default()).trim().to_owned();
@@ -160,7 +167,10 @@ fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Resul
             let doubt = rules.policy.zone.doubt(&text).map_or_else(String::new, |d| format!(", {d}"));
             let text: String = text.chars().take(40).collect();
             let text = if text.is_empty() { "nothing".to_owned() } else { format!("`{text}`") };
-            shown.push(format!("line {}: {text}{doubt}", record.line()));
+            let told = format!("line {line}: {text}{doubt}");
+            if !shown.contains(&told) {
+                shown.push(told);
+            }
         });
     }
     let what = format!(
@@ -192,7 +202,7 @@ pub fn grade(
 ) -> Result<Graded, GradeFault> {
     let threads = options.threads.max(1);
     let (_, header) = RecordSource::open(open()?)?;
-    let layout = layout(header, table, &options.columns).map_err(GradeFault::Header)?;
+    let layout = layout(header, table, options).map_err(GradeFault::Header)?;
     let job = GradingJob { table, layout: &layout, rules, say: &options.feedback };
     // Walks one after the other: what each has read is added up.
     let (mut before, mut now) = (0, 0);

@@ -70,6 +70,8 @@ pub(crate) struct ProblemNumbers {
     pub known: Box<[f64]>,
     /// See [`crate::key::ProblemKey::given`].
     pub given: Box<[f64]>,
+    /// See [`crate::key::ProblemKey::code`].
+    pub code: String,
 }
 
 /// No number is asked.
@@ -206,7 +208,8 @@ impl KeyTable {
             for (i, problem) in sheet.problems.into_iter().enumerate() {
                 let first = table.columns.partition_point(|c| c.number < i + 1);
                 if let Some(at) = numbers.get_mut(first) {
-                    *at = Some(ProblemNumbers { known: problem.known, given: problem.given });
+                    let (known, given, code) = (problem.known, problem.given, problem.code);
+                    *at = Some(ProblemNumbers { known, given, code });
                 }
                 for entry in problem.parts {
                     let at = table
@@ -317,6 +320,12 @@ impl KeyTable {
     /// What relations and guards need of a student's problem; `first` is the column of its part 0.
     pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&ProblemNumbers> {
         self.numbers.get(student * self.columns.len() + first)?.as_ref()
+    }
+    /// The code of the variant of which a student is asked a part.
+    pub(crate) fn code(&self, student: usize, column: usize) -> &str {
+        let own = self.entry(student, column).and_then(|entry| entry.code.as_deref());
+        let whole = || self.numbers(student, self.first_of(column)).map_or("", |n| n.code.as_str());
+        own.unwrap_or_else(whole)
     }
     /// Gives parts the points that a course says.
     pub fn take_points(&mut self, policy: &Policy) {

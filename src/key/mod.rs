@@ -51,6 +51,8 @@ pub struct KeyEntry {
     pub bound: Option<f64>,
     /// Where wrong methods come to, in the order of [`ProblemKey::methods`].
     pub wrong: Vec<WrongValue>,
+    /// The code of its variant, where that is another than the problem's.
+    pub code: Option<Box<str>>,
 }
 
 /// Where one wrong method comes to for one part.
@@ -76,6 +78,8 @@ pub struct SheetKey {
 pub struct ProblemKey {
     /// Id of the problem.
     pub id: String,
+    /// The code of the variant; empty where it is of no set.
+    pub code: String,
     /// Parts in order.
     pub parts: Vec<KeyEntry>,
     /// Ids of the wrong methods of the problem.
@@ -86,6 +90,22 @@ pub struct ProblemKey {
     pub known: Box<[f64]>,
     /// Numbers of the statement, SI and as printed: who answers with one of them has not computed it.
     pub given: Box<[f64]>,
+}
+
+impl ProblemKey {
+    /// The code of the variant of which a part is asked.
+    pub fn code_of<'k>(&'k self, entry: &'k KeyEntry) -> &'k str {
+        entry.code.as_deref().unwrap_or(&self.code)
+    }
+
+    /// Takes a part from the key of another variant: a quiz may have asked each part with other data.
+    pub fn take_part(&mut self, part: &str, other: &ProblemKey) {
+        let code = (other.code != self.code).then(|| other.code.as_str().into());
+        let entry = other.parts.iter().find(|e| e.part == part);
+        if let (Some(own), Some(entry)) = (self.parts.iter_mut().find(|e| e.part == part), entry) {
+            *own = KeyEntry { code, ..entry.clone() };
+        }
+    }
 }
 
 /// A part that follows from others: `v` from `omega` by `r omega`.

@@ -38,6 +38,8 @@ pub enum LabelTie {
     Fixed,
     /// It stands close by wherever that can be, whatever it covers but labels.
     Near,
+    /// It stands close by if it covers nothing there, else it stands off and has a leader.
+    Clear,
     /// It may stand off, without a leader.
     Loose,
     /// It may stand off and has a leader then.

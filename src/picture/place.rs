@@ -106,17 +106,19 @@ impl LabelPlaces {
         }
         // What covers more than the best one is not looked at to its end.
         // What stands near its point and has no leader is read only where it covers nothing.
-        let dear = if tie == LabelTie::Near { 4.0 } else { 1.0 };
+        let dear = if matches!(tie, LabelTie::Near | LabelTie::Clear) { 4.0 } else { 1.0 };
         let too_much = |covered: f64| base + dear * covered >= limit;
         let Some(covered) = self.obstacles.cost(wide, too_much) else { return };
         let mut cost = base + dear * covered;
-        let leader =
-            (gap >= LEADER_FROM && tie == LabelTie::Leader).then(|| (frame.grown(1.5).nearest(point), point));
+        let leader = (gap >= LEADER_FROM && matches!(tie, LabelTie::Leader | LabelTie::Clear))
+            .then(|| (frame.grown(1.5).nearest(point), point));
         if let Some((a, b)) = leader {
             if self.taken.iter().any(|t| t.meets(a, b)) {
                 return;
             }
-            cost += 0.3 * self.obstacles.crossings(a, b);
+            // A leader to what must be read at once had better cross nothing.
+            let share = if tie == LabelTie::Clear { 1.0 } else { 0.3 };
+            cost += share * self.obstacles.crossings(a, b);
         }
         // Beyond what is drawn the picture has to grow.
         let whole = self.whole;

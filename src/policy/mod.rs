@@ -460,6 +460,18 @@ pub struct Correction {
     pub why: String,
 }
 
+impl Correction {
+    /// Who gets how much for the part, called so, and why.
+    pub fn in_words(&self, part: &str) -> String {
+        let who = if self.to == For::All { "everybody" } else { "everybody who answered" };
+        let points = match self.share >= 1.0 {
+            true => "full points".to_owned(),
+            false => format!("at least {} % of the points", plain(100.0 * self.share)),
+        };
+        format!("correction: {who} gets {points} for {part}: {}", self.why)
+    }
+}
+
 /// A student's sum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Total {

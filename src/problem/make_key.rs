@@ -89,7 +89,8 @@ impl<'p> KeyFrame<'p> {
         let printed = variant.values.iter().flatten().map(|v| v.f64());
         let given = variant.data.iter().copied().chain(printed).collect();
         let (methods, follows) = (problem.methods.clone(), self.follows.clone());
-        ProblemKey { id: problem.id.clone(), parts: parts.collect(), methods, follows, known, given }
+        let (id, code) = (problem.id.clone(), String::new());
+        ProblemKey { id, code, parts: parts.collect(), methods, follows, known, given }
     }
 }
 
@@ -107,6 +108,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         cond: None,
         bound: None,
         wrong: Vec::new(),
+        code: None,
     };
     if quantity.is_word() {
         let right = variant.solved.word(question.label).map_or("", |w| w.text());

@@ -142,7 +142,7 @@ impl Refusals {
         let named = self.tallies.iter().map(|(rule, tally)| (name(problem, case, *rule), tally.count));
         sorted(named)
     }
-    /// The same with what came out and what was wanted.
+    /// The same with what came out and what the problem declares.
     pub fn table(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
         let regime = |rule: &DrawRule| matches!(rule, DrawRule::Regime(_));
         let others = self.tallies.iter().filter(|(rule, _)| !regime(rule));
@@ -156,9 +156,12 @@ impl Refusals {
         happened.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
         let all: u32 = happened.iter().map(|(_, n)| n).sum();
         let list: Vec<String> = happened.iter().map(|(r, n)| format!("{n} of {all} {}", r.they())).collect();
-        let wanted = problem.cases.get(case).map_or_else(String::new, |c| c.regimes.join(", "));
-        let wanted = if wanted.is_empty() { "no slip".to_owned() } else { wanted };
-        let regime = format!("regime: {} (wanted: {wanted})", list.join(", "));
+        let declared = problem.cases.get(case).map_or_else(String::new, |c| c.regimes.join(", "));
+        let declared = match declared.is_empty() {
+            true => "no `regimes`, so nothing may slip".to_owned(),
+            false => format!("`regimes`: {declared}"),
+        };
+        let regime = format!("regime: {} ({declared})", list.join(", "));
         sorted(rows.chain((all > 0).then_some((regime, all))))
     }
 

@@ -202,6 +202,10 @@ impl QuestionSweep {
 }
 
 impl Sweep {
+    /// Was any variant made?
+    pub fn has_variants(&self) -> bool {
+        self.cases.iter().any(|case| case.variants > 0)
+    }
     /// Before any variant is made.
     fn empty(problem: &Problem) -> Sweep {
         let total: u32 = problem.cases.iter().map(|c| c.share).sum();

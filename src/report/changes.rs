@@ -4,7 +4,7 @@ use crate::grade::verdict::Verdict;
 
 use crate::key::{Answer, KeyEntry};
 use crate::num::shown;
-use crate::policy::Policy;
+use crate::policy::{Correction, Policy};
 use crate::regrade::changes;
 use crate::regrade::changes::{ChangeRow, DUST, Grading, MarkChange, Who, Why};
 use crate::report::tolerances;
@@ -78,7 +78,7 @@ impl ChangesTold<'_> {
         } else {
             let _ = writeln!(
                 text,
-                "  bank: {file}, {}… in place of {}…; sheets keep their data, the key is solved anew",
+                "  bank: {file} ({}…, was {}…); the key is solved anew for the data on the sheets",
                 short(new),
                 short(old)
             );
@@ -127,20 +127,23 @@ impl ChangesTold<'_> {
         for (why, count) in counts {
             said.push(match why {
                 Why::Key => format!(
-                    "{label}: another key for {count} of {}, by up to {} %",
+                    "{label}: the key differs for {count} of {}, by up to {} %",
                     terminal::count(self.who.students.len(), "student"),
                     terminal::per_cent(farthest)
                 ),
                 Why::Tolerance => {
                     let old = self.keys.parts[part]
                         .map_or_else(String::new, |p| tolerances::tolerance(&self.keys.old, p));
-                    format!("{label}: tolerance {old} -> {}", tolerances::tolerance(&self.keys.new, part))
+                    format!(
+                        "{label}: the tolerance is {}, was {old}",
+                        tolerances::tolerance(&self.keys.new, part)
+                    )
                 }
                 _ => format!("{label}: another unit, or it must be written or not"),
             });
         }
         if let Some((old, new)) = points {
-            said.push(format!("{label}: {old} -> {new} points in the bank"));
+            said.push(format!("{label}: {new} points in the bank, were {old}"));
         }
         said
     }
@@ -151,7 +154,7 @@ impl ChangesTold<'_> {
             text.push_str("  No mark changes.\n");
             return;
         }
-        let mut rows = vec![["part", "gain", "lose", "points", "why"].map(str::to_owned).to_vec()];
+        let mut rows = vec![["part", "gain", "lose", "points", "why (answers)"].map(str::to_owned).to_vec()];
         for part in 0..self.who.parts.len() {
             let of: Vec<&MarkChange> = self.changes.iter().filter(|c| c.part == part).collect();
             if of.is_empty() {
@@ -162,7 +165,7 @@ impl ChangesTold<'_> {
             for why in of.iter().flat_map(|c| &c.why) {
                 *whys.entry(why).or_default() += 1;
             }
-            let whys: Vec<String> = whys.iter().map(|(w, n)| format!("{} {n}", w.as_str())).collect();
+            let whys: Vec<String> = whys.iter().map(|(w, n)| format!("{} ({n})", w.as_str())).collect();
             rows.push(vec![
                 self.who.label(part),
                 count(&|g| g > DUST),
@@ -183,14 +186,14 @@ impl ChangesTold<'_> {
         let mean = |g: &Grading| (0..self.who.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
         let _ = writeln!(
             text,
-            "  {gain} of {} gain, {lose} lose; mean of totals {} -> {}",
+            "  Totals rise for {gain} and fall for {lose} of {}; their mean goes from {} to {}.",
             terminal::count(self.who.students.len(), "student"),
             shown::decimals(mean(self.before), 2),
             shown::decimals(mean(self.after), 2)
         );
         // Those who lose first: they will ask.
         moved.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        let mut rows = Vec::new();
+        let mut rows = vec![["student", "name", "total", "change", "by part"].map(str::to_owned).to_vec()];
         for (student, change) in moved.iter().take(SHOWN) {
             let of = self.changes.iter().filter(|c| c.student == *student && c.gain().abs() > DUST);
             let parts: Vec<String> = of
@@ -212,7 +215,9 @@ impl ChangesTold<'_> {
                 parts.join(", "),
             ]);
         }
-        text.push_str(&terminal::table(&rows, &[0, 1, 4]));
+        if !moved.is_empty() {
+            text.push_str(&terminal::table(&rows, &[0, 1, 4]));
+        }
         if moved.len() > SHOWN {
             let _ = writeln!(text, "  and {} more", moved.len() - SHOWN);
         }
@@ -257,16 +262,9 @@ fn settings(old: &Policy, new: &Policy) -> Vec<String> {
             .iter()
             .any(|o| (o.part.text(), o.share.to_bits(), o.to) == (c.part.text(), c.share.to_bits(), c.to))
     }) {
-        said.push(format!(
-            "correction: {} get at least {} % of {}: {}",
-            if matches!(correction.to, crate::policy::For::All) { "all" } else { "all who answered" },
-            terminal::per_cent(correction.share),
-            correction.part.text(),
-            correction.why
-        ));
+        said.push(correction.in_words(&correction.part.text()));
     }
-    let gone =
-        |c: &&crate::policy::Correction| !new.corrections.iter().any(|n| n.part.text() == c.part.text());
+    let gone = |c: &&Correction| !new.corrections.iter().any(|n| n.part.text() == c.part.text());
     for correction in old.corrections.iter().filter(gone) {
         said.push(format!("the correction of {} is gone", correction.part.text()));
     }

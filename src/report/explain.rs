@@ -3,7 +3,7 @@ use crate::answer::read::{Reading, UnitCache, read};
 use crate::bank::{Problem, Relative};
 use crate::grade::compare;
 use crate::grade::feedback::Feedback;
-use crate::grade::row::AnswerRow;
+use crate::grade::row::{AnswerRow, OF_ANOTHER};
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, Given, KeyEntry, ProblemKey};
 use crate::misconception::catalogue::Catalogue;
@@ -13,8 +13,8 @@ use crate::policy::time::{Evidence, Moment};
 use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
-use crate::set::grading::StoredGrading;
-use crate::set::store::{StoredSet, StoredStudent};
+use crate::set::grading::{JOINED, StoredGrading};
+use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
 use std::fmt::Write as _;
@@ -88,13 +88,27 @@ pub struct ExplainedMarks<'g> {
 fn regraded(row: &ChangeRow) -> String {
     let told = |points: &str, verdict: &str| match (points, verdict) {
         ("", "") => "no answer".to_owned(),
-        (points, "") => format!("{points} points without an answer"),
+        (points, "") => format!("{} without an answer", in_points(points)),
         ("", verdict) => verdict.to_owned(),
-        (points, verdict) => format!("{points} points ({verdict})"),
+        (points, verdict) => format!("{} ({verdict})", in_points(points)),
     };
     let before = told(&row.points_before, &row.verdict_before);
     let after = told(&row.points_after, &row.verdict_after);
-    format!("regraded: before {before}, now {after}: {}", row.why)
+    format!("regraded: {before} before, {after} now ({})", row.why)
+}
+
+fn in_points(text: &str) -> String {
+    if text == "1" { "1 point".to_owned() } else { format!("{text} points") }
+}
+
+/// The data of a variant as they are printed, with its case.
+fn data(stored: &StoredVariant) -> String {
+    let case = if stored.case.is_empty() { String::new() } else { format!("case {}: ", stored.case) };
+    let shown = |(symbol, value): (&String, &serde_json::Value)| {
+        format!("{symbol} = {}", value.as_str().unwrap_or_default())
+    };
+    let data: Vec<String> = stored.data.iter().map(shown).collect();
+    format!("{case}{}", data.join(", "))
 }
 
 impl ExplainedMarks<'_> {
@@ -113,12 +127,11 @@ impl ExplainedMarks<'_> {
         page.say(0, "");
         page.say(0, "Data on the sheet");
         if let Some(stored) = number.checked_sub(1).and_then(|i| student.problems.get(i)) {
-            let case = if stored.case.is_empty() { String::new() } else { format!("case {}: ", stored.case) };
-            let shown = |(symbol, value): (&String, &serde_json::Value)| {
-                format!("{symbol} = {}", value.as_str().unwrap_or_default())
-            };
-            let data: Vec<String> = stored.data.iter().map(shown).collect();
-            say!(page, "{case}{}", data.join(", "));
+            page.say(1, &data(stored));
+            for (asked, other) in stored.parts.iter().filter(|(id, _)| part.is_none_or(|p| p == id.as_str()))
+            {
+                say!(page, "{number}.{asked} was asked with {}", data(other));
+            }
         }
         for (i, entry) in self.key.parts.iter().enumerate() {
             if part.is_none_or(|p| *p == entry.part) {
@@ -187,7 +200,15 @@ impl ExplainedMarks<'_> {
         if let Some(course) = &made.course_sha256 {
             say!(page, "course, SHA-256 {course}");
         }
-        say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes);
+        match made.submissions_files {
+            Some(files) => say!(
+                page,
+                "submissions: {}, {} joined, as kept in {JOINED}",
+                made.submissions,
+                terminal::count(files, "file")
+            ),
+            None => say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes),
+        }
     }
 
     fn part(&self, page: &mut Pages, index: usize) {
@@ -215,7 +236,10 @@ impl ExplainedMarks<'_> {
         if rows.is_empty() {
             page.say(1, "attempts: none was handed in");
         } else {
-            page.say(1, "attempts, in the order of the file:");
+            match self.grading.submissions_files {
+                Some(_) => say!(page, "attempts, in the order of {JOINED}:"),
+                None => page.say(1, "attempts, in the order of the file:"),
+            }
         }
         for row in &rows {
             self.attempt(page, index, row);
@@ -238,13 +262,7 @@ impl ExplainedMarks<'_> {
         }
         let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
-            say!(
-                page,
-                "correction: {} get at least {} % of this part: {}",
-                if correction.to == For::All { "all" } else { "all who answered" },
-                terminal::per_cent(correction.share),
-                correction.why
-            );
+            page.say(1, &correction.in_words("this part"));
         }
     }
 
@@ -306,7 +324,10 @@ impl ExplainedMarks<'_> {
             if row.submitted_at.is_empty() { String::new() } else { format!(", {}", row.submitted_at) };
         let place = if row.column.is_empty() { String::new() } else { format!(", column {}", row.column) };
         let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
+        // What was written to other data is not held against this key.
+        let of_another = row.credit.starts_with(OF_ANOTHER);
         match read(&row.answer, &mut units) {
+            _ if of_another => {}
             Reading::Number(number) => {
                 let unit = number.unit_for(&entry.unit).map_or_else(
                     || match entry.unit.is_number() {

@@ -53,6 +53,13 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
     }
+    let strangers = graded.count(Verdict::UnknownStudent);
+    if strangers > 0 {
+        let answers = terminal::count(usize::try_from(strangers).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  Not counted: {answers} under an id that is not on the roster (`unknown student` in answers.csv). Spreadsheets turn 0017 into 17."
+        ));
+    }
     if graded.respelled > 0 {
         let answers = terminal::count(usize::try_from(graded.respelled).unwrap_or(usize::MAX), "answer");
         text.push_str(&format!(

@@ -33,6 +33,7 @@ pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str, one_more: OneMore) 
 }
 
 /// What a sweep over one problem says, row by row, heads first.
+#[derive(Default)]
 pub struct SweepTables {
     /// Cases and how many of their draws are accepted.
     pub cases: Vec<Vec<String>>,
@@ -57,8 +58,11 @@ pub const LEFT_NUMBERS: [usize; 2] = [0, 3];
 /// The same for words asked.
 pub const LEFT_WORDS: [usize; 2] = [0, 1];
 
-/// The tables of a sweep.
+/// The tables of a sweep; empty where no draw holds the rules.
 pub fn tables(problem: &Problem, sweep: &Sweep) -> SweepTables {
+    if !sweep.has_variants() {
+        return SweepTables::default();
+    }
     let refusals = sweep.cases.iter().flat_map(|case| {
         let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
         case.refusals.iter().map(move |(rule, count)| (*count, format!("{name}{rule}")))
@@ -81,15 +85,30 @@ pub fn never_near(tables: &SweepTables) -> Option<String> {
     (!tables.never.is_empty()).then(|| format!("never near a right answer: {}", tables.never.join(", ")))
 }
 
-/// The chance of equal sheets, in a sentence.
-pub fn chance(sweeps: &[Sweep]) -> String {
+/// The chance of equal sheets, in a sentence, and that of each problem alone; nothing where there can be no sheets.
+pub fn chance(sweeps: &[Sweep]) -> Vec<String> {
+    if !sweeps.iter().all(Sweep::has_variants) {
+        return Vec::new();
+    }
+    let told = |chance: f64| match chance < 0.01 {
+        true => shown::figures(chance, 2),
+        false => terminal::percent(chance),
+    };
     let chance = sweep::coincidence(sweeps, CLASS);
     let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
-    format!(
-        "Chance that two of {CLASS} students get equal sheets of all {}: at most {} ({verdict}).",
-        shown::figures(chance, 2),
-        terminal::count(sweeps.len(), "problem")
-    )
+    let all = match sweeps.len() {
+        1 => "of the problem".to_owned(),
+        n => format!("of all {n} problems"),
+    };
+    let sentence = format!(
+        "Chance that two of {CLASS} students get equal sheets {all}: at most {} ({verdict}).",
+        told(chance)
+    );
+    let alone = |sweep: &Sweep| {
+        let one = sweep::coincidence(std::slice::from_ref(sweep), CLASS);
+        format!("  {} alone: at most {}", sweep.problem, told(one))
+    };
+    std::iter::once(sentence).chain(sweeps.iter().filter(|_| sweeps.len() > 1).map(alone)).collect()
 }
 
 fn cases(sweep: &Sweep) -> Vec<Vec<String>> {

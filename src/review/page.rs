@@ -100,12 +100,12 @@ pub fn page(
     let about = texts.words.say("gallery.about", &[("variants", &count), ("seeds", &seeds)]);
     view.text("about", &in_code(&about));
     view.text("several", if problems.len() > 1 { "yes" } else { "" });
-    let names = ["gallery", "problems", "statement", "question", "answer", "refused"];
+    let names = ["gallery", "problems", "statement", "question", "answer", "refused", "none"];
     let phrase =
         |name: &&'static str| (*name, template::finished(texts.words.get(&format!("gallery.{name}"))));
     view.value("words", template::map(names.iter().map(phrase)));
     view.value("problems", template::list(shown));
-    view.foreign("chance", &review::chance(sweeps));
+    view.foreign("chance", review::chance(sweeps).first().map_or("", String::as_str));
     let mut page = Vec::new();
     texts.templates.render("gallery.html", &view, &mut page)?;
     Ok(Gallery { page: String::from_utf8_lossy(&page).into_owned(), missing })
@@ -220,7 +220,7 @@ fn notes(problem: &Problem, sweep: &Sweep, fit: &[String]) -> Vec<Value> {
         }
     }
     notes.extend_from_slice(fit);
-    notes.iter().map(|note| template::finished(&escaped(note))).collect()
+    notes.iter().map(|note| template::finished(&in_code(note))).collect()
 }
 
 /// A text as HTML.
@@ -228,7 +228,7 @@ fn escaped(text: &str) -> String {
     svg::escaped(text)
 }
 
-/// Names of commands between backticks, as code.
+/// What stands between backticks, as code.
 fn in_code(text: &str) -> String {
     let pieces = text.split('`').enumerate();
     let piece = |(i, piece): (usize, &str)| match i % 2 {

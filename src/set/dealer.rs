@@ -1,12 +1,13 @@
 //! Dealing: the variants of one student and their key, problem by problem.
 use crate::bank::{Bank, Problem};
 use crate::finding::{Finding, Findings};
-use crate::key::SheetKey;
+use crate::key::{ProblemKey, SheetKey};
 use crate::problem::maker::{Maker, Unsatisfiable, Variant};
 use crate::set::store::{StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::units::spell;
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// What one student got, problem by problem, drawn or as it is stored.
 pub struct Dealt {
@@ -18,14 +19,14 @@ pub struct Dealt {
 
 /// Makes the variants of a set, problem by problem.
 pub struct Dealer<'b> {
-    makers: Vec<Maker<'b>>,
+    makers: Vec<(&'b Problem, Maker<'b>)>,
 }
 
 impl<'b> Dealer<'b> {
     /// For these problems (indices into the bank).
     pub fn new(bank: &'b Bank, problems: &[usize], seed: u64, set: &str) -> Self {
         let chosen = problems.iter().filter_map(|p| bank.problems.get(*p));
-        Self { makers: chosen.map(|p| Maker::new(p, seed, set)).collect() }
+        Self { makers: chosen.map(|p| (p, Maker::new(p, seed, set))).collect() }
     }
 
     /// Draws and solves the problems of one student.
@@ -35,9 +36,9 @@ impl<'b> Dealer<'b> {
     pub fn deal(&self, student: &str) -> Result<Dealt, Box<Unsatisfiable>> {
         let mut variants = Vec::with_capacity(self.makers.len());
         let mut keys = Vec::with_capacity(self.makers.len());
-        for maker in &self.makers {
+        for (problem, maker) in &self.makers {
             let variant = maker.variant(student)?;
-            keys.push(maker.key(&variant));
+            keys.push(coded(maker.key(&variant), &stored(problem, &variant)));
             variants.push(variant);
         }
         Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
@@ -45,22 +46,27 @@ impl<'b> Dealer<'b> {
 
     /// Deals once more what is stored: of each problem only the draw that was taken, not the refused ones before it. `None`
     /// where anything differs; [`Dealer::deal`] then tells what.
-    pub fn deal_again(&self, bank: &Bank, problems: &[usize], old: &StoredStudent) -> Option<Dealt> {
+    pub fn deal_again(&self, old: &StoredStudent) -> Option<Dealt> {
         let mut variants = Vec::with_capacity(self.makers.len());
         let mut keys = Vec::with_capacity(self.makers.len());
         if old.problems.len() != self.makers.len() {
             return None;
         }
-        for ((maker, index), old_variant) in self.makers.iter().zip(problems).zip(&old.problems) {
+        for ((problem, maker), old_variant) in self.makers.iter().zip(&old.problems) {
             let variant = maker.again(&old.student, old_variant.tries)?;
-            if old_variant.difference(&stored(bank.problems.get(*index)?, &variant)).is_some() {
+            if old_variant.difference(&stored(problem, &variant)).is_some() {
                 return None;
             }
-            keys.push(maker.key(&variant));
+            keys.push(coded(maker.key(&variant), old_variant));
             variants.push(variant);
         }
         Some(Dealt { variants, key: SheetKey { student: old.student.clone(), problems: keys } })
     }
+}
+
+/// The key of a variant with the code of what is stored of it.
+pub(crate) fn coded(key: ProblemKey, stored: &StoredVariant) -> ProblemKey {
+    ProblemKey { code: stored.code(), ..key }
 }
 
 /// What is stored of a variant: case and data as printed.
@@ -74,7 +80,8 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
     let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
     let table = variant.refusals.names(problem, variant.case);
     let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();
-    StoredVariant { id: problem.id.clone(), case, tries: variant.tries, refused, data }
+    let (id, parts) = (problem.id.clone(), BTreeMap::new());
+    StoredVariant { id, case, tries: variant.tries, refused, data, parts }
 }
 
 /// Indices of problems by id.

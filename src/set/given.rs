@@ -6,7 +6,7 @@ use crate::finding::{Finding, Findings};
 use crate::key::{ProblemKey, SheetKey};
 use crate::problem::maker::Variant;
 use crate::problem::{make_key, maker};
-use crate::set::dealer::{Dealt, indices};
+use crate::set::dealer::{Dealt, coded, indices};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
@@ -75,6 +75,18 @@ pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Vec<GivenFault>> 
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
+/// Solves what is stored.
+type Solve<'s, E> = dyn Fn(&StoredVariant) -> Result<(Variant, ProblemKey), E> + 's;
+
+/// The variant of a student and its key; parts that were asked with other data have theirs from those.
+fn with_parts<E>(old: &StoredVariant, solve: &Solve<E>) -> Result<(Variant, ProblemKey), E> {
+    let (variant, mut key) = solve(old)?;
+    for (part, other) in &old.parts {
+        key.take_part(part, &solve(other)?.1);
+    }
+    Ok((variant, key))
+}
+
 fn one(
     bank: &Bank,
     problems: &[usize],
@@ -94,26 +106,21 @@ fn one(
             faults.push(GivenFault::Misfit(Finding::new("students", what)));
             continue;
         }
-        let (case, values) = match values(problem, old) {
-            Ok(found) => found,
-            Err(more) => {
-                faults.extend(more.into_iter().map(GivenFault::Misfit));
-                continue;
-            }
+        let solve = |old: &StoredVariant| {
+            let misfits = |more: Findings| more.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>();
+            let (case, values) = values(problem, old).map_err(misfits)?;
+            let lost = |why| {
+                vec![GivenFault::Lost(Lost { student: student.to_owned(), problem: *index, case, why })]
+            };
+            let (variant, key) = solved(problem, case, &values).map_err(lost)?;
+            Ok((variant, coded(key, old)))
         };
-        match solved(problem, case, &values) {
+        match with_parts(old, &solve) {
             Ok((variant, key)) => {
                 variants.push(variant);
                 keys.push(key);
             }
-            Err(why) => {
-                faults.push(GivenFault::Lost(Lost {
-                    student: student.to_owned(),
-                    problem: *index,
-                    case,
-                    why,
-                }));
-            }
+            Err(more) => faults.extend::<Vec<GivenFault>>(more),
         }
     }
     if faults.is_empty() {
@@ -158,18 +165,20 @@ pub fn as_stored(
     let mut faults = Findings::default();
     for (index, old) in problems.iter().zip(stored) {
         let problem = &bank.problems[*index];
-        let variant = values(problem, old).and_then(|(case, values)| {
-            maker::from_values(problem, case, &values).map_err(|_| {
-                let what = "the stored data have no answer by this version";
-                Finding::new(field(&old.id), what).into()
-            })
-        });
-        match variant {
-            Ok(variant) => {
-                keys.push(make_key::key(problem, &variant));
+        let solve = |old: &StoredVariant| {
+            let (case, values) = values(problem, old)?;
+            let variant = maker::from_values(problem, case, &values).map_err(|_| {
+                Finding::new(field(&old.id), "the stored data have no answer by this version")
+            })?;
+            let key = coded(make_key::key(problem, &variant), old);
+            Ok((variant, key))
+        };
+        match with_parts(old, &solve) {
+            Ok((variant, key)) => {
+                keys.push(key);
                 variants.push(variant);
             }
-            Err(more) => faults.extend(more),
+            Err(more) => faults.extend::<Findings>(more),
         }
     }
     faults.into_result(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })

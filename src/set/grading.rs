@@ -6,8 +6,12 @@ use serde_json::{Map, Value};
 /// Version of the layout of grading.json.
 pub const FORMAT: u32 = 1;
 
-/// Folder of a grading that holds copies of what it was made from: set.json, bank.yaml, key.csv and course.yaml.
+/// Folder of a grading that holds copies of what it was made from: set.json, bank.yaml, key.csv and course.yaml, and
+/// the answers where they came in many files.
 pub const BASIS: &str = "basis";
+
+/// Answers that came in many files, joined: the lines that answers.csv tells are lines of this.
+pub const JOINED: &str = "basis/submissions.csv";
 
 /// What a grading was made from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -41,8 +45,14 @@ pub struct StoredGrading {
     pub language: String,
     /// File of submissions, as it was named.
     pub submissions: String,
+    /// How many files were joined to `basis/submissions.csv`, where it is a folder or an archive of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub submissions_files: Option<usize>,
     /// Its size in bytes.
     pub submissions_bytes: u64,
+    /// They are the download of a quiz: the set in the basis has the variants that it asked.
+    #[serde(default, skip_serializing_if = "is_no")]
+    pub quiz: bool,
     /// SHA-256 of the submissions, hex; left out of large gradings, as the next two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub submissions_sha256: Option<String>,
@@ -77,6 +87,11 @@ const fn yes() -> bool {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
 const fn is_yes(said: &bool) -> bool {
     *said
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
+const fn is_no(said: &bool) -> bool {
+    !*said
 }
 
 impl StoredGrading {

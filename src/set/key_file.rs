@@ -6,7 +6,7 @@ use crate::problem::make_key;
 use rayon::prelude::*;
 
 /// The columns.
-pub const HEADER: [&str; 11] = [
+pub const HEADER: [&str; 12] = [
     "student",
     "problem",
     "part",
@@ -18,7 +18,10 @@ pub const HEADER: [&str; 11] = [
     "cond",
     "tolerance",
     "error_bound",
+    "code",
 ];
+/// Columns of a file that an earlier version wrote, which had no codes.
+const WITHOUT_CODE: usize = 11;
 
 /// Shortest text that reads back as the same double; an exponent only where it helps.
 pub fn shortest(value: f64) -> String {
@@ -70,14 +73,15 @@ fn fields(entry: &KeyEntry) -> [String; 9] {
 }
 
 /// All rows, header first.
-pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 11]> {
+pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 12]> {
     let header = std::iter::once(HEADER.map(str::to_owned));
     header.chain(keys.iter().flat_map(|key| {
         key.problems.iter().enumerate().flat_map(move |(i, problem)| {
             problem.parts.iter().map(move |entry| {
                 let [part, value, unit, eom, energy, gap, cond, tolerance, bound] = fields(entry);
                 let number = (i + 1).to_string();
-                [key.student.clone(), number, part, value, unit, eom, energy, gap, cond, tolerance, bound]
+                let (student, code) = (key.student.clone(), problem.code_of(entry).to_owned());
+                [student, number, part, value, unit, eom, energy, gap, cond, tolerance, bound, code]
             })
         })
     }))
@@ -85,11 +89,32 @@ pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 11]> {
 
 /// The text of key.csv.
 pub fn text(keys: &[SheetKey]) -> Vec<u8> {
+    with_columns(keys, HEADER.len())
+}
+
+/// Is a stored key.csv the text of these keys, as this version or an earlier one wrote it?
+pub fn is_of(stored: &[u8], keys: &[SheetKey]) -> bool {
+    let body = unmarked(stored);
+    body == with_columns(keys, columns(body))
+}
+
+/// Without the mark of its encoding that an editor may have put before it.
+fn unmarked(stored: &[u8]) -> &[u8] {
+    stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored)
+}
+
+/// How many columns a stored key.csv is to have.
+fn columns(body: &[u8]) -> usize {
+    let header = body.split(|b| matches!(b, b'\r' | b'\n')).next().unwrap_or_default();
+    if header == HEADER[..WITHOUT_CODE].join(",").as_bytes() { WITHOUT_CODE } else { HEADER.len() }
+}
+
+fn with_columns(keys: &[SheetKey], columns: usize) -> Vec<u8> {
     // The header is the first row of each part, and stays in the first part alone.
     let part = |(i, keys): (usize, &[SheetKey])| {
         let mut out = Vec::new();
         for row in rows(keys).skip(usize::from(i > 0)) {
-            push_line(&mut out, &row);
+            push_line(&mut out, &row[..columns]);
         }
         out
     };
@@ -110,8 +135,7 @@ const AS_STORED: f64 = 1e-9;
 /// At most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not
 /// give where no hash tells an edit from another way of solving.
 pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<usize, Findings> {
-    let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);
-    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(body);
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(unmarked(stored));
     let mut rows: rustc_hash::FxHashMap<(String, String, String), (usize, csv::StringRecord)> =
         rustc_hash::FxHashMap::default();
     let mut findings = FirstFindings::default();
@@ -195,13 +219,13 @@ fn take(entry: &mut KeyEntry, row: &csv::StringRecord, sealed: bool) -> Result<b
 /// Compares a stored key.csv with the key made anew. Rows of students who are not in `keys` are left over from an
 /// `--add` that was cut off, and do not matter. At most five findings and their number.
 pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
-    let anew = text(keys);
-    if stored == anew {
+    if is_of(stored, keys) {
         return Findings::default();
     }
     let known: rustc_hash::FxHashSet<&str> = keys.iter().map(|k| k.student.as_str()).collect();
     let mut findings = FirstFindings::default();
-    let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);
+    let body = unmarked(stored);
+    let columns = columns(body);
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(body);
     let mut expected = rows(keys);
     for record in reader.byte_records() {
@@ -222,7 +246,7 @@ pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
             findings.push(Finding::new("", format!("a row too many, for {}", field(0))).at(line, 1));
             continue;
         };
-        for (i, right) in row.iter().enumerate() {
+        for (i, right) in row.iter().enumerate().take(columns) {
             if field(i) != *right {
                 let what = format!(
                     "{} {}.{}: {} is `{}` here, `{right}` when made anew from the set",

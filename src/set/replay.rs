@@ -64,7 +64,7 @@ pub fn each<T: Send>(
             let dealt = given::as_stored(bank, &problems, &student.student, &student.problems)?;
             return make(i, student, dealt).map_err(by_make);
         }
-        if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
+        if let Some(dealt) = dealer.deal_again(student) {
             return make(i, student, dealt).map_err(by_make);
         }
         let undrawn =

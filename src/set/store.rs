@@ -4,6 +4,8 @@ use crate::finding::Finding;
 use crate::sheet::self_check::Hosting;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 
 /// Version of the layout of set.json.
 pub const FORMAT: u32 = 1;
@@ -88,9 +90,33 @@ pub struct StoredVariant {
     pub refused: Map<String, Value>,
     /// Symbol to value with unit, exactly as printed.
     pub data: Map<String, Value>,
+    /// Parts that were asked with other data, as a quiz may do that draws each part by itself: none on sheets.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub parts: BTreeMap<String, StoredVariant>,
 }
 
+/// Digits of Crockford's base 32, small: no i, l, o and u, which are taken for others.
+const DIGITS: &[u8; 32] = b"0123456789abcdefghjkmnpqrstvwxyz";
+
 impl StoredVariant {
+    /// The code by which a variant is known where its student is not, as in the question bank of a learning platform: eight digits
+    /// to base 32, five bits each, of the SHA-256 of its problem, its case and its data as they are printed, one on a line. It is
+    /// the same for whoever has the same data, and tells no more than they do.
+    pub fn code(&self) -> String {
+        let mut hash = Sha256::new();
+        let mut line = |text: &str| {
+            hash.update(text.as_bytes());
+            hash.update(b"\n");
+        };
+        line(&self.id);
+        line(&self.case);
+        for (symbol, value) in &self.data {
+            line(&format!("{symbol} = {}", value.as_str().unwrap_or_default()));
+        }
+        let digest = hash.finalize();
+        let bits = digest.iter().take(5).fold(0u64, |bits, byte| bits << 8 | u64::from(*byte));
+        (0..8).rev().map(|i| char::from(DIGITS[(bits >> (5 * i) & 31) as usize])).collect()
+    }
     /// What differs between this stored variant and one drawn anew.
     pub fn difference(&self, new: &StoredVariant) -> Option<String> {
         let old = self;
@@ -202,4 +228,51 @@ fn lines(out: &mut String, name: &str, items: impl Iterator<Item = String>) {
 fn json<T: Serialize>(value: &T) -> String {
     // Maps with text keys and finite numbers only: this cannot fail.
     serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variant(id: &str, case: &str, data: &[(&str, &str)]) -> StoredVariant {
+        let data = data.iter().map(|(name, value)| ((*name).to_owned(), Value::from(*value))).collect();
+        let (refused, parts) = (Map::new(), BTreeMap::new());
+        StoredVariant { id: id.into(), case: case.into(), tries: 1, refused, data, parts }
+    }
+
+    /// Made anew with Python: hashlib.sha256(b"pulled-rolling\nfriction up\nm = 47 kg\n...").digest()[:5] to base 32.
+    #[test]
+    fn the_code_is_that_of_the_printed_data() {
+        let data = [
+            ("m", "47 kg"),
+            ("R", "0.44 m"),
+            ("r", "0.14 m"),
+            ("k", "0.26 m"),
+            ("theta", "20 deg"),
+            ("P", "360 N"),
+            ("d", "0.5 m"),
+            ("mu_s", "0.85"),
+            ("g", "9.81 m/s^2"),
+        ];
+        let one = variant("pulled-rolling", "friction up", &data);
+        assert_eq!(one.code(), "d9g6rc5z");
+        assert_eq!(StoredVariant { tries: 9, ..one.clone() }.code(), one.code());
+        // Whatever is printed otherwise has another code: a digit, a name, the order, the case, the problem.
+        let mut others = vec![one.code()];
+        let mut printed = data;
+        printed[0].1 = "47.0 kg";
+        others.push(variant("pulled-rolling", "friction up", &printed).code());
+        let mut named = data;
+        named[1].0 = "S";
+        others.push(variant("pulled-rolling", "friction up", &named).code());
+        let mut turned = data;
+        turned.swap(0, 1);
+        others.push(variant("pulled-rolling", "friction up", &turned).code());
+        others.push(variant("pulled-rolling", "", &data).code());
+        others.push(variant("spring-released", "friction up", &data).code());
+        let all = others.len();
+        others.sort();
+        others.dedup();
+        assert_eq!(others.len(), all);
+    }
 }

@@ -26,6 +26,7 @@ fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
         cond: None,
         bound: None,
         wrong: vec![],
+        code: None,
     }
 }
 fn number(value: f64, half_width: f64, directed: bool) -> Answer {

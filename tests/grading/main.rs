@@ -16,6 +16,7 @@ mod grading_table;
 mod marks;
 mod matches;
 mod naming;
+mod quiz;
 mod regrade;
 mod report;
 mod scoring;

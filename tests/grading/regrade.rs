@@ -157,20 +157,21 @@ fn a_wider_tolerance_is_a_diff() {
     let ran = room.regrade(&["--bank", &bank, "--dry-run"]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-ROOM/grades regraded
-  bank: ROOM/bank.yaml, a1bfc625020c… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
-  1.omega: tolerance 1 % -> 2 %
-  part     gain  lose  points  why
-  1.omega     1     0      +1  tolerance 1
-  1 of 6 students gain, 0 lose; mean of totals 1.25 -> 1.42
-  0044  Name of 0044  0.5 -> 1.5  +1  1.omega +1 (tolerance)
+What changes in ROOM/grades:
+  bank: ROOM/bank.yaml (a1bfc625020c…, was 1a2fd9c7c8f8…); the key is solved anew for the data on the sheets
+  1.omega: the tolerance is 2 %, was 1 %
+  part     gain  lose  points  why (answers)
+  1.omega     1     0      +1  tolerance (1)
+  Totals rise for 1 and fall for 0 of 6 students; their mean goes from 1.25 to 1.42.
+  student  name               total  change  by part
+  0044     Name of 0044  0.5 -> 1.5      +1  1.omega +1 (tolerance)
 Nothing was written (--dry-run).
 "#);
     assert_eq!(tree(room.0.path()), everything);
 
     let ran = room.regrade(&["--bank", &bank, "--out", &new]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
-    assert!(ran.out.ends_with("is as it was.\n"), "{}", ran.out);
+    assert!(ran.out.ends_with("stays as it was.\n"), "{}", ran.out);
     insta::assert_snapshot!(room.read("new/changes.csv"), @r#"
 student,problem,part,points_before,points_after,verdict_before,verdict_after,why
 0044,1,omega,0,1,wrong,right,tolerance
@@ -192,7 +193,7 @@ student,problem,part,points_before,points_after,verdict_before,verdict_after,why
     let ran = run(&["explain", &new, "44", "1.omega"]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     assert!(
-        ran.out.contains("regraded: before 0 points (wrong), now 1 points (right): tolerance"),
+        ran.out.contains("regraded: 0 points (wrong) before, 1 point (right) now (tolerance)"),
         "{}",
         ran.out
     );
@@ -224,20 +225,21 @@ fn a_part_is_corrected_for_all() {
     let ran = room.regrade(&["--course", &room.path("course.yaml"), "--out", &room.path("new")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-ROOM/grades regraded
+What changes in ROOM/grades:
   bank: as before (1a2fd9c7c8f8…)
   course: ROOM/course.yaml
-  correction: all get at least 100 % of 1.v: ambiguous
+  correction: everybody gets full points for 1.v: ambiguous
   settings that differ: credit
-  part     gain  lose  points  why
-  1.omega     2     0    +0.5  credit 2
-  1.v         4     0    +2.5  correction 4
-  4 of 6 students gain, 0 lose; mean of totals 1.08 -> 1.58
-  0044  Name of 0044     0.5 -> 1   +0.5  1.v +0.5 (correction)
-  0058  Name of 0058  0.5 -> 1.25  +0.75  1.omega +0.25 (credit), 1.v +0.5 (correction)
-  0062  Name of 0062  0.5 -> 1.25  +0.75  1.omega +0.25 (credit), 1.v +0.5 (correction)
-  0031  Name of 0031       1 -> 2     +1  1.v +1 (correction)
-Written to ROOM/new, all changes in ROOM/new/changes.csv; ROOM/grades is as it was.
+  part     gain  lose  points  why (answers)
+  1.omega     2     0    +0.5  credit (2)
+  1.v         4     0    +2.5  correction (4)
+  Totals rise for 4 and fall for 0 of 6 students; their mean goes from 1.08 to 1.58.
+  student  name                total  change  by part
+  0044     Name of 0044     0.5 -> 1    +0.5  1.v +0.5 (correction)
+  0058     Name of 0058  0.5 -> 1.25   +0.75  1.omega +0.25 (credit), 1.v +0.5 (correction)
+  0062     Name of 0062  0.5 -> 1.25   +0.75  1.omega +0.25 (credit), 1.v +0.5 (correction)
+  0031     Name of 0031       1 -> 2      +1  1.v +1 (correction)
+Written to ROOM/new, with every change in ROOM/new/changes.csv; ROOM/grades stays as it was.
 "#);
     // Who handed in nothing gets the points too.
     insta::assert_snapshot!(room.read("new/changes.csv"), @r#"
@@ -252,7 +254,7 @@ student,problem,part,points_before,points_after,verdict_before,verdict_after,why
     let ran = run(&["explain", &room.path("new"), "31", "1.v"]);
     assert!(ran.out.contains("1.v: no answer, 1 of 1 points by a correction"), "{}", ran.out);
     assert!(
-        ran.out.contains("regraded: before no answer, now 1 points without an answer: correction: ambiguous"),
+        ran.out.contains("regraded: no answer before, 1 point without an answer now (correction: ambiguous)"),
         "{}",
         ran.out
     );
@@ -290,25 +292,26 @@ error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0062: the relat
     let ran = room.regrade(&["--bank", &bank, "--dry-run"]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-ROOM/grades regraded
-  bank: ROOM/bank.yaml, f68844e7a69e… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
-  1.omega: another key for 6 of 6 students, by up to 71.484 %
-  1.v: another key for 6 of 6 students, by up to 24.516 %
-  1.friction: another key for 6 of 6 students, by up to 66.744 %
-  1.friction: tolerance 2-2.8 % -> 1.6-2.7 %
-  1.mu_required: another key for 6 of 6 students, by up to 66.744 %
-  1.mu_required: tolerance 1.8-2.7 % -> 1.3-3.2 %
-  1.cord_travel: another key for 6 of 6 students, by up to 70.455 %
-  part     gain  lose  points  why
-  1.omega     0     3      -3  key 3
-  1.v         0     6    -4.5  key 3, no longer follow-through 3
-  0 of 6 students gain, 6 lose; mean of totals 1.25 -> 0.00
-  0017  Name of 0017    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
-  0023  Name of 0023    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
-  0031  Name of 0031    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
-  0044  Name of 0044  0.5 -> 0  -0.5  1.v -0.5 (no longer follow-through)
-  0058  Name of 0058  0.5 -> 0  -0.5  1.v -0.5 (no longer follow-through)
-  0062  Name of 0062  0.5 -> 0  -0.5  1.v -0.5 (no longer follow-through)
+What changes in ROOM/grades:
+  bank: ROOM/bank.yaml (f68844e7a69e…, was 1a2fd9c7c8f8…); the key is solved anew for the data on the sheets
+  1.omega: the key differs for 6 of 6 students, by up to 71.484 %
+  1.v: the key differs for 6 of 6 students, by up to 24.516 %
+  1.friction: the key differs for 6 of 6 students, by up to 66.744 %
+  1.friction: the tolerance is 1.6-2.7 %, was 2-2.8 %
+  1.mu_required: the key differs for 6 of 6 students, by up to 66.744 %
+  1.mu_required: the tolerance is 1.3-3.2 %, was 1.8-2.7 %
+  1.cord_travel: the key differs for 6 of 6 students, by up to 70.455 %
+  part     gain  lose  points  why (answers)
+  1.omega     0     3      -3  key (3)
+  1.v         0     6    -4.5  key (3), no longer follow-through (3)
+  Totals rise for 0 and fall for 6 of 6 students; their mean goes from 1.25 to 0.00.
+  student  name             total  change  by part
+  0017     Name of 0017    2 -> 0      -2  1.omega -1 (key), 1.v -1 (key)
+  0023     Name of 0023    2 -> 0      -2  1.omega -1 (key), 1.v -1 (key)
+  0031     Name of 0031    2 -> 0      -2  1.omega -1 (key), 1.v -1 (key)
+  0044     Name of 0044  0.5 -> 0    -0.5  1.v -0.5 (no longer follow-through)
+  0058     Name of 0058  0.5 -> 0    -0.5  1.v -0.5 (no longer follow-through)
+  0062     Name of 0062  0.5 -> 0    -0.5  1.v -0.5 (no longer follow-through)
 Nothing was written (--dry-run).
 "#);
 }
@@ -523,7 +526,7 @@ The total
 What it was graded with
   slipstick 0.1.0, draw version 5; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
-  key, SHA-256 d5949bc3a1e867dec8799a0300fa808510f3bf0ede1807ef4be5a6ad4b344568; solved anew for
+  key, SHA-256 bb81adad20d57e48c230c32c0388d4b64d3df8427fd612cdaf1f808fb6a7b8ad; solved anew for
       this text, and the same
   course, SHA-256 6774c14141fb11c387157d62401bb3d51daa38446109ee2c8be51eabbf67fe61
   submissions: answers.csv, 325 bytes
@@ -788,9 +791,9 @@ fn other_tolerances_are_graded_as_grading_would() {
     );
     let again = room.regrade(&["--bank", &room.path("bank.yaml"), "--dry-run"]);
     assert_eq!(again.exit, Exit::Fine, "{}", again.err);
-    let means = again.out.lines().find_map(|l| l.split("mean of totals ").nth(1)).unwrap();
+    let means = again.out.lines().find_map(|l| l.split("their mean goes from ").nth(1)).unwrap();
     let line = ran.out.lines().find(|l| l.contains("mean of totals")).unwrap();
     let told: Vec<&str> = line.split_whitespace().skip(3).collect();
-    assert_eq!(told.join(" -> "), means, "{}", ran.out);
-    assert_eq!(means, "0.00 -> 0.80");
+    assert_eq!(format!("{}.", told.join(" to ")), means, "{}", ran.out);
+    assert_eq!(means, "0.00 to 0.80.");
 }

@@ -5,7 +5,7 @@ use slipstick::bank::{Bank, FigureLabels, load};
 use slipstick::figure;
 use slipstick::picture::frame::Frame;
 use slipstick::picture::vector::{Vec2, vec2};
-use slipstick::picture::{Outline, Picture, Role, svg, symbol};
+use slipstick::picture::{Element, Outline, Picture, Role, svg, symbol};
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::{End, Quantity};
 use slipstick::words::Words;
@@ -87,6 +87,43 @@ fn check(picture: &Picture, what: &str) {
     }
 }
 
+/// Lines that run through a full point, such as the mark of the mass centre; those that begin or end there belong to it, and so do
+/// bodies and brackets.
+fn through_a_mark(picture: &Picture) -> Vec<String> {
+    let mut found = Vec::new();
+    for mark in picture.elements.iter().filter(|e| e.role == Role::Dot) {
+        let Outline::Circle { centre: mark, radius: size } = mark.outline else { continue };
+        // What is drawn before the body that it is on does not show.
+        let on = |e: &Element| {
+            e.role == Role::Body && Frame::round(corners(&e.outline)).is_some_and(|f| f.nearest(mark) == mark)
+        };
+        let from = picture.elements.iter().rposition(on).unwrap_or(0);
+        let own = |r: Role| matches!(r, Role::Grid | Role::Paper | Role::Dot | Role::Body | Role::Inner);
+        for element in picture.elements[from..].iter().filter(|e| !own(e.role)) {
+            let crossed = match &element.outline {
+                Outline::Circle { centre, radius } => ((mark - *centre).norm() - radius).abs() < size,
+                outline => {
+                    let mut points = corners(outline);
+                    if matches!(outline, Outline::Lines { closed: true, .. } | Outline::Arcs(_)) {
+                        points.extend(points.first().copied());
+                    }
+                    let ends = points.iter().any(|p| (*p - mark).norm() < size);
+                    let near = |w: &[Vec2]| {
+                        let along = w[1] - w[0];
+                        let share = ((mark - w[0]).dot(&along) / along.dot(&along).max(1e-9)).clamp(0.0, 1.0);
+                        (w[0] + along * share - mark).norm() < size
+                    };
+                    !ends && points.windows(2).any(near)
+                }
+            };
+            if crossed {
+                found.push(format!("{mark:?} is on {element:?}"));
+            }
+        }
+    }
+    found
+}
+
 /// Where the letter of the mass centre stands on a line.
 fn on_a_line(picture: &Picture) -> Vec<String> {
     let mut found = Vec::new();
@@ -151,7 +188,7 @@ fn labels_of_scenes_are_apart_and_inside_over_the_whole_range_of_draws() {
                     for kind in [FigureLabels::Values, FigureLabels::Symbols] {
                         let picture = figure::scene::picture(problem, &variant, words, kind);
                         check(&picture, &format!("{} {student} {} {kind:?}", problem.id, words.language()));
-                        let crossed = on_a_line(&picture);
+                        let crossed = [on_a_line(&picture), through_a_mark(&picture)].concat();
                         letters
                             .extend(crossed.iter().map(|f| format!("{} {student} {kind:?} {f}", problem.id)));
                         covered += covering(&picture);
@@ -164,8 +201,7 @@ fn labels_of_scenes_are_apart_and_inside_over_the_whole_range_of_draws() {
     }
     assert!(pictures >= 5000, "{pictures}");
     let share = covered as f64 / labels as f64;
-    // Where spring, arcs and dimensions crowd round the mass centre there is not always a place left.
-    assert!(letters.len() * 50 < pictures, "{} of {pictures}: {}", letters.len(), letters.join("\n"));
+    assert!(letters.is_empty(), "{} of {pictures}: {}", letters.len(), letters.join("\n"));
     assert!(share < 0.01, "{covered} of {labels} labels lie on a cord, a spring or an arrow");
 }
 

@@ -115,11 +115,11 @@ fn a_refused_draw_is_shown_with_figure_and_reason() {
         run(&["gallery", &path("up.yaml"), "--out", &path("up.html"), "--variants", "3", "--seeds", "5"]);
     assert_eq!(exit, Exit::Faulty);
     assert!(out.contains("where so many could be drawn"), "{out}");
-    assert!(err.contains("regime: 10000 of 10000 move down (wanted: moves_up)"), "{err}");
+    assert!(err.contains("regime: 10000 of 10000 move down (`regimes`: moves_up)"), "{err}");
     let page = std::fs::read_to_string(path("up.html")).unwrap();
     let refused = page.split("<ul class=\"cards refused\">").nth(1).unwrap().split("</ul>").next().unwrap();
     assert_eq!(refused.matches("<figure><svg").count(), 1);
-    assert!(text_of(refused).contains("regime: 1 of 1 move down (wanted: moves_up)"), "{refused}");
+    assert!(text_of(refused).contains("regime: 1 of 1 move down (`regimes`: moves_up)"), "{refused}");
     assert!(refused.contains("class=\"data\"") && !refused.contains("<table>"));
     // One whose rules some draws break: variants, and a refused draw for each rule.
     let bounds = "r / k: {max: 0.8}";

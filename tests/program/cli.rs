@@ -76,7 +76,7 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     let key = room.read("set/key.csv");
     assert_eq!(
         key.lines().next(),
-        Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance,error_bound")
+        Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance,error_bound,code")
     );
     assert_eq!(key.lines().count(), 1 + 23 * CLASS.len());
     // A unit reads as people write it and stays on one line.
@@ -1326,6 +1326,38 @@ fn verify_proves_a_set_and_sees_what_does_not_belong() {
     room.write("set/key.csv", &key.replace(row, &row.replacen("0.", "1.", 1)));
     assert_eq!(verify().exit, Exit::Faulty);
     assert_eq!(run(&["verify", &room.path("none")]).exit, Exit::Faulty);
+}
+
+/// Sets of this way of drawing have been made whose key.csv has no codes.
+#[test]
+fn a_key_without_codes_holds_as_it_was_written() {
+    let room = Room::new(&CLASS[..2]);
+    room.write("early.csv", "student,name\n0017,Name of 0017\n");
+    assert_eq!(room.generate("early.csv", "set", &[]).exit, Exit::Fine);
+    let key = room.read("set/key.csv");
+    let rows = key.lines().map(|line| line.rsplit_once(',').unwrap().0);
+    let older: String = rows.map(|row| format!("{row}\n")).collect();
+    assert!(older.starts_with("student,") && !older.contains("code"));
+    room.write("set/key.csv", &older);
+    let verify = || run(&["verify", &room.path("set")]);
+    assert_eq!((verify().exit, verify().err.as_str()), (Exit::Fine, ""));
+    room.write("in.csv", "student,problem,part,answer\n0017,1,x_G,18\n");
+    let grade =
+        || run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &room.path("grades"), "--force"]);
+    assert_eq!(grade().exit, Exit::Fine, "{}", grade().err);
+    let explain = run(&["explain", &room.path("grades"), "0017", "1.x_G"]);
+    assert_eq!((explain.exit, explain.err.as_str()), (Exit::Fine, ""));
+    // One that was edited is seen all the same.
+    room.write("set/key.csv", &older.replacen(",m,", ",m,1", 1));
+    assert_eq!(verify().exit, Exit::Faulty);
+    // A set that grows gets codes, and the hash of its key stays true.
+    room.write("set/key.csv", &older);
+    assert_eq!(room.generate("early.csv", "set", &["--add"]).exit, Exit::Fine);
+    assert_eq!(room.read("set/key.csv"), older, "nothing was to be mended");
+    assert_eq!(room.generate("roster.csv", "set", &["--add"]).exit, Exit::Fine);
+    assert_eq!(room.generate("roster.csv", "anew", &[]).exit, Exit::Fine);
+    assert_eq!(room.read("set/key.csv"), room.read("anew/key.csv"));
+    assert!(room.read("set/set.json") == room.read("anew/set.json"), "its hash is that of another key");
 }
 
 /// Names of files below a folder, sorted.

@@ -367,6 +367,28 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
     let lines: Vec<&str> = graded[0].lines().collect();
     assert_eq!(lines.len(), 4, "{}", graded[0]);
     let of = |answer: &str| lines.iter().find(|line| line.contains(answer)).unwrap();
+    // The line that an answer is told to stand on can be looked up, and tells the file.
+    let grades = at("grades-class");
+    let kept = std::fs::read_to_string(Path::new(&grades).join("basis/submissions.csv")).unwrap();
+    for line in &lines[1..] {
+        let cells: Vec<&str> = line.split(',').collect();
+        let there = kept.lines().nth(cells[0].parse::<usize>().unwrap() - 1).unwrap();
+        assert!(there.starts_with(cells[2]) && there.contains("answers-"), "{line}: {there}");
+    }
+    assert!(
+        kept.contains("0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z,Amina_1_file_/answers-0017 (1).csv"),
+        "{kept}"
+    );
+    let (_, told, _) = run(&["explain", &grades, "0017", "1.omega"]);
+    assert!(
+        told.contains("in the order of basis/submissions.csv") && told.contains("line 4: `2 rad/s`"),
+        "{told}"
+    );
+    let (again, zipped) = (at("again"), at("grades-class.zip"));
+    let (exit, told, err) = run(&["regrade", &set, &zipped, &at("class"), "--out", &again]);
+    assert!(exit == Exit::Fine && told.contains("No mark changes"), "{told}{err}");
+    let (exit, _, err) = run(&["grade", &set, &grades, "--out", &again, "--force"]);
+    assert!(exit != Exit::Fine && err.contains("it has grading.json, which slipstick made"), "{err}");
     assert!(of("1 rad/s").contains("superseded") && !of("2 rad/s").contains("superseded"), "{}", graded[0]);
     assert!(of("12,5 N up").contains("0023"), "{}", graded[0]);
     std::fs::write(at("no.zip"), "no archive").unwrap();

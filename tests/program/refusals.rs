@@ -76,10 +76,13 @@ problems:
 fn a_refusal_tells_what_came_out_and_what_changes_it() {
     let room = Room::new();
     let cases: &[(Changes, &[&str])] = &[
-        (&[("[moves_down]", "[moves_up]")], &["10000  regime: 10000 of 10000 move down (wanted: moves_up)"]),
+        (
+            &[("[moves_down]", "[moves_up]")],
+            &["10000  regime: 10000 of 10000 move down (`regimes`: moves_up)"],
+        ),
         (
             &[("[moves_down]", "[balanced, moves_up]")],
-            &["regime: 10000 of 10000 move down (wanted: balanced, moves_up)"],
+            &["regime: 10000 of 10000 move down (`regimes`: balanced, moves_up)"],
         ),
         (&[("one of 0.4, 0.5", "always 0.01")], &["10000  no_slip: margin -", "% (`margins`: 5 %)"]),
         (
@@ -162,7 +165,7 @@ fn regimes_that_came_out_are_counted() {
         .map(|part| part.trim_start_matches("regime: ").split(' ').next().unwrap().parse().unwrap())
         .collect();
     assert!(
-        row.contains(" move up") && row.contains(" move down") && row.ends_with("(wanted: rest)"),
+        row.contains(" move up") && row.contains(" move down") && row.ends_with("(`regimes`: rest)"),
         "{row}"
     );
     assert_eq!(numbers.iter().sum::<u32>(), *count, "{row}");
@@ -202,7 +205,7 @@ fn constants_are_drawn_once_and_shown_as_solve_shows_them() {
         let ran = room.run(&args);
         assert_eq!(ran.exit, Exit::Faulty, "{args:?}");
         assert!(
-            ran.err.contains("          1  regime: 1 of 1 move down (wanted: moves_up)"),
+            ran.err.contains("          1  regime: 1 of 1 move down (`regimes`: moves_up)"),
             "{args:?} {}",
             ran.err
         );

@@ -139,3 +139,78 @@ fn constants_need_no_seed_and_json_has_the_questions_in_their_units() {
         "{direction}"
     );
 }
+
+/// A bank of one problem needs no name for it, one of several says which there are; a seed is explained where it is missing or none.
+#[test]
+fn what_is_missing_on_the_command_line_is_told_with_an_example() {
+    let room = tempfile::tempdir().unwrap();
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let (bank, roster, set) = (path("bank.yaml"), path("roster.csv"), path("set"));
+    std::fs::write(&bank, run(&["new", "rolling-down"]).1).unwrap();
+    std::fs::write(&roster, "student\n0017\n").unwrap();
+    assert_eq!(run(&["quantities", &bank]), run(&["quantities", &bank, "rolling-down"]));
+    let (exit, _, err) = run(&["quantities", "slip-and-roll"]);
+    assert!(exit == Exit::Faulty && err.contains("thrown-ball, wheel-set-down"), "{err}");
+    let generate = ["generate", &bank, "--roster", &roster, "--out", &set];
+    for seed in [&[][..], &["--seed"], &["--seed", "x"], &["--seed", "-5"], &["--seed", "2.5"]] {
+        let (exit, _, err) = run(&[&generate[..], seed].concat());
+        assert!(exit == Exit::Faulty && err.contains("such as --seed 2026"), "{seed:?}: {err}");
+    }
+    let (exit, _, err) = run(&["solve", &bank, "--seed", "1", "--set", "m=2kg"]);
+    assert!(exit == Exit::Faulty && err.contains("write one of the two"), "{err}");
+    let site = [&generate[..], &["--seed", "1", "--page", "site"]].concat();
+    let (exit, told, err) = run(&site);
+    assert_eq!(exit, Exit::Fine, "{err}");
+    assert!(told.contains("as a whole, on a web server") && !told.contains("nothing else"), "{told}");
+    let index = std::fs::read_to_string(room.path().join("set/index.html")).unwrap();
+    assert!(index.contains("Put the folder students/ as a whole on a web server"), "{index}");
+    // The page of a sheet, or its folder, in the place of the file that answers are checked by.
+    let sheet = path("set/students/0017/sheet.json");
+    for given in ["set/students/0017", "set/students/0017/sheet.html", "set/students/0017/sheet.md"] {
+        let (exit, _, err) = run(&["check", &path(given), "1.v=3"]);
+        assert!(exit == Exit::Faulty && err.contains(&format!("give {sheet}")), "{err}");
+    }
+    let (exit, _, err) = run(&["check", &sheet]);
+    assert!(exit == Exit::Faulty && err.contains("1.omega="), "{err}");
+}
+
+/// One fault of a bank is one finding, with the names that would do.
+#[test]
+fn one_fault_is_one_finding() {
+    let bank = run(&["new", "rolling-down"]).1;
+    for (from, to, told) in [
+        ("      a: {ask", "      acc: {ask", "quantities of this scene: "),
+        ("      v: {ask", "      speed: {ask", "quantities of this scene: "),
+        ("v: sqrt(2*a*d)", "a: v/t", "`a` is asked first"),
+        ("rolls: {body: body", "rols: {body: body", "did you mean `rolls`?"),
+        ("slope: theta", "slope: tetha", "symbols: m, R, theta"),
+        ("{{ mu_s }}", "{{ mus }}", "did you mean `mu_s`?"),
+    ] {
+        assert!(bank.contains(from), "{from}");
+        let faults = load::scenes_only(&bank.replacen(from, to, 1), "bank.yaml").err();
+        let template = slipstick::template::variables_of;
+        let faults = faults.or_else(|| load::bank(&bank.replacen(from, to, 1), "bank.yaml", &template).err());
+        let faults: Vec<String> = faults.unwrap().iter().map(ToString::to_string).collect();
+        assert!(faults.len() == 1 && faults[0].contains(told), "{to}: {}", faults.join("\n"));
+    }
+}
+
+/// A problem that no draw meets has no empty tables and no chance of equal sheets.
+#[test]
+fn what_cannot_be_drawn_is_said_and_not_tabled() {
+    let room = tempfile::tempdir().unwrap();
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let (bank, page) = (path("bank.yaml"), path("gallery.html"));
+    let text = run(&["new", "rolling-down"])
+        .1
+        .replace("draw: 0.40 to 0.80 step 0.05", "draw: 0.01 to 0.02 step 0.01");
+    std::fs::write(&bank, text).unwrap();
+    let (exit, out, err) = run(&["lint", &bank, "--seeds", "5"]);
+    assert!(exit == Exit::Faulty && err.contains("no_slip: margin"), "{err}");
+    assert!(!out.contains("question") && !out.contains("Chance"), "{out}");
+    assert_eq!(run(&["gallery", &bank, "--out", &page, "--seeds", "5"]).0, Exit::Faulty);
+    let page = std::fs::read_to_string(&page).unwrap();
+    assert!(page.contains("No variant can be drawn") && !page.contains("<table>"), "{page}");
+    let fine = run(&["lint", "slip-and-roll", "--seeds", "5"]).1;
+    assert!(fine.contains("get equal sheets of all 2 problems: at most "), "{fine}");
+}

@@ -29,8 +29,10 @@ pub(super) struct WeakPart {
     asked: String,
     /// Share of the points; none where few answered.
     share: Option<String>,
+    /// Of those who handed in: how many were asked it, were right, gave no answer to it.
+    asked_of: usize,
     right: usize,
-    answered: usize,
+    blank: usize,
     /// The wrong method of most answers to it: what was done, with its id and the number of answers; empty where no two answers
     /// have one in common.
     did: String,
@@ -82,7 +84,8 @@ impl ClassReporter<'_> {
                 asked: rich(&part.asked),
                 share: (study.asked >= LEAST_FOR_SHARE).then(|| percent(ease)),
                 right: study.right,
-                answered: study.answered,
+                blank: study.asked.saturating_sub(study.answered),
+                asked_of: study.asked,
                 did: entry.map_or_else(String::new, |e| rich(&e.did)),
                 id: entry.map_or_else(String::new, |e| e.id.clone()),
                 answers: most.map_or(0, here),
