@@ -187,6 +187,9 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::work(draft);
     }
+    if draft.scene.lead().is_some() {
+        return Err(Beyond::JoinedBodies.into());
+    }
     if draft.scene.pinned().is_some() {
         return pinned::work(draft);
     }
