@@ -44,6 +44,8 @@ struct Panel<T> {
     last: T,
     /// Integral of the time over it.
     time: T,
+    /// For each joint that can only push: its normal force at the nodes.
+    pushes: SmallVec<[(usize, PerNode<T>); 2]>,
     smooth: bool,
     /// Is the time smooth too?
     timely: bool,
@@ -58,6 +60,8 @@ struct Stop<T> {
     half_square: T,
     /// What stops it.
     why: Why,
+    /// The time until then, where the panels gave it.
+    time: Option<T>,
 }
 
 /// What stops a motion.
@@ -157,10 +161,19 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn panel(&self, ends: (T, T), from: T) -> Result<Panel<T>, Refusal> {
         let width = ends.1 - ends.0;
         let (mut drives, mut growths, mut slopes) = (PerNode::new(), PerNode::new(), PerNode::new());
+        let mut pushes: SmallVec<[(usize, PerNode<(T, T)>); 2]> = SmallVec::new();
         for node in gauss::nodes() {
             let (way, slope) = self.way(ends.0 + width * T::constant(*node));
             let slope = slope * width;
             let (_, response) = self.at(way)?;
+            for joint in 0..self.mechanism.scene.joints.len() {
+                if let Some(parts) = self.mechanism.push(&response, joint) {
+                    match pushes.iter_mut().find(|p| p.0 == joint) {
+                        Some((_, list)) => list.push(parts),
+                        None => pushes.push((joint, vec![parts])),
+                    }
+                }
+            }
             let (a, b) = self.mechanism.turning(&response, self.mechanism.lead);
             drives.push(plant!("eom: acceleration over the angle", a.signed(self.sense)) * slope);
             growths.push(
@@ -175,8 +188,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             gauss::running(&driven).into_iter().zip(&factors).map(|(g, e)| (from + g) / *e).collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
+        let force = |(constant, share): &(T, T), square: &T| *constant + *share * square.scale2(1);
+        let pushes = pushes
+            .iter()
+            .map(|(joint, parts)| (*joint, parts.iter().zip(&squares).map(|(p, y)| force(p, y)).collect()))
+            .collect();
         Ok(Panel {
             ends,
+            pushes,
             last: (from + gauss::mean(&driven)) / whole,
             time: gauss::mean(&times),
             // Growths are exponents: beside 1 they count.
@@ -210,18 +229,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
     }
 
-    /// Normal forces of the joints that only push, at this place.
-    fn contacts(&self, way: T, half_square: T) -> Result<SmallVec<[(usize, T); 2]>, Refusal> {
+    /// Normal force of a joint that can only push, at this place.
+    fn contact(&self, joint: usize, way: T, half_square: T) -> Result<T, Refusal> {
         let (_, response) = self.at(way)?;
-        let mut found = SmallVec::new();
-        for (j, joint) in self.mechanism.scene.joints.iter().enumerate() {
-            if let JointKind::Guide { one_sided: true, .. } = joint.kind
-                && let Some(force) = self.mechanism.reaction(&response, j, half_square.scale2(1))
-            {
-                found.push((j, force[0]));
-            }
-        }
-        Ok(found)
+        let parts = self.mechanism.push(&response, joint);
+        Ok(parts.map_or_else(T::zero, |(constant, share)| constant + share * half_square.scale2(1)))
     }
 
     /// Where it first stops within `far`: at rest, at this half square of the rate, or where a joint stops pushing.
@@ -229,12 +241,17 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (mut x, mut square) = (T::zero(), self.half_square);
         let last = self.variable(far);
         let mut found: Option<Stop<T>> = None;
+        let mut time = Some(T::zero());
         while x.below(last) && found.is_none() {
             let (way, _) = self.way(x);
             let next = self.variable(way + T::of(STRIDE));
             let next = if next.below(last) { next } else { last };
             let mut visit = |panel: &Panel<T>, from: T| {
                 found = self.stopped(panel, from, level, least)?;
+                time = match &found {
+                    Some(stop) => sum(time, stop.time),
+                    None => sum(time, panel.timely.then_some(panel.time)),
+                };
                 Ok(found.is_some())
             };
             match self.over((x, next), square, false, gauss::halvings(), &mut visit)? {
@@ -242,7 +259,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => break,
             }
         }
-        Ok(found.unwrap_or(Stop { way: far, half_square: square, why: Why::Far }))
+        let stop = found.unwrap_or(Stop { way: far, half_square: square, why: Why::Far, time: None });
+        Ok(Stop { time, ..stop })
     }
 
     /// The first event within a panel.
@@ -257,8 +275,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let nodes = gauss::nodes().iter().map(|s| a + (b - a) * T::constant(*s));
         let rising = level.map(|l| from.below(l));
         let mut before = a;
-        for (x, square) in nodes.zip(panel.squares.iter().copied()).chain([(b, panel.last)]) {
-            let (way, _) = self.way(x);
+        let squares = panel.squares.iter().copied();
+        for (i, (x, square)) in nodes.zip(squares).chain([(b, panel.last)]).enumerate() {
             let mut why = None;
             if square.sign() < 0.0 {
                 why = Some(Why::Rest);
@@ -267,13 +285,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             {
                 why = Some(Why::Speed);
             } else {
-                for (joint, force) in self.contacts(way, square)? {
-                    if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
+                for (joint, forces) in &panel.pushes {
+                    let Some(force) = forces.get(i) else { continue };
+                    if let Some(least) = least.iter_mut().find(|l| l.0 == *joint) {
                         (least.1, least.2) =
                             (f64::min(least.1, force.f64()), f64::max(least.2, force.size()));
                     }
                     if force.sign() <= 0.0 {
-                        why = Some(Why::Leaves(joint));
+                        why = Some(Why::Leaves(*joint));
                         break;
                     }
                 }
@@ -283,19 +302,17 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     let part = self.panel((a, x), from)?;
                     let (way, _) = self.way(x);
                     let value = match why {
-                        Why::Leaves(joint) => {
-                            let forces = self.contacts(way, part.last)?;
-                            forces.into_iter().find(|f| f.0 == joint).map_or_else(T::zero, |f| f.1)
-                        }
+                        Why::Leaves(joint) => self.contact(joint, way, part.last)?,
                         Why::Speed => part.last - level.unwrap_or_else(T::zero),
                         _ => part.last,
                     };
                     Ok((value, T::zero()))
                 };
                 let x = secant(before, x, why == Why::Speed && rising == Some(true), value)?;
-                let half_square = self.panel((a, x), from)?.last;
-                let half_square = if why == Why::Rest { T::zero() } else { half_square };
-                return Ok(Some(Stop { way: self.way(x).0, half_square, why }));
+                let part = self.panel((a, x), from)?;
+                let half_square = if why == Why::Rest { T::zero() } else { part.last };
+                let time = (part.timely && why != Why::Rest).then_some(part.time);
+                return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
             before = x;
         }
@@ -351,21 +368,24 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
         let backward = far.sign() < 0.0;
         let mut stop = if backward {
-            Stop { way: T::zero(), half_square: self.half_square, why: Why::Far }
+            Stop { way: T::zero(), half_square: self.half_square, why: Why::Far, time: None }
         } else {
             self.stop(far, level, &mut least)?
         };
-        let mut time = None;
+        let mut time = stop.time.map(|t| plant!("eom: time of joined bodies", t));
         if let End::Time(_, t) = scene.end {
             let t = n.get(t);
-            let most = self.time(stop.way, stop.why == Why::Rest)?;
+            let most = match time {
+                Some(time) => time,
+                None => self.time(stop.way, stop.why == Why::Rest)?,
+            };
             if t.at_most(most) {
                 let way =
                     secant(T::zero(), stop.way, true, |way| Ok((self.time(way, false)? - t, T::zero())))?;
-                stop = Stop { way, half_square: self.gained(way)?, why: Why::Far };
+                stop = Stop { way, half_square: self.gained(way)?, why: Why::Far, time: Some(t) };
                 time = Some(t);
             } else {
-                stop.why = Why::Rest;
+                (stop.why, time) = (Why::Rest, None);
             }
         }
         let reached = !backward
@@ -374,7 +394,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 End::Speed(..) => stop.why == Why::Speed,
                 End::TurningPoint(_) => stop.why == Why::Rest,
                 End::Leaves(joint) => stop.why == Why::Leaves(joint),
-                End::Time(..) => time.is_some(),
+                End::Time(..) => stop.why == Why::Far && time.is_some(),
                 _ => false,
             };
         let farthest = match scene.end {
@@ -427,6 +447,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             self.over((T::zero(), self.variable(way)), self.half_square, false, gauss::halvings(), &mut see)?;
         Ok(end.unwrap_or(self.half_square))
     }
+}
+
+fn sum<T: Real>(one: Option<T>, other: Option<T>) -> Option<T> {
+    Some(one? + other?)
 }
 
 /// The root of a function without a known slope between two places: by the secant of the last two values, never out of its bracket.

@@ -387,6 +387,14 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let places = bodies.flat_map(|p| p.points.iter().map(|(_, place)| *place).chain([p.centre]));
         places.map(|place| pose::along(self.n, place).size()).sum()
     }
+    /// The normal force of a guide that can only push: constant part, and per square of the rate; `None` for other joints and where
+    /// the joints leave it open.
+    pub fn push(&self, response: &Response<T>, joint: usize) -> Option<(T, T)> {
+        let JointKind::Guide { one_sided: true, .. } = self.scene.joints[joint].kind else { return None };
+        let at = self.held[joint];
+        let known = !response.solution.is_open(at);
+        known.then(|| (response.solution.get(at, CONSTANT), response.solution.get(at, SQUARE)))
+    }
     /// Height of a mass centre.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
         self.centre(&state.poses, body)[1]
