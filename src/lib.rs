@@ -20,7 +20,7 @@
 //! # Flow
 //! ```text
 //! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, figure, solution, set
-//!                          document -> Markdown, HTML, LaTeX, Typst -> PDF
+//!                          document -> Markdown, HTML, LaTeX, Typst -> PDF; export -> questions of a learning platform
 //!                          misconception (wrong values, beside the key)
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
 //!              set, habits -> simulate -> submissions, truth
@@ -101,6 +101,8 @@ pub mod bank;
 pub mod cli;
 pub mod draw;
 #[cfg(feature = "program")]
+pub mod export;
+#[cfg(feature = "program")]
 pub mod figure;
 pub mod finding;
 #[cfg(feature = "program")]
@@ -141,7 +143,6 @@ pub mod solution;
 pub mod solve;
 #[cfg(feature = "program")]
 pub mod template;
-#[cfg(feature = "program")]
 pub mod tutor;
 pub mod units;
 pub mod words;

@@ -29,6 +29,7 @@ pub const TOPICS: &[Topic] = topics! {
     "commands": "the command line, from one problem to a graded class",
     "bank": "how to describe a problem: data, scene, regimes, questions, rules",
     "grading": "submissions, verdicts, how answers are read, course files, reports",
+    "platforms": "questions for Moodle, Canvas and QTI: what to click, what is lost",
     "formats": "HTML, Markdown, LaTeX and PDF; languages; texts of your own",
     "trust": "why a key can be trusted, and how well grading does",
     "accuracy": "what integrators give away for their speed",

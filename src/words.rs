@@ -5,9 +5,11 @@
 //! complete or it does not build: every name of the English lists, with the same places, is checked by a test.
 #[cfg(feature = "program")]
 mod lists;
+pub mod plain;
 
 use rustc_hash::FxHashMap;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -43,7 +45,7 @@ pub struct Words {
 }
 
 /// Phrases by name in one language, as they are handed to a page.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Phrases {
     /// Code of the language.
     pub language: String,
@@ -51,6 +53,18 @@ pub struct Phrases {
     pub decimal: char,
     /// The phrases.
     pub phrases: BTreeMap<String, String>,
+}
+
+impl Phrases {
+    /// The phrases in this JSON, as they are handed to a page.
+    pub fn of(value: &Value) -> Option<Self> {
+        let phrase = |(name, phrase): (&String, &Value)| Some((name.clone(), phrase.as_str()?.to_owned()));
+        Some(Self {
+            language: value.get("language")?.as_str()?.to_owned(),
+            decimal: value.get("decimal")?.as_str()?.chars().next()?,
+            phrases: value.get("phrases")?.as_object()?.iter().map(phrase).collect::<Option<_>>()?,
+        })
+    }
 }
 
 impl Words {
@@ -101,6 +115,14 @@ impl Words {
             }
         }
         tree
+    }
+
+    /// The same phrases, but for one in whose place another stands.
+    #[must_use]
+    pub fn with(mut self, name: &str, instead: &str) -> Self {
+        let other = self.get(instead).to_owned();
+        self.phrases.insert(name.to_owned(), other);
+        self
     }
 
     /// Is there a phrase of this name?

@@ -1,5 +1,4 @@
 //! What a student wrote: files of submissions, rosters, and the text of a single cell.
-#[cfg(feature = "program")]
 pub mod figures;
 mod numeral;
 mod plain;

@@ -81,6 +81,24 @@ const WORDS: [(AnswerWord, &str); 9] = [
     (AnswerWord::Yes, "yes y ja j true wahr"),
     (AnswerWord::No, "no n nein false falsch"),
 ];
+/// What is read as `stays` though it has more than one word.
+const NO_MOTION: [&str; 5] =
+    ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"];
+
+/// All that is read as this word of a key where nothing stands beside it.
+#[cfg(feature = "program")]
+pub fn spellings(word: &str) -> Vec<&'static str> {
+    // A direction on a level only, where it is another name for these.
+    let also = match word {
+        "forward" => "right",
+        "back" => "left",
+        _ => word,
+    };
+    let read_so = WORDS.iter().filter(|(w, _)| [word, also].contains(&w.as_str()));
+    let phrases = NO_MOTION.into_iter().filter(|_| word == "stays");
+    read_so.flat_map(|(_, all)| all.split_ascii_whitespace()).chain(phrases).collect()
+}
+
 /// Words that say nothing more beside them.
 const FILLERS: &str = "the a an incline inclined plane slope ramp along to at acting acts directed pointing points \
     moves it is in direction nach die der schiefe schiefen ebene es das rad kraft wirkt zeigt \
@@ -101,9 +119,7 @@ pub(crate) fn phrase(text: &str) -> Option<Result<AnswerWord, WhyUnreadable>> {
     let mut two = false;
     let (mut rolls, mut denied) = (None, false); // what `it rolls`, `it slips` and `not` add to a yes or no
     let lower = text.to_lowercase();
-    let lower = ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"]
-        .iter()
-        .fold(lower, |t, said| t.replace(said, "stays"));
+    let lower = NO_MOTION.iter().fold(lower, |t, said| t.replace(said, "stays"));
     let plain =
         lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
     for token in plain {

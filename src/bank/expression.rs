@@ -1,10 +1,13 @@
-//! Expressions of bounds: symbols of data, names of quantities, numbers, `+ - * / ^ ( )`, `sqrt`, `abs`, `sin`,
-//! `cos`.
+//! Expressions of a bank: symbols of data, names of quantities, numbers, `pi`, `+ - * / ^ ( )`, `sqrt`, `abs`, `sin`,
+//! `cos`. They stand where a scene has a number, and in bounds, wrong methods and relations between parts.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
+use crate::bank::Datum;
+use crate::bank::measure;
 use crate::bank::node::{Faults, Node, shorten};
 use crate::num::formula;
 use crate::num::formula::Formula;
+use crate::num::trig;
 use crate::scene::Label;
 
 /// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
@@ -26,8 +29,8 @@ pub struct Expression {
 /// What a name means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Name {
-    /// A datum; its value is multiplied by the factor (degrees to radians, else 1).
-    Datum(usize, f64),
+    /// A datum, and whether it is held in degrees: expressions count angles in radians.
+    Datum(usize, bool),
     /// A quantity of the solution.
     Quantity(Label),
 }
@@ -73,7 +76,12 @@ impl Expression {
         parser.blanks();
         if parser.at < chars.len() {
             let rest = chars[parser.at];
-            return Err(parser.trouble(format!("`{rest}` is not expected here")));
+            let mut fault = parser.trouble(format!("`{rest}` is not expected here"));
+            if rest.is_alphabetic() || rest == '(' {
+                let hint = "factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has";
+                fault.hint = Some(hint.to_owned());
+            }
+            return Err(fault);
         }
         Ok(Self { formula: Formula::new(parser.steps), powers })
     }
@@ -88,10 +96,20 @@ impl Expression {
             Name::Datum(..) => None,
         })
     }
+    /// The data that it names.
+    pub fn data(&self) -> impl Iterator<Item = usize> {
+        self.formula.names().filter_map(|name| match name {
+            Name::Datum(i, _) => Some(i),
+            Name::Quantity(_) => None,
+        })
+    }
     /// Its value, SI; NaN where a quantity does not exist or the expression has no real value.
     pub fn eval(&self, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> f64 {
         self.formula.eval(&|name| match name {
-            Name::Datum(i, factor) => data.get(i).copied().unwrap_or(f64::NAN) * factor,
+            Name::Datum(i, true) => {
+                data.get(i).copied().unwrap_or(f64::NAN) * trig::radians_per_degree::<f64>()
+            }
+            Name::Datum(i, false) => data.get(i).copied().unwrap_or(f64::NAN),
             Name::Quantity(label) => quantity(label),
         })
     }
@@ -99,6 +117,59 @@ impl Expression {
     pub fn formula(&self) -> &Formula<Name> {
         &self.formula
     }
+}
+
+/// The words of an expression: names, numbers and signs, without blanks.
+pub fn words(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text.trim_start();
+    std::iter::from_fn(move || {
+        let first = rest.chars().next()?;
+        let joined = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+        let end = match joined(first) {
+            true => rest.find(|c| !joined(c)).unwrap_or(rest.len()),
+            false => first.len_utf8(),
+        };
+        let (word, after) = rest.split_at(end);
+        rest = after.trim_start();
+        Some(word)
+    })
+}
+
+/// An expression in LaTeX, its data by their symbols.
+pub fn tex(text: &str, data: &[Datum]) -> String {
+    // What closes the brackets that are open.
+    let (mut out, mut open) = (String::new(), Vec::new());
+    let mut words = words(text).peekable();
+    while let Some(word) = words.next() {
+        let called = words.peek() == Some(&"(");
+        let datum = data.iter().find(|d| d.symbol == word);
+        let (opens, closes) = match word {
+            _ if datum.is_some() => ("", ""),
+            "sqrt" if called => ("\\sqrt{", "}"),
+            "abs" if called => ("\\left|", "\\right|"),
+            "sin" if called => ("\\sin(", ")"),
+            "cos" if called => ("\\cos(", ")"),
+            _ => ("", ""),
+        };
+        if !opens.is_empty() {
+            words.next();
+            out.push_str(opens);
+            open.push(closes);
+            continue;
+        }
+        match (datum, word) {
+            (Some(datum), _) => out.push_str(&format!("{{{}}}", datum.tex)),
+            (None, "(") => {
+                open.push(")");
+                out.push('(');
+            }
+            (None, ")") => out.push_str(open.pop().unwrap_or(")")),
+            (None, "*") => out.push_str("\\,"),
+            (None, "pi") => out.push_str("\\pi "),
+            (None, other) => out.push_str(other),
+        }
+    }
+    out
 }
 
 struct Parser<'a> {
@@ -150,7 +221,10 @@ impl Parser<'_> {
             let next = self.product()?;
             if self.strict && next != first {
                 self.at = start;
-                return Err(self.trouble("the terms of a sum have different dimensions"));
+                let (one, other) = (measure::powers_text(first), measure::powers_text(next));
+                return Err(
+                    self.trouble(format!("the terms of a sum have different dimensions, {one} and {other}"))
+                );
             }
             self.steps.push(step);
         }
@@ -273,7 +347,7 @@ impl Parser<'_> {
                 return Ok(powers);
             }
             if name == "pi" && (self.lookup)(&name).is_err() {
-                self.steps.push(formula::Step::Number(std::f64::consts::PI));
+                self.steps.push(formula::Step::Pi);
                 return Ok([0; 3]);
             }
             return match (self.lookup)(&name) {
@@ -294,8 +368,8 @@ mod tests {
 
     fn read(text: &str) -> Result<Expression, ExpressionFault> {
         Expression::parse(text, &|name| match name {
-            "k" => Ok((Name::Datum(0, 1.0), [4, 0, 0])),
-            "r" => Ok((Name::Datum(1, 1.0), [4, 0, 0])),
+            "k" => Ok((Name::Datum(0, false), [4, 0, 0])),
+            "r" => Ok((Name::Datum(1, false), [4, 0, 0])),
             _ => Err((format!("`{name}` is not known"), None)),
         })
     }

@@ -3,7 +3,7 @@ use crate::bank::Datum;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Name};
 use crate::bank::node::shorten;
-use crate::scene::Label;
+use crate::scene::{Label, Owner, Scene};
 use crate::units::{Unit, parse_quantity};
 
 /// A unit from its spelling, or what is wrong with it.
@@ -59,6 +59,11 @@ pub fn powers(unit: &Unit) -> Exponents {
     [i32::from(mass) * 4, i32::from(length) * 4, i32::from(time) * 4]
 }
 
+/// The same of one of the program's own units.
+pub fn own_powers(ascii: &str) -> Exponents {
+    powers(&own(ascii))
+}
+
 /// A dimension in words, for messages: `kg m s^-2`.
 pub fn powers_text(powers: Exponents) -> String {
     let mut words = Vec::new();
@@ -76,17 +81,42 @@ pub fn powers_text(powers: Exponents) -> String {
 /// A datum as an expression takes it, if there is one of this name, with its dimension.
 pub fn datum(data: &[Datum], name: &str) -> Option<(Name, Exponents)> {
     let i = data.iter().position(|d| d.symbol == name)?;
-    let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
-    Some((Name::Datum(i, factor), powers(&data[i].unit)))
+    Some((Name::Datum(i, data[i].degrees), powers(&data[i].unit)))
 }
 
 /// A quantity as an expression takes it, with its dimension.
 ///
 /// # Errors
 /// It is a word: message, and no hint.
-pub fn quantity(label: Label, name: &str) -> Result<(Name, Exponents), (String, Option<String>)> {
+pub fn quantity(
+    scene: &Scene,
+    label: Label,
+    name: &str,
+) -> Result<(Name, Exponents), (String, Option<String>)> {
+    match label.of {
+        Owner::Asked(i) => {
+            let powers = scene.formulas.asked.get(i).map_or([0; 3], |a| a.powers.map(|p| 4 * p));
+            Ok((Name::Quantity(label), powers))
+        }
+        _ => own_quantity(label, name),
+    }
+}
+
+/// The same of a quantity that the solvers give.
+///
+/// # Errors
+/// Those of [`quantity`].
+pub fn own_quantity(label: Label, name: &str) -> Result<(Name, Exponents), (String, Option<String>)> {
     if label.quantity.is_word() {
         return Err((format!("`{name}` is a word, not a number"), None));
     }
-    Ok((Name::Quantity(label), powers(&own(label.quantity.unit()))))
+    Ok((Name::Quantity(label), own_powers(label.quantity.unit())))
+}
+
+/// The unit of SI of these powers of mass, length and time, by its short name where it has one.
+pub fn si(powers: [i32; 3]) -> String {
+    let quarters = powers.map(|p| 4 * p);
+    let short = ["N", "J", "W", "N/m", "m/s", "m/s^2", "Pa"];
+    let found = short.into_iter().find(|unit| own_powers(unit) == quarters);
+    found.map_or_else(|| powers_text(quarters), str::to_owned)
 }

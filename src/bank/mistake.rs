@@ -1,9 +1,10 @@
 //! Wrong methods of a problem: how each comes to its answers. What they are called and what is said about them stands in the
 //! catalogue of misconceptions, by the same id.
+use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
-use crate::bank::{Datum, Follow, Mistake, Question, measure, review};
+use crate::bank::{Datum, Follow, Mistake, Question, asked, found, measure, review};
 use crate::scene::{Label, Scene};
 use crate::units::spell;
 use std::cell::Cell;
@@ -14,6 +15,10 @@ pub struct Context<'a> {
     pub data: &'a [Datum],
     /// Index of g.
     pub gravity: usize,
+    /// The questions, as they are written.
+    pub questions: Option<&'a Node>,
+    /// The datum that was measured, and where the quantity is named.
+    pub measured: Option<(usize, &'a Node)>,
     /// Its cases.
     pub cases: &'a [CaseContext<'a>],
 }
@@ -142,7 +147,14 @@ fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Fault
         }
     }
     let node = Node { value: Value::Map(fields), ..changes.clone() };
-    scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene
+    let mut scene = scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene?;
+    found::put(&node, context.measured, &mut scene, context.data, &Faults::default());
+    if let Some(questions) = context.questions {
+        // What the changed scene cannot answer, the method does not come to.
+        let of = AskedContext { data: context.data, case: case.name };
+        asked::put(questions, &mut scene, &of, &Faults::default());
+    }
+    Some(scene)
 }
 
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
@@ -211,7 +223,7 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         scene_read.set(!context.cases.is_empty());
         let mut trouble = (format!("`{}` is not known", shorten(name)), None);
         for CaseContext { scene, .. } in context.cases {
-            match review::label(scene, name).and_then(|label| measure::quantity(label, name)) {
+            match review::label(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
                 Ok(found) => return Ok(found),
                 Err(fault) => trouble = fault,
             }

@@ -89,6 +89,8 @@ pub struct Datum {
     pub unit: Unit,
     /// A slope: scenes take it in degrees. Every other datum goes to the scene in SI.
     pub degrees: bool,
+    /// It is not given but found, from a measurement: the draw that is its range.
+    pub unknown: Option<Draw>,
 }
 
 /// How a datum is drawn. All numbers are integers in units of 10^-decimals of the printed unit: no float in the draw.
@@ -272,6 +274,8 @@ impl Relative {
 /// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
+pub mod any;
+pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;
 #[cfg(feature = "program")]
@@ -279,6 +283,7 @@ pub mod course;
 pub mod decimal;
 pub mod draw;
 pub mod expression;
+pub mod found;
 pub mod load;
 pub mod measure;
 pub mod mistake;

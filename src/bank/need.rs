@@ -49,6 +49,7 @@ impl Need {
     pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
     pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
     pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
+    pub const TERM: Self = need("a part of an expression", "1", ANY, "2*d");
     pub const SPIN_REACHED: Self = need("a spin", "rad/s", NOT_NEGATIVE, "8 rad/s");
 }
 

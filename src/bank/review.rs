@@ -1,7 +1,7 @@
 //! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Node, Value, shorten};
-use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
+use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables, asked};
 use crate::finding::Finding;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, JointKind, Label, Num, Owner, Quantity,
@@ -75,6 +75,7 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
                 Some((symbol, Some(draw))) => (draw.range().0.value <= 0, format!("`{symbol}`")),
                 _ => (false, String::new()),
             },
+            Num::Derived(_) => (false, String::new()),
         };
         if zero {
             faults.at(node, format!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
@@ -249,12 +250,9 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
     };
     let mut taken = vec![None; coordinates.len()];
     let start = part(node, "start");
-    let drawn = |number: &Num| match number {
-        Num::Datum(i) => draws
-            .get(*i)
-            .and_then(|(_, draw)| draw.as_ref())
-            .is_some_and(|draw| draw.range().0.value != draw.range().1.value),
-        Num::Fixed(_) => false,
+    let drawn = |number: &Num| {
+        let mut draws = scene.data_of(*number).filter_map(|i| draws.get(i)?.1.as_ref());
+        draws.any(|draw| draw.range().0.value != draw.range().1.value)
     };
     let varies = numbers.iter().any(drawn);
     for row in 0..rows.len() {
@@ -327,6 +325,9 @@ fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
 
 /// The label of a name such as `omega`, `block.v` or `left.tension`, if the scene has it; else what to say.
 pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>)> {
+    if let Some(label) = asked::label(scene, name) {
+        return Ok(label);
+    }
     let (owner, bare) = match name.rsplit_once('.') {
         Some((owner, quantity)) => (Some(owner), quantity),
         None => (None, name),
@@ -358,7 +359,7 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
         },
         Some(owner) => {
             let belongs = |l: &&Label| match l.of {
-                Owner::Scene => false,
+                Owner::Scene | Owner::Asked(_) => false,
                 Owner::Body(b) => scene.bodies[b].name == owner,
                 Owner::Tie(t) => matches!(&scene.ties[t], Tie::Cord(c) if c.name == owner),
                 Owner::Joint(j) => scene.joints[j].name == owner,
@@ -428,6 +429,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
         Q::PinX | Q::PinY => "it needs a joint that pins or hinges",
         Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
+        Q::Value => "it needs a question with `value:`",
     }
 }
 

@@ -1,11 +1,14 @@
 //! The `scene` part of a problem: bodies, ties, forces, start and end, read into pure data.
+use crate::bank::any::AnyNumber;
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Joint, JointKind, Line,
-    Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia, Scene, Shape, Side, Slope, Span, Start,
-    Strut, Tie, Zero,
+    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
+    Heading, Joint, JointKind, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia, Scene,
+    Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -53,6 +56,8 @@ pub struct SceneRead {
     pub upright: Vec<(String, bool)>,
     /// Contacts that do not say whether they roll or slip: index of the tie, and the kinetic coefficient.
     pub touches: Vec<(usize, Num)>,
+    /// Numbers that are `any`.
+    pub any: Vec<AnyNumber>,
 }
 
 mod planar;
@@ -63,6 +68,10 @@ struct SceneReader<'a> {
     faults: &'a Faults,
     touches: RefCell<Vec<(usize, Num)>>,
     uses: RefCell<Vec<DatumUse>>,
+    /// Numbers that are worked out from data.
+    derived: RefCell<Vec<Derived>>,
+    /// Those that are `any`.
+    any: RefCell<Vec<AnyNumber>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
@@ -88,6 +97,8 @@ pub fn read(
         faults,
         touches: RefCell::new(Vec::new()),
         uses: RefCell::new(Vec::new()),
+        derived: RefCell::new(Vec::new()),
+        any: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
         upward: Cell::new(None),
@@ -99,6 +110,7 @@ pub fn read(
         uses: reader.uses.into_inner(),
         upright: reader.upright.into_inner(),
         touches: reader.touches.into_inner(),
+        any: reader.any.into_inner(),
     }
 }
 
@@ -216,6 +228,7 @@ impl SceneReader<'_> {
             end,
             heading,
             span: Span::default(),
+            formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
         })
     }
 
@@ -246,6 +259,9 @@ impl SceneReader<'_> {
             f.hint(node, format!("expected {}, found {}", need.words, node.kind()), hint);
             return None;
         };
+        if text == "any" {
+            return self.any(node, need);
+        }
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
             // A unit that is wrong is a finding already; the datum counts as used all the same.
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
@@ -258,6 +274,9 @@ impl SceneReader<'_> {
             }
             self.uses.borrow_mut().push(DatumUse { datum, need });
             return Some(Num::Datum(datum));
+        }
+        if is_expression(text) {
+            return self.derived(node, text, need);
         }
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
@@ -278,6 +297,94 @@ impl SceneReader<'_> {
             }
         }
         None
+    }
+
+    /// A mass or a radius that cancels: 1 in its unit, which is proved to make no difference.
+    fn any(&self, node: &Node, need: Need) -> Option<Num> {
+        let text = match need.words {
+            words if words == Need::MASS.words => "m",
+            words if words == Need::RADIUS.words => "R",
+            _ => {
+                let message = format!("{} cannot be `any`", need.words);
+                self.faults.hint(
+                    node,
+                    message,
+                    "only a mass or the radius of a shape may be `any`, where it cancels",
+                );
+                return None;
+            }
+        };
+        let formula = Formula::new(vec![Step::Number(1.0)]);
+        let mut derived = self.derived.borrow_mut();
+        derived.push(Derived { formula, degrees: false, text: text.to_owned(), any: true });
+        let number = Num::Derived(derived.len() - 1);
+        self.any.borrow_mut().push(AnyNumber { node: node.clone(), number });
+        Some(number)
+    }
+
+    /// A number that is worked out from data, such as `2*R` or `-w0`.
+    fn derived(&self, node: &Node, text: &str, need: Need) -> Option<Num> {
+        let f = self.faults;
+        let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+            let Some(datum) = self.symbols.iter().position(|s| s.name == name) else {
+                let known = self.symbols.iter().map(|s| s.name.as_str());
+                let hint = spell::hint(name, "symbols", known);
+                return Err((format!("`{}` is no symbol of the data", shorten(name)), Some(hint)));
+            };
+            let symbol = &self.symbols[datum];
+            if symbol.absent {
+                return Err((format!("`{name}` is not drawn"), Some("draw it, or leave it out".to_owned())));
+            }
+            let powers = symbol.unit.as_ref().map_or([0; 3], measure::powers);
+            Ok((Name::Datum(datum, false), powers))
+        };
+        let mut read = Expression::parse(text, &lookup);
+        if read.is_err() && self.symbols.iter().any(|s| s.unit.is_none()) {
+            // A unit that is wrong is a finding already, and no sum can be judged without it.
+            read = Expression::parse_loosely(text, &lookup);
+        }
+        let expression = read.map_err(|fault| fault.tell(node, text, f)).ok()?;
+        let data: Vec<usize> = expression.data().collect();
+        let known = data.iter().all(|i| self.symbols[*i].unit.is_some());
+        let wanted = measure::own_powers(need.unit);
+        if known && expression.powers != wanted {
+            let found = measure::powers_text(expression.powers);
+            let message =
+                format!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
+            f.hint(
+                node,
+                message,
+                format!("{} has the dimension {}", need.words, measure::powers_text(wanted)),
+            );
+            return None;
+        }
+        let mut uses = self.uses.borrow_mut();
+        uses.extend(data.iter().map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
+        let powers = |i: usize| {
+            let powers = self.symbols[i].unit.as_ref().map_or([0; 3], measure::powers);
+            powers.map(|p| p / 4)
+        };
+        let formula = expression.formula().map(&mut |name| match name {
+            Name::Datum(datum, degrees) => Given { datum, degrees, powers: powers(datum) },
+            Name::Quantity(_) => Given { datum: usize::MAX, degrees: false, powers: [0; 3] },
+        });
+        let number = Derived { formula, degrees: need.in_degrees(), text: text.to_owned(), any: false };
+        if data.is_empty() {
+            let value = number.value(&[]);
+            return match need.admits(value) {
+                Ok(()) => Some(Num::Fixed(value)),
+                Err(message) => {
+                    f.at(node, format!("`{}`: {message}", shorten(text)));
+                    None
+                }
+            };
+        }
+        let mut derived = self.derived.borrow_mut();
+        let at = derived.iter().position(|d| *d == number).unwrap_or_else(|| {
+            derived.push(number);
+            derived.len() - 1
+        });
+        Some(Num::Derived(at))
     }
 
     /// A point, `[x, y]`.
@@ -725,8 +832,15 @@ impl SceneReader<'_> {
             );
             return None;
         };
-        if let Num::Datum(datum) = num {
-            self.uses.borrow_mut().push(DatumUse { datum: *datum, need: Need::RADIUS });
+        let mut uses = self.uses.borrow_mut();
+        match num {
+            Num::Datum(datum) => uses.push(DatumUse { datum: *datum, need: Need::RADIUS }),
+            Num::Derived(at) => {
+                let derived = self.derived.borrow();
+                let given = derived.get(*at).into_iter().flat_map(|n| n.formula.names());
+                uses.extend(given.map(|g| DatumUse { datum: g.datum, need: Need::TERM }));
+            }
+            Num::Fixed(_) => {}
         }
         Some(*num)
     }
@@ -1322,6 +1436,23 @@ fn shape_of(word: &str) -> Option<Shape> {
         "rod" | "slender rod" | "uniform rod" | "bar" => Some(Shape::Rod),
         _ => None,
     }
+}
+
+/// Is it to be worked out, and no symbol alone and no constant with its unit (`4 kg*m^2`, `-2 m/s`)?
+fn is_expression(text: &str) -> bool {
+    let signless = text.trim_start_matches(['-', '+']).trim_start();
+    let number = |c: char| c.is_ascii_digit() || c == '.';
+    if !signless.starts_with(number) {
+        return text.contains(['+', '-', '*', '/', '^', '(', '·']);
+    }
+    let rest = signless.trim_start_matches(number);
+    // A power of ten belongs to the number.
+    let ten = rest.strip_prefix(['e', 'E']).map(|r| r.trim_start_matches(['+', '-']));
+    let rest = match ten {
+        Some(digits) if digits.starts_with(|c: char| c.is_ascii_digit()) => digits.trim_start_matches(number),
+        _ => rest,
+    };
+    rest.trim_start().starts_with(['+', '-', '*', '/', '^', '·'])
 }
 
 /// Letters, digits, `_`; begins with a letter; short.

@@ -1,4 +1,5 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
+use crate::bank::asked::AskedContext;
 #[cfg(feature = "program")]
 use crate::bank::course;
 use crate::bank::decimal::Decimal;
@@ -9,12 +10,12 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    measure, mistake, review,
+    any, asked, found, measure, mistake, review,
 };
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
-use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
+use crate::scene::{Label, Owner, Quantity, Scene, Span, Term, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use crate::units::spell;
@@ -71,6 +72,8 @@ struct DatumRead<'n> {
     unit_known: bool,
     /// True where a draw is given but wrong, which is told once.
     draw_wrong: bool,
+    /// The quantity of which it is the measurement, from which an unknown datum is found.
+    measured: Option<&'n Node>,
 }
 
 /// Reads a bank; findings go to `faults`.
@@ -333,8 +336,20 @@ fn problem(
         ..*common
     };
     let cases = read.cases(cases_node);
-    read.review(&cases);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
+
+    let mut cases = cases;
+    let measured: Vec<(usize, &Node)> =
+        read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
+    let measured = found::only(node, &measured, &data, faults);
+    for case in &mut cases {
+        let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
+        uses.extend(found::put(node, measured, scene, &data, faults));
+        if let Some(n) = questions_node {
+            uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
+        }
+    }
+    read.review(&cases);
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
@@ -348,23 +363,45 @@ fn problem(
             Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
         })
         .collect();
-    let context = mistake::Context { data: &data, gravity: data.len() - 1, cases: &read_cases };
+    let context = mistake::Context {
+        data: &data,
+        gravity: data.len() - 1,
+        questions: questions_node,
+        measured,
+        cases: &read_cases,
+    };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
     let whole = questions.iter().all(|(_, question)| question.is_some());
     let asked: Vec<Question> = match asks_node.map(|n| asks(n, &questions, faults)) {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
+    review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
-        let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
+        let names = data.iter().filter(|d| d.unknown.is_none());
+        let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
-    let span = Span::of(asked.iter().map(|q| q.label.quantity));
-    mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
+    let in_formulas = |label: Label| {
+        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i),
+            _ => None,
+        });
+        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
+            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
+            Term::Given(_) => None,
+        })
+    };
+    let quantities = asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity]));
+    let span = Span::of(quantities);
+    for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
+        scene.look(span);
+        scene.formulas.settle(&|i| data[i].degrees);
+    }
     let cases: Vec<Case> = cases
         .into_iter()
         .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
@@ -391,6 +428,33 @@ fn problem(
         follows,
         margins: all_margins,
     })
+}
+
+/// Tells of answers and bounds that depend on a mass or a radius that is `any`.
+fn review_any(
+    cases: &[CaseRead],
+    asked: &[Question],
+    questions: Option<&Node>,
+    bounds: Option<&Node>,
+    data: &[Datum],
+    faults: &Faults,
+) {
+    for case in cases {
+        let Some(SceneRead { scene: Some(scene), any, .. }) = &case.read else { continue };
+        if any.is_empty() {
+            continue;
+        }
+        let place = |id: &str| questions.and_then(|n| n.field(id));
+        let mut told: Vec<(Label, String, &Node)> =
+            asked.iter().filter_map(|q| Some((q.label, q.id.clone(), place(&q.id)?))).collect();
+        for node in [bounds, case.bounds].into_iter().flatten() {
+            // What is wrong with a bound is told where it is read.
+            for bound in bounds_of(node, data, Some(scene), &Faults::default()) {
+                told.extend(bound.expression.quantities().map(|label| (label, bound.text.clone(), node)));
+            }
+        }
+        any::review(scene, any, &told, faults);
+    }
 }
 
 /// What the cases of a problem start from.
@@ -505,7 +569,8 @@ impl<'n> ProblemRead<'n> {
     fn review(&self, cases: &[CaseRead]) {
         for case in cases {
             let Some(read) = &case.read else { continue };
-            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| !case.wrong[*i]) {
+            let known = |i: &usize| self.data[*i].datum.unknown.is_none();
+            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| known(i) && !case.wrong[*i]) {
                 let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
                 if read.scene.is_none() && uses.is_empty() {
                     // Perhaps it is used where the scene could not be read.
@@ -537,6 +602,7 @@ impl<'n> ProblemRead<'n> {
             name: "acceleration of free fall".to_owned(),
             unit,
             degrees: false,
+            unknown: None,
         });
         data
     }
@@ -620,12 +686,15 @@ impl CaseRead<'_> {
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
         let SceneRead { scene, upright, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
+        let mut scene = scene?;
+        scene.look(span);
+        scene.formulas.settle(&|i| data[i].degrees);
         Some(Case {
             name: self.name,
             written: self.written,
             share: self.share,
             draws: self.draws.into_iter().chain([Some(gravity)]).collect(),
-            scene: Scene { span, ..scene? },
+            scene,
             upright,
             touches,
             regimes: self.regimes,
@@ -648,7 +717,7 @@ fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     }
 }
 
-fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
+fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
     let mut list = Vec::new();
     for (symbol, key, value) in named(node, "data by symbol", faults) {
         if !scene::plain_name(symbol) {
@@ -676,8 +745,10 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             name: String::new(),
             unit: Unit::one(),
             degrees: false,
+            unknown: None,
         };
         let mut own = None;
+        let mut measured = None;
         let mut absent = false;
         let mut unit_known = false;
         let mut draw_wrong = false;
@@ -704,10 +775,20 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             let given = fields.get("draw");
             absent = given.is_some_and(is_none);
             own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
-            draw_wrong = given.is_some() && !absent && own.is_none();
+            if let Some(n) = fields.get("unknown") {
+                datum.unknown = draw(n, faults);
+                draw_wrong = datum.unknown.is_none();
+                // On the sheet of a student it is not there.
+                let drawn = given.filter(|_| !std::mem::take(&mut absent));
+                if let Some(given) = drawn {
+                    faults.hint(given, "what is to be found is not drawn", "keep `unknown:` or `draw:`");
+                }
+            }
+            measured = fields.get("measured");
+            draw_wrong |= given.is_some() && !absent && own.is_none();
             fields.close();
         }
-        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong });
+        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong, measured });
     }
     list
 }
@@ -819,6 +900,7 @@ fn question(
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
     let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
+    fields.each(["value", "if"]);
     let name = match quantity_node {
         Some(n) => text(n, "a quantity", faults)?,
         None => id.to_owned(),
@@ -833,7 +915,11 @@ fn question(
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close();
-    let label = asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?;
+    let label = match asked::is_formula(node) {
+        // What is wrong with it is told where it is put into the scenes.
+        true => scenes.iter().find_map(|(_, scene)| asked::label(scene, id))?,
+        false => asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?,
+    };
     let is_word = label.quantity.is_word();
     if is_word {
         let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
@@ -898,6 +984,8 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
 fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faults) -> Option<Unit> {
     let Some(node) = node else { return measure::unit(quantity.unit()).ok() };
     let message = match measure::unit(node.text().unwrap_or("")) {
+        // That of an expression is checked where it is read.
+        Ok(unit) if quantity == Quantity::Value => return Some(unit),
         Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
         Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
         Err(message) => message,
@@ -976,7 +1064,10 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                     (message, close.or(hint))
                 },
             )?;
-            measure::quantity(label, name)
+            match scene {
+                Some(scene) => measure::quantity(scene, label, name),
+                None => measure::own_quantity(label, name),
+            }
         };
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),

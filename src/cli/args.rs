@@ -1,5 +1,6 @@
 //! What was typed, nothing resolved; keeper of clap.
 use crate::bank::Bank;
+use crate::export::Platform;
 use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::banks::Loaded;
@@ -87,7 +88,7 @@ pub enum Verb {
     Check(CheckArgs),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
     #[command(
-        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
+        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n  slipstick practice wheels-on-inclines --page practice.html     for a browser, without a network\n\nThe page shows one problem after another with its figure, checks answers, gives hints and, on request, the worked solution;\nwhat was missed comes again. In the terminal, while you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
     )]
     Practice(PracticeArgs),
     /// Solve one problem with given data, by equations of motion and by work and energy, and say what really happens
@@ -130,6 +131,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets\nsolution.html and the like; booklet.html has them all."
     )]
     Solutions(SolutionsArgs),
+    /// Write the questions of a set, or a pool drawn from a bank, as one file that Moodle, Canvas or a QTI player imports
+    #[command(
+        after_help = "Examples:\n  slipstick export week-5 --format moodle --out week-5.xml\n  slipstick export week-5 --format canvas --out week-5-canvas.zip\n  slipstick export wheels-on-inclines --variants 200 --seed 7 --format moodle --out pool.xml\n\nFormats: moodle (Moodle XML), canvas (QTI 1.2), qti21 (TAO and others), qti3. With --variants a pool is drawn from a bank;\nbeside its file FILE a set is written into FILE-set, whose key grades the answers by the code that each question prints. The\nfile holds the key: it is for the platform and not for students. The manual says what to click: slipstick help platforms."
+    )]
+    Export(ExportArgs),
     /// Write out the built-in templates and word lists, to change them
     #[command(
         after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint, solutions or report. README.md in it says what each template receives."
@@ -433,6 +439,15 @@ pub struct PracticeArgs {
     /// Only these problems
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     pub problems: Option<Vec<String>>,
+    /// Write a page to practise with in a browser, offline, such as practice.html
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<PathBuf>,
+    /// How many variants of each problem are on the page
+    #[arg(long, value_name = "N", default_value_t = 3, requires = "page")]
+    pub variants: u32,
+    /// Replace a page that is there already
+    #[arg(long, requires = "page")]
+    pub force: bool,
     /// Templates of one's own.
     #[command(flatten)]
     pub own: OwnArgs,
@@ -629,6 +644,56 @@ pub struct SolutionsArgs {
     pub own: OwnArgs,
 }
 
+/// How a problem becomes questions of Moodle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum AsArg {
+    /// One question with a field for each part
+    Cloze,
+    /// A question for each part, whose number may have a unit
+    Numerical,
+}
+
+/// `export`
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    /// Folder of a set, as generate made it; with --variants a bank: a YAML file, or the id of a built-in one
+    #[arg(value_name = "SET or BANK")]
+    pub source: String,
+    /// Format: moodle, canvas, qti21 or qti3
+    #[arg(long, value_name = "FORMAT", value_parser = Platform::parse)]
+    pub format: Platform,
+    /// File to write, such as week-5.xml for Moodle and week-5.zip for the others; not within the students' folders
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Draw a pool of so many variants of each problem from a bank
+    #[arg(long, value_name = "N", requires = "seed")]
+    pub variants: Option<u32>,
+    /// Seed of the pool, a whole number from 0
+    #[arg(long, value_name = "N", requires = "variants")]
+    pub seed: Option<u64>,
+    /// Name of the pool's set; another name gives other variants [default: the bank's id]
+    #[arg(long, value_name = "NAME", requires = "variants")]
+    pub name: Option<String>,
+    /// How a problem becomes questions of Moodle [default: cloze]
+    #[arg(long = "as", value_enum, value_name = "LAYOUT")]
+    pub layout: Option<AsArg>,
+    /// Give the worked solution as feedback after the answer
+    #[arg(long)]
+    pub with_solutions: bool,
+    /// Only these problems
+    #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
+    pub problems: Option<Vec<String>>,
+    /// Replace a file that is there already, and the set of a pool
+    #[arg(long)]
+    pub force: bool,
+    /// Threads [default: one for each core]; the output does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// In which words.
+    #[command(flatten)]
+    pub own: OwnArgs,
+}
+
 /// `templates`
 #[derive(Debug, Args)]
 pub struct TemplatesArgs {
@@ -683,7 +748,7 @@ pub struct DemoArgs {
 /// `help`
 #[derive(Debug, Args)]
 pub struct HelpArgs {
-    /// A topic (commands, bank, grading, formats, trust, accuracy, speed) or a verb
+    /// A topic (commands, bank, grading, platforms, formats, trust, accuracy, speed) or a verb
     #[arg(conflicts_with = "html")]
     pub topic: Option<String>,
     /// Write the whole manual to this file, as one page

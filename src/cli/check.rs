@@ -9,7 +9,6 @@ use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::page::check::{self, CheckedProblem, Unsolved};
 use crate::page::sheet_file::{SheetFile, SheetProblem};
 use crate::sheet::{statement, terminal};
-use crate::tutor::{Told, Tutor};
 use crate::units;
 use crate::words::Words;
 use std::collections::BTreeSet;
@@ -91,7 +90,8 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             });
             continue;
         };
-        let Some(told) = tell(problem, p, cell, words, catalogue) else { continue };
+        let find = |id: &str| catalogue.get(id).map(Entry::words);
+        let Some(told) = problem.check(p, cell, words, &find) else { continue };
         let entry = &problem.key.parts[p];
         let right = told.verdict == Verdict::Right;
         all_right &= right;
@@ -99,9 +99,9 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         if !told.hints.is_empty() {
             let of = told.hints.len();
             let (n, of) = (args.hint.to_string(), of.to_string());
-            hints.push(match told.hints.get(args.hint - 1).map(|hint| terminal::plain(&hint.text)) {
+            hints.push(match told.hints.get(args.hint - 1) {
                 Some(hint) => {
-                    words.say("tutor.numbered", &[("part", name), ("n", &n), ("of", &of), ("hint", &hint)])
+                    words.say("tutor.numbered", &[("part", name), ("n", &n), ("of", &of), ("hint", hint)])
                 }
                 None => words.say("tutor.no_more", &[("part", name), ("of", &of)]),
             });
@@ -133,19 +133,6 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
 fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
     let said = earlier.iter().any(|f| f.hint.as_ref() == Some(&list));
     if said { fault } else { fault.hint(list) }
-}
-
-/// What is told of an answer to a part.
-fn tell(
-    problem: &CheckedProblem,
-    part: usize,
-    cell: &str,
-    words: &Words,
-    catalogue: &Catalogue,
-) -> Option<Told> {
-    let find = |id: &str| catalogue.get(id).map(Entry::words);
-    let CheckedProblem { bank, variant, key, .. } = problem;
-    Tutor::new(problem.problem(), variant, key, bank.grading.hints, words, &find).tell(part, cell)
 }
 
 fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Findings> {

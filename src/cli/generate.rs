@@ -1,7 +1,7 @@
 //! `slipstick generate`: bank and roster to a folder with a sheet for each student.
 use crate::cli::tell::{Exit, Io};
 use crate::cli::{args, tell};
-use crate::finding::{Finding, Findings};
+use crate::finding::Findings;
 use crate::folder;
 use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{banks, deal, files, names, set, staged};
@@ -42,9 +42,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         (None, Some(set)) => set.name.clone(),
         (None, None) => loaded.bank.id.clone(),
     };
-    if name.trim().is_empty() || name.chars().any(char::is_control) {
-        return Err(Finding::new("--name", "the name of a set is a line of text").into());
-    }
+    deal::may_be_named(&name)?;
     let problems = match (&args.problems, &old) {
         (None, Some(set)) => dealer::indices(&loaded.bank, &set.problems, "problems")?,
         (asked, _) => dealer::chosen(&loaded.bank, asked.as_deref(), "--problems")?,

@@ -13,6 +13,7 @@ pub mod args;
 mod check;
 mod demo;
 mod explain;
+mod export;
 mod gallery;
 mod generate;
 mod grade;
@@ -109,6 +110,7 @@ fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Regrade(args) => regrade::run(&args, io),
         Verb::Matches(args) => matches::run(&args, io),
         Verb::WhatIf(args) => what_if::run(&args, io),
+        Verb::Export(args) => export::run(&args, io),
         Verb::Explain(args) => explain::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),
         Verb::Simulate(args) => simulate::run(&args, io),

@@ -1,23 +1,28 @@
-//! `slipstick practice`: a problem is drawn and shown, answers are judged, another one follows.
+//! `slipstick practice`: a problem is drawn and shown, answers are judged, another one follows; in the terminal or as a page.
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
+use crate::folder::practice::PracticePlan;
+use crate::folder::{files, practice};
 use crate::grade::verdict::Verdict;
 use crate::inspect::sentences;
-use crate::inspect::table::unsatisfiable;
 use crate::key::ProblemKey;
 use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::set::dealer;
 use crate::sheet::page::{Room, Sheets};
-use crate::sheet::terminal::plain;
-use crate::sheet::{document, statement};
+use crate::sheet::{document, statement, terminal};
 use crate::solve::outcome::Motion;
 use crate::tutor::Tutor;
 use crate::words::Words;
+use crate::words::plain::plain;
+use std::path::Path;
 use std::time::SystemTime;
+
+/// Variants of a problem on a page at most, so that it can be mailed and a phone can show it.
+const MOST: u32 = 20;
 
 /// What the student wants next.
 enum Next {
@@ -35,10 +40,20 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     if problems.is_empty() {
         return Err(Finding::new("problems", "there is none").in_file(&loaded.file).into());
     }
-    let sheets = Sheets::new(&texts.templates, words, bank, "practice", &problems)?;
     let seed = args.seed.unwrap_or_else(from_clock);
+    if let Some(file) = &args.page {
+        let plan = PracticePlan {
+            loaded: &loaded,
+            texts: &texts,
+            problems: &problems,
+            seed,
+            variants: args.variants,
+        };
+        return write(&plan, file, args.force, io);
+    }
+    let sheets = Sheets::new(&texts.templates, words, bank, practice::SET, &problems)?;
     let makers: Vec<Maker> =
-        problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
+        problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, practice::SET)).collect();
     let of_seed = words.say("feedback.seed", &[("seed", &seed.to_string())]);
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
     let catalogue = Catalogue::shared(words.language());
@@ -48,9 +63,7 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     for round in 0usize.. {
         let i = round % problems.len();
         let problem = &bank.problems[problems[i]];
-        let variant = makers[i]
-            .variant(&format!("round {}", round / problems.len() + 1))
-            .map_err(|none| unsatisfiable(bank, &none))?;
+        let variant = practice::drawn(&loaded, &makers[i], round / problems.len() + 1)?;
         let mut text = Vec::new();
         sheets.problem(i, &variant, &mut room, &mut text)?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
@@ -66,6 +79,24 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
         let pieces = [("right", &*right.to_string()), ("asked", &*asked.to_string())];
         io.line(&format!("\n{}", words.say("feedback.score", &pieces)));
     }
+    Ok(Exit::Fine)
+}
+
+/// Writes the page.
+fn write(plan: &PracticePlan, file: &Path, force: bool, io: &mut Io) -> Result<Exit, Findings> {
+    if file.exists() && !force {
+        let fault = Finding::new("", "is there already").in_file(file.display().to_string());
+        return Err(fault.hint("--force replaces it").into());
+    }
+    if plan.variants == 0 || plan.variants > MOST {
+        return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", plan.variants)).into());
+    }
+    let page = practice::page(plan)?;
+    let bytes = page.len();
+    let page = String::from_utf8(page).unwrap_or_else(|_| panic!("a page is text"));
+    files::put_all(&[(file.to_owned(), page)])?;
+    let problems = terminal::count(plan.problems.len() * plan.variants as usize, "problem");
+    io.line(&format!("{}: {problems} (seed {}), {} kB", file.display(), plan.seed, bytes.div_ceil(1000)));
     Ok(Exit::Fine)
 }
 

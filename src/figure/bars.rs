@@ -7,7 +7,7 @@ use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Degree, End, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero};
+use crate::scene::{Degree, End, Label, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero};
 use crate::words::Words;
 
 /// Kinds of energy, by the number of their area.
@@ -48,8 +48,16 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     if scene.end == End::AtOnce {
         return None;
     }
+    // Not what is asked of another scene.
+    let is_own = |label: Label| !matches!(label.of, Owner::Asked(_));
     let sum_of = |q: Quantity| -> f64 {
-        variant.solved.entries.iter().filter(|e| e.label.quantity == q).map(|e| e.value()).sum()
+        variant
+            .solved
+            .entries
+            .iter()
+            .filter(|e| e.label.quantity == q && is_own(e.label))
+            .map(|e| e.value())
+            .sum()
     };
     let (mut start, mut end) = ([0.0; 6], [0.0; 6]);
     let kinetic = view.solved(Quantity::KineticEnergy, Owner::Scene).unwrap_or(0.0);

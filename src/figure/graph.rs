@@ -103,10 +103,7 @@ pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurve
     let scene = &problem.cases.get(variant.case)?.scene;
     scene.spring()?;
     let End::Travel(at @ Coordinate { body, degree: Degree::Along }, asked) = scene.end else { return None };
-    let of = |n: Num| match n {
-        Num::Datum(i) => variant.data.get(i).copied().unwrap_or(0.0),
-        Num::Fixed(x) => x,
-    };
+    let of = |n: Num| scene.value(n, &variant.data);
     let asked = of(asked);
     let turn = value(variant, Quantity::DTurn, body).filter(|d| d.is_finite() && *d < 20.0 * asked);
     // The end that is asked ends the motion, unless the whole of it is asked about.

@@ -233,7 +233,7 @@ fn ties(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             vec![aside(0.0), aside(40.0), aside(-40.0), aside(clear)]
         };
         let coefficient = |(tex, num): (&str, Num)| match num {
-            Num::Datum(_) => view.label(num, ""),
+            Num::Datum(_) | Num::Derived(_) => view.label(num, ""),
             // A bare number would say nothing.
             Num::Fixed(_) => joined(symbol::symbol(tex), view.value(num, "")),
         };

@@ -1,4 +1,5 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
+use crate::bank::expression;
 use crate::bank::{FigureLabels, Problem};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
@@ -44,9 +45,9 @@ impl<'a> SceneView<'a> {
 
     /// A number of the scene.
     pub fn of(&self, num: Num) -> f64 {
-        match num {
-            Num::Datum(i) => self.variant.data.get(i).copied().unwrap_or(0.0),
-            Num::Fixed(x) => x,
+        match self.scene.value(num, &self.variant.data) {
+            x if x.is_finite() => x,
+            _ => 0.0,
         }
     }
 
@@ -81,7 +82,22 @@ impl<'a> SceneView<'a> {
     pub fn symbol(&self, num: Num) -> Vec<TextRun> {
         match num {
             Num::Datum(i) => self.problem.data.get(i).map_or_else(Vec::new, |d| symbol::symbol(&d.tex)),
+            Num::Derived(i) => {
+                let written = self.scene.formulas.numbers.get(i).map_or("", |n| n.text.as_str());
+                expression::words(written).flat_map(|word| self.term(word)).collect()
+            }
             Num::Fixed(_) => Vec::new(),
+        }
+    }
+
+    /// A word of an expression: the symbol of a datum, or a sign.
+    fn term(&self, word: &str) -> Vec<TextRun> {
+        match (self.problem.data.iter().find(|d| d.symbol == word), word) {
+            (Some(datum), _) => symbol::symbol(&datum.tex),
+            (None, "*") => symbol::upright("\u{2009}"),
+            (None, "-") => symbol::upright("−"),
+            (None, "pi") => symbol::upright("π"),
+            (None, other) => symbol::upright(other),
         }
     }
 
@@ -99,6 +115,8 @@ impl<'a> SceneView<'a> {
                 }
             }
             Num::Fixed(x) => symbol::quantity(&self.words.number(&format!("{x}")), unit),
+            // Its symbols say it; their values stand elsewhere.
+            Num::Derived(_) => Vec::new(),
         }
     }
 
@@ -114,8 +132,17 @@ impl<'a> SceneView<'a> {
         joined(symbol, self.value(num, unit))
     }
 
+    /// The datum of which a number is the negative, else the number: an arrow shows the sense.
+    fn unsigned(&self, num: Num) -> Num {
+        let Num::Derived(i) = num else { return num };
+        let written = self.scene.formulas.numbers.get(i).and_then(|n| n.text.strip_prefix('-'));
+        let datum = self.problem.data.iter().position(|d| written.map(str::trim) == Some(d.symbol.as_str()));
+        datum.map_or(num, Num::Datum)
+    }
+
     /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
     pub fn size_label(&self, num: Num, unit: &str) -> Vec<TextRun> {
+        let num = self.unsigned(num);
         if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
             return symbol::magnitude(self.symbol(num), self.of(num) < 0.0);
         }
@@ -128,6 +155,7 @@ impl<'a> SceneView<'a> {
     }
 
     fn size_runs(&self, num: Num, unit: &str) -> Vec<TextRun> {
+        let num = self.unsigned(num);
         let mut value = self.value(num, unit);
         if let Some(first) = value.first_mut() {
             first.text = first.text.trim_start_matches('−').to_owned();

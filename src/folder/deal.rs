@@ -18,7 +18,7 @@ use crate::sheet::html::Converter;
 use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::output::{Format, Output, WrittenDocument};
 use crate::sheet::page::{Room, Sheets};
-use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck};
+use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck, Use};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, public, terminal};
 use rayon::prelude::*;
@@ -53,7 +53,19 @@ impl<'p> Plan<'p> {
     }
     /// Is the program that checks beside the sheets, so that these go on a web server as a whole?
     pub fn has_program(&self) -> bool {
-        self.hosting == Hosting::Site && self.bank.self_check
+        let pages = self.formats.contains(&Format::Html) && self.bank.self_check;
+        self.hosting == Hosting::Site && pages
+    }
+}
+
+/// May a set have this name?
+///
+/// # Errors
+/// It is no line of text.
+pub fn may_be_named(name: &str) -> Result<(), Finding> {
+    match name.trim().is_empty() || name.chars().any(char::is_control) {
+        true => Err(Finding::new("--name", "the name of a set is a line of text")),
+        false => Ok(()),
     }
 }
 
@@ -280,7 +292,7 @@ impl<'p> SheetWriter<'p> {
         let output = Output::new(plan.texts, plan.formats, "sheet")?;
         let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, words.language())?;
         let checks = plan.bank.self_check && templates.variables("sheet.html")?.iter().any(|v| v == "check");
-        let self_check = checks.then(|| SelfCheck::new(words, plan.hosting));
+        let self_check = checks.then(|| SelfCheck::new(words, plan.hosting, Use::Sheet));
         Ok(Self { plan, sheets, output, public, self_check })
     }
 

@@ -88,7 +88,7 @@ pub fn parent(path: &Path) -> PathBuf {
 ///
 /// # Errors
 /// A finding that names the file.
-pub fn put_all(files: &[(PathBuf, String)]) -> Result<(), Finding> {
+pub fn put_all<T: AsRef<[u8]>>(files: &[(PathBuf, T)]) -> Result<(), Finding> {
     use std::io::Write as _;
     let mut made = Vec::with_capacity(files.len());
     for (path, text) in files {
@@ -97,7 +97,7 @@ pub fn put_all(files: &[(PathBuf, String)]) -> Result<(), Finding> {
         fs::create_dir_all(&above).map_err(|e| fault(&e))?;
         let mut file =
             tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(&above).map_err(|e| fault(&e))?;
-        file.write_all(text.as_bytes()).map_err(|e| fault(&e))?;
+        file.write_all(text.as_ref()).map_err(|e| fault(&e))?;
         readable(file.path()).map_err(|e| fault(&e))?;
         made.push((file, path));
     }

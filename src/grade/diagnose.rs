@@ -65,6 +65,8 @@ const ON_THE_WAY: f64 = 0.002;
 const FIGURES: usize = 3;
 /// A number that is what a method gives, to the roundings of doubles.
 const EXACT: f64 = 1e-9;
+/// Parts of a tolerance that are told apart.
+const MILLION: f64 = 1e6;
 /// Other methods are counted within so many times the distance at which one fits.
 const AROUND: f64 = 10.0;
 /// Where other methods lie so densely that one of them fits by chance oftener than this, a fit proves nothing.
@@ -84,6 +86,7 @@ pub struct Comparison {
     /// Another part of the problem is of the same dimension.
     alike: bool,
     /// Where its wrong values stand in a table, and how many they are.
+    #[cfg_attr(not(feature = "program"), expect(dead_code, reason = "tables are for files of submissions"))]
     pub(crate) wrong: (u32, u32),
 }
 
@@ -170,7 +173,8 @@ impl Comparison {
     fn methods(&self, x: f64, wrong: &[WrongValue]) -> Vec<u16> {
         // Mostly none fits: first without a branch for each.
         if wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
-            let miss = |value: f64| (x - value).abs() / width(value, self.share);
+            // In millionths of the tolerance: methods that come to one number by different sums are equally near.
+            let miss = |value: f64| (MILLION * (x - value).abs() / width(value, self.share)).round();
             let near = wrong.iter().filter(|w| fits(x, w.value, self.share));
             let mut methods: Vec<(f64, u16)> = near.map(|w| (miss(w.value), w.method)).collect();
             // Stable: of equally near ones the first of the bank.

@@ -18,7 +18,6 @@ pub mod compare;
 mod counts;
 #[cfg(feature = "program")]
 pub mod credit;
-#[cfg(feature = "program")]
 pub mod diagnose;
 pub mod feedback;
 #[cfg(feature = "program")]

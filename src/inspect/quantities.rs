@@ -1,5 +1,5 @@
 //! The quantities of a problem's scene: which may be asked, under which name, of what, in which unit and with which sign.
-use crate::bank::{Problem, review};
+use crate::bank::{Problem, any, review};
 use crate::scene::{Label, Owner, Quantity, Scene, Tie};
 use crate::sheet::terminal;
 
@@ -7,6 +7,8 @@ use crate::sheet::terminal;
 struct Askable {
     name: String,
     quantity: Quantity,
+    /// What a question asks by a formula, and its unit.
+    formula: Option<(String, String)>,
     /// The body or cord whose it is; empty for the scene as a whole.
     of: String,
     /// The questions that ask it.
@@ -18,6 +20,7 @@ fn askable(problem: &Problem) -> Vec<Askable> {
     let Some(first) = problem.cases.first().map(|case| &case.scene) else { return Vec::new() };
     let others: Vec<Vec<Label>> = problem.cases.iter().skip(1).map(|c| review::labels(&c.scene)).collect();
     let mut labels = review::labels(first);
+    labels.retain(|label| any::is_told(first, *label));
     labels.retain(|label| others.iter().all(|other| other.contains(label)));
     labels.sort_by_key(|label| Quantity::ALL.iter().position(|q| *q == label.quantity));
     let asked = |label: Label| {
@@ -27,15 +30,34 @@ fn askable(problem: &Problem) -> Vec<Askable> {
     let row = |label: Label| Askable {
         name: first.name_of(label),
         quantity: label.quantity,
+        formula: match label.of {
+            Owner::Asked(i) => first.formulas.asked.get(i).map(|a| (a.text.clone(), a.unit.clone())),
+            _ => None,
+        },
         of: owner(first, label),
         asked: asked(label),
     };
-    labels.into_iter().map(row).collect()
+    let formulas = first.formulas.asked.iter().enumerate();
+    let formulas = formulas.map(|(i, a)| Label { quantity: a.quantity, of: Owner::Asked(i) });
+    labels.into_iter().chain(formulas).map(row).collect()
+}
+
+impl Askable {
+    /// What it is, which sign it has, and its unit.
+    fn told(&self) -> (&str, &str, &str) {
+        match &self.formula {
+            Some((text, unit)) => (text, "", unit),
+            None => {
+                let (what, sign) = self.quantity.meaning_and_sign();
+                (what, sign, if self.quantity.is_word() { "a word" } else { self.quantity.unit() })
+            }
+        }
+    }
 }
 
 fn owner(scene: &Scene, label: Label) -> String {
     match label.of {
-        Owner::Scene => String::new(),
+        Owner::Scene | Owner::Asked(_) => String::new(),
         Owner::Body(body) => scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone()),
         Owner::Tie(tie) => match scene.ties.get(tie) {
             Some(Tie::Cord(cord)) => cord.name.clone(),
@@ -51,7 +73,11 @@ fn owner(scene: &Scene, label: Label) -> String {
 fn absent(problem: &Problem, there: &[Askable]) -> Vec<(Quantity, String)> {
     let Some(case) = problem.cases.first() else { return Vec::new() };
     let missing = Quantity::ALL.iter().filter(|q| there.iter().all(|a| a.quantity != **q));
-    missing.map(|q| (*q, review::reason(&case.scene, *q))).collect()
+    let reason = |q: Quantity| match review::labels(&case.scene).iter().any(|label| label.quantity == q) {
+        true => "it depends on what is `any`, or not every case has it".to_owned(),
+        false => review::reason(&case.scene, q),
+    };
+    missing.map(|q| (*q, reason(*q))).collect()
 }
 
 /// As tables for people.
@@ -61,8 +87,7 @@ pub fn table(problem: &Problem) -> String {
         vec![["quantity", "of", "unit", "asked as", "what it is", "sign"].map(str::to_owned).to_vec()];
     for a in &there {
         let asked = if a.asked.is_empty() { "-".to_owned() } else { a.asked.join(", ") };
-        let (what, sign) = a.quantity.meaning_and_sign();
-        let unit = if a.quantity.is_word() { "a word" } else { a.quantity.unit() };
+        let (what, sign, unit) = a.told();
         rows.push(vec![
             a.name.clone(),
             a.of.clone(),
@@ -103,6 +128,10 @@ pub fn json(problem: &Problem) -> String {
     };
     let may = there.iter().map(|a| {
         let mut entry = entry(&a.name, a.quantity);
+        if let Some((text, unit)) = &a.formula {
+            entry.insert("meaning".to_owned(), text.as_str().into());
+            entry.insert("unit".to_owned(), unit.as_str().into());
+        }
         entry.insert("of".to_owned(), a.of.as_str().into());
         entry.insert("may_be_asked".to_owned(), true.into());
         entry.insert("asked_as".to_owned(), a.asked.clone().into());

@@ -5,7 +5,7 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
-use crate::scene::{Coordinate, Degree, End, Scene, Span, Tie};
+use crate::scene::{Coordinate, Degree, End, Found, Scene, Span, Tie};
 use crate::sheet::statement;
 use crate::solve::ladder;
 use crate::solve::ladder::{Force, Taken};
@@ -365,9 +365,22 @@ const fn unsupported(what: Unsupported) -> &'static str {
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
     match refusal {
-        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, f)).collect(),
+        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
         Refusal::Singular { unknowns, rank } => {
             one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}"))
+        }
+        Refusal::NotFound | Refusal::NotUnique => {
+            let symbol = |of: fn(&Found) -> usize| {
+                let datum = scene.formulas.found.as_ref().and_then(|f| problem.data.get(of(f)));
+                datum.map_or_else(|| "a datum".to_owned(), |d| format!("`{}`", d.symbol))
+            };
+            let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
+            one(match refusal {
+                Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
+                _ => format!(
+                    "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`"
+                ),
+            })
         }
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
@@ -464,6 +477,7 @@ mod tests {
             end: End::TurningPoint(turn),
             heading: None,
             span: Span::ToEnd,
+            formulas: crate::scene::Formulas::default(),
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

@@ -1,11 +1,11 @@
 //! What one problem with given data comes to: regime, conditions, every quantity by both derivations; as a table and as JSON.
-use crate::bank::{Bank, Problem};
+use crate::bank::{Bank, Problem, any};
 use crate::finding::Finding;
 use crate::inspect::data::{fits, printed};
 use crate::inspect::sentences;
 use crate::num::shown;
 use crate::problem::maker::Unsatisfiable;
-use crate::scene::Quantity;
+use crate::scene::{Label, Quantity};
 use crate::sheet::terminal;
 use crate::solve::ladder;
 use crate::solve::ladder::{Taken, Wish};
@@ -141,6 +141,8 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
 #[derive(Default)]
 struct QuantityRow<'s> {
     order: usize,
+    /// What it is; `None` for a word.
+    label: Option<Label>,
     name: String,
     unit: &'s str,
     word: Option<&'static str>,
@@ -156,16 +158,18 @@ struct QuantityRow<'s> {
 }
 
 /// All quantities in the order of their list.
-fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -> Vec<QuantityRow<'s>> {
+fn rows<'s>(problem: &'s Problem, case: usize, solved: &'s Solved, taken: &Taken) -> Vec<QuantityRow<'s>> {
     let scene = &problem.cases[case].scene;
     let place = |q: Quantity| Quantity::ALL.iter().position(|o| *o == q).unwrap_or(usize::MAX);
     let mut rows: Vec<QuantityRow> = solved
         .entries
         .iter()
+        .filter(|e| any::is_told(scene, e.label))
         .map(|e| QuantityRow {
             order: place(e.label.quantity),
+            label: Some(e.label),
             name: scene.name_of(e.label),
-            unit: e.label.quantity.unit(),
+            unit: scene.unit(e.label),
             word: None,
             value: Some(e.value()),
             eom: e.eom,
@@ -243,24 +247,30 @@ pub fn table(
             .to_vec(),
     ];
     for row in rows(problem, case, solved, taken) {
-        let road = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| shown::significant(v, 12));
+        // What is asked is told in the unit in which it is asked.
+        let asked = problem.questions.iter().find(|q| Some(q.label) == row.label);
+        let own = |v: f64| asked.map_or(v, |q| q.unit.from_si(v));
+        let road = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| shown::significant(own(v), 12));
         lines.push(vec![
             row.name,
-            row.word.map_or_else(|| shown::significant(row.value.unwrap_or(f64::NAN), 5), str::to_owned),
-            row.unit.to_owned(),
+            row.word.map_or_else(|| shown::significant(own(row.value.unwrap_or(f64::NAN)), 5), str::to_owned),
+            asked.filter(|_| row.word.is_none()).map_or(row.unit, |q| q.unit.ascii()).to_owned(),
             if row.word.is_some() { String::new() } else { road(row.eom) },
             if row.word.is_some() { String::new() } else { road(row.energy) },
             row.gap.map_or_else(String::new, |g| if g == 0.0 { "0".to_owned() } else { format!("{g:.0e}") }),
             row.cond.map_or_else(String::new, |c| shown::significant(c, 3)),
         ]);
         if let (true, Some(line)) = (numerical, lines.last_mut()) {
-            line.push(row.error.map_or_else(String::new, |e| shown::significant(e, 2)));
+            line.push(row.error.map_or_else(String::new, |e| shown::significant(own(e), 2)));
         }
     }
     if let (true, Some(head)) = (numerical, lines.first_mut()) {
         head.push("est. error".to_owned());
     }
     out.push_str(&terminal::table(&lines, &[0, 2]));
+    if scene.formulas.numbers.iter().any(|n| n.any) {
+        out.push_str("What is `any` is taken as 1 kg or 1 m; what depends on it is not shown.\n");
+    }
     if !solved.open.is_empty() {
         let names: Vec<String> = solved.open.iter().map(|l| scene.name_of(*l)).collect();
         let _ = writeln!(out, "Left open by statics, for several ties share one force: {}", names.join(", "));

@@ -5,9 +5,10 @@ pub mod catalogue;
 
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
-use crate::num::Real as _;
-use crate::scene::Label;
-use crate::solve::agree::{Fast, Quick};
+use crate::num::formula::Formula;
+use crate::num::{Fast, Real as _};
+use crate::scene::{Label, Owner, Term};
+use crate::solve::agree::Quick;
 use crate::solve::outcome::{Entry, Road, Solved};
 use smallvec::SmallVec;
 
@@ -42,6 +43,18 @@ pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, lab
     Methods::new(problem, case, labels).values_while(data, solved, &mut |_| true)
 }
 
+/// Where one wrong method, an index into those of the problem, comes to for one quantity; `None` where it has no value.
+pub fn value(
+    problem: &Problem,
+    case: usize,
+    (data, solved): (&[f64], &Solved),
+    (mistake, label): (usize, Label),
+) -> Option<f64> {
+    let mut methods = Methods::new(problem, case, &[label]);
+    methods.methods.retain(|m| m.index == mistake);
+    methods.values_while(data, solved, &mut |_| true).first().map(|w| w.value)
+}
+
 /// The wrong methods of one case of a problem and the quantities that they are asked for, ready for many draws.
 #[derive(Debug)]
 pub struct Methods<'p> {
@@ -58,8 +71,19 @@ struct Method<'p> {
     mistake: &'p Mistake,
     /// The scene that it solves, if it changes scene or data.
     solves: Option<Quick<'p>>,
-    /// What it spoils: a quantity, and the expression for it where there is one.
-    spoils: Vec<(Label, Option<&'p Expression>)>,
+    /// What it spoils: a quantity, and how it comes to it.
+    spoils: Vec<(Label, SpoiltBy<'p>)>,
+}
+
+/// How a wrong method comes to a quantity.
+#[derive(Debug, Clone, Copy)]
+enum SpoiltBy<'p> {
+    /// From the changed scene or data.
+    Change,
+    /// By an expression.
+    Expression(&'p Expression),
+    /// It is asked by an expression, of which the method spoils a part.
+    Part(&'p Formula<Term>),
 }
 
 impl<'p> Methods<'p> {
@@ -77,9 +101,26 @@ impl<'p> Methods<'p> {
             };
             let solves = scene.zip(right).filter(|_| changes);
             let spoils = labels.iter().filter_map(|label| {
-                let expression = mistake.values.iter().find(|(l, _)| l == label).map(|(_, e)| e);
-                let spoilt = changes && (mistake.of.is_empty() || mistake.of.contains(label));
-                (spoilt || expression.is_some()).then_some((*label, expression))
+                let expression = |label: &Label| mistake.values.iter().find(|(l, _)| l == label);
+                let spoilt = |label: &Label| changes && (mistake.of.is_empty() || mistake.of.contains(label));
+                if let Some((_, by)) = expression(label) {
+                    return Some((*label, SpoiltBy::Expression(by)));
+                }
+                // A part that has its own expression, or alone is spoilt, spoils what is put together of it.
+                let part = |term: Term| match term {
+                    Term::Said(part) => {
+                        expression(&part).is_some() || spoilt(&part) && !mistake.of.is_empty()
+                    }
+                    Term::Given(_) | Term::Other(..) => false,
+                };
+                let formula = match (label.of, right) {
+                    (Owner::Asked(i), Some(scene)) => scene.formulas.asked.get(i).map(|a| &a.formula),
+                    _ => None,
+                };
+                match formula.filter(|f| f.names().any(part)) {
+                    Some(formula) => Some((*label, SpoiltBy::Part(formula))),
+                    None => spoilt(label).then_some((*label, SpoiltBy::Change)),
+                }
             });
             Method {
                 index,
@@ -129,11 +170,26 @@ impl Method<'_> {
             None if changes => f64::NAN,
             None => right(label),
         };
-        for (label, expression) in &self.spoils {
+        let part = |term: Term| match term {
+            Term::Given(given) => given.value(data),
+            Term::Other(..) => f64::NAN,
+            Term::Said(label) => match self.mistake.values.iter().find(|(l, _)| *l == label) {
+                Some((_, by)) => by.eval(data, &other),
+                None if changes && (self.mistake.of.is_empty() || self.mistake.of.contains(&label)) => {
+                    other(label)
+                }
+                None => right(label),
+            },
+        };
+        for (label, by) in &self.spoils {
             let (label, truth) = (*label, right(*label));
-            let value = expression.map_or_else(|| other(label), |e| e.eval(data, &other));
+            let value = match by {
+                SpoiltBy::Change => other(label),
+                SpoiltBy::Expression(expression) => expression.eval(data, &other),
+                SpoiltBy::Part(formula) => formula.eval(&part),
+            };
             let same = (value - truth).abs() <= SAME * value.abs().max(truth.abs());
-            let all = expression.is_none() && self.mistake.of.is_empty();
+            let all = !matches!(by, SpoiltBy::Expression(_)) && self.mistake.of.is_empty();
             if value.is_finite() && truth.is_finite() && !(same && all) {
                 tell(Wrong { mistake: self.index, label, value });
             }

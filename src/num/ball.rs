@@ -19,6 +19,15 @@ const DATUM: f64 = 2.0 * U;
 
 thread_local! {
     static DOUBT: Cell<bool> = const { Cell::new(false) };
+    static SPREAD: Cell<Option<(usize, f64)>> = const { Cell::new(None) };
+}
+
+/// Runs a computation in which the datum of this index is known to within `radius` only.
+pub fn spread<R>(index: usize, radius: f64, run: impl FnOnce() -> R) -> R {
+    let before = SPREAD.replace(Some((index, radius)));
+    let result = run();
+    SPREAD.set(before);
+    result
 }
 
 /// Runs a computation and says whether a comparison in it was left open.
@@ -137,6 +146,14 @@ impl Div for Ball {
 impl Real for Ball {
     fn datum(value: f64) -> Self {
         Self { mid: Dd::new(value), radius: value.abs() * DATUM }
+    }
+    const ENCLOSES: bool = true;
+    fn given(index: usize, value: f64) -> Self {
+        let datum = Self::datum(value);
+        match SPREAD.get() {
+            Some((i, radius)) if i == index => Self { mid: datum.mid, radius: (datum.radius + radius) * UP },
+            _ => datum,
+        }
     }
     fn constant(value: Dd) -> Self {
         // One double is exact; two are the rounding of something.

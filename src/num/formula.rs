@@ -1,8 +1,5 @@
-//! Small formulas in reverse Polish order, evaluated without allocation and with the same bits everywhere.
-use crate::num::trig;
-
-/// Degrees in a radian.
-const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+//! Small formulas in reverse Polish order, evaluated without allocation, in any kind of number, and with the same bits everywhere.
+use crate::num::{Dd, Real, trig};
 
 /// Values that a formula may hold at once; a reader keeps its formulas below that.
 pub const STACK: usize = 56;
@@ -14,6 +11,8 @@ const USUAL: usize = 8;
 pub enum Step<V> {
     /// A number.
     Number(f64),
+    /// The number pi.
+    Pi,
     /// A value that is looked up.
     Name(V),
     /// Sum of two.
@@ -52,7 +51,7 @@ impl<V: Copy> Formula<V> {
         let (mut now, mut depth) = (0usize, 0);
         for step in &steps {
             match step {
-                Step::Number(_) | Step::Name(_) => now += 1,
+                Step::Number(_) | Step::Pi | Step::Name(_) => now += 1,
                 Step::Add | Step::Subtract | Step::Multiply | Step::Divide => now = now.saturating_sub(1),
                 _ => {}
             }
@@ -69,6 +68,7 @@ impl<V: Copy> Formula<V> {
         let steps = self.steps.iter().map(|step| match *step {
             Step::Name(v) => Step::Name(name(v)),
             Step::Number(x) => Step::Number(x),
+            Step::Pi => Step::Pi,
             Step::Add => Step::Add,
             Step::Subtract => Step::Subtract,
             Step::Multiply => Step::Multiply,
@@ -83,54 +83,89 @@ impl<V: Copy> Formula<V> {
         Formula { steps: steps.collect(), depth: self.depth }
     }
     /// Its value; NaN where it has no real one, or where a value is NaN.
-    pub fn eval(&self, value: &dyn Fn(V) -> f64) -> f64 {
+    pub fn eval<T: Real>(&self, value: &dyn Fn(V) -> T) -> T {
+        let bare = |name| (value(name), 0.0);
         if self.depth <= USUAL {
-            self.on(&mut [0.0; USUAL], value)
+            self.on::<T, USUAL, false>(&bare).0
         } else {
-            self.on(&mut [0.0; STACK], value)
+            self.on::<T, STACK, false>(&bare).0
         }
     }
+    /// Its value, and the sum of the magnitudes of the terms that make it up; the same is looked up of each name.
+    pub fn weighed<T: Real>(&self, value: &dyn Fn(V) -> (T, f64)) -> (T, f64) {
+        let (value, scale) = self.on::<T, STACK, true>(value);
+        (value, scale.max(value.size()))
+    }
     #[inline(always)]
-    fn on<const N: usize>(&self, stack: &mut [f64; N], value: &dyn Fn(V) -> f64) -> f64 {
+    fn on<T: Real, const N: usize, const WEIGHED: bool>(&self, value: &dyn Fn(V) -> (T, f64)) -> (T, f64) {
+        let (mut stack, mut scales) = ([T::zero(); N], [0.0; N]);
         let mut top = 0usize;
         for step in &self.steps {
+            let (a, b) = (top.saturating_sub(2), top.saturating_sub(1));
+            if WEIGHED {
+                scale_of(*step, &stack, &mut scales, top);
+            }
             match *step {
-                Step::Number(x) => top = push(stack, top, x),
-                Step::Name(name) => top = push(stack, top, value(name)),
-                Step::Negate => stack[top - 1] = -stack[top - 1],
-                Step::Sqrt => stack[top - 1] = stack[top - 1].sqrt(),
-                Step::Abs => stack[top - 1] = stack[top - 1].abs(),
-                // Radians inside; sines are taken of degrees, which the portable functions reduce exactly.
-                Step::Sin => stack[top - 1] = trig::sin_cos_degrees(stack[top - 1] * DEGREES).0.hi,
-                Step::Cos => stack[top - 1] = trig::sin_cos_degrees(stack[top - 1] * DEGREES).1.hi,
-                Step::Power(n) => stack[top - 1] = power(stack[top - 1], n),
-                Step::Add | Step::Subtract | Step::Multiply | Step::Divide => {
-                    let b = stack[top - 1];
-                    let a = stack[top - 2];
-                    top -= 1;
-                    stack[top - 1] = match step {
-                        Step::Add => a + b,
-                        Step::Subtract => a - b,
-                        Step::Multiply => a * b,
-                        _ => a / b,
-                    };
+                Step::Number(x) => stack[top] = number(x),
+                Step::Pi => stack[top] = T::constant(Dd::PI),
+                Step::Name(name) => {
+                    let (value, scale) = value(name);
+                    (stack[top], scales[top]) = (value, scale);
                 }
+                Step::Negate => stack[b] = -stack[b],
+                Step::Sqrt if stack[b].sign() < 0.0 => stack[b] = T::of(f64::NAN),
+                Step::Sqrt => stack[b] = stack[b].root(),
+                Step::Abs => stack[b] = stack[b].abs(),
+                Step::Sin => stack[b] = sine_cosine(stack[b]).0,
+                Step::Cos => stack[b] = sine_cosine(stack[b]).1,
+                Step::Power(n) => stack[b] = power(stack[b], n),
+                Step::Add => stack[a] = stack[a] + stack[b],
+                Step::Subtract => stack[a] = stack[a] - stack[b],
+                Step::Multiply => stack[a] = stack[a] * stack[b],
+                Step::Divide => stack[a] = stack[a] / stack[b],
+            }
+            match step {
+                Step::Number(_) | Step::Pi | Step::Name(_) => top += 1,
+                Step::Add | Step::Subtract | Step::Multiply | Step::Divide => top -= 1,
+                _ => {}
             }
         }
-        stack[0]
+        (stack[0], scales[0])
     }
 }
 
-fn push(stack: &mut [f64], top: usize, x: f64) -> usize {
-    stack[top] = x;
-    top + 1
+/// The scale of the terms after a step, from the values before it.
+fn scale_of<T: Real, V>(step: Step<V>, stack: &[T], scales: &mut [f64], top: usize) {
+    let (a, b) = (top.saturating_sub(2), top.saturating_sub(1));
+    let size = |at: usize| stack[at].size();
+    let scale = |at: usize| scales[at].max(stack[at].size());
+    match step {
+        Step::Number(x) => scales[top] = x.abs(),
+        Step::Pi => scales[top] = Dd::PI.hi,
+        Step::Name(_) | Step::Negate | Step::Abs => {}
+        Step::Sqrt => scales[b] = scale(b).sqrt(),
+        Step::Sin | Step::Cos => scales[b] = 1.0,
+        Step::Power(n) => scales[b] = scale(b) * power(size(b), n - 1),
+        Step::Add | Step::Subtract => scales[a] = scale(a) + scale(b),
+        Step::Multiply => scales[a] = (scale(a) * size(b)).max(size(a) * scale(b)),
+        Step::Divide => scales[a] = scale(a) / size(b),
+    }
+}
+
+/// A number as it is written: a whole one is exact, a decimal the nearest double to it.
+fn number<T: Real>(x: f64) -> T {
+    if x.fract() == 0.0 { T::of(x) } else { T::datum(x) }
+}
+
+fn sine_cosine<T: Real>(radians: T) -> (T, T) {
+    if radians.is_finite() { trig::turn(radians) } else { (T::of(f64::NAN), T::of(f64::NAN)) }
 }
 
 /// `x^n` by repeated multiplication, the same bits everywhere.
-fn power(x: f64, n: i32) -> f64 {
-    let mut product = 1.0;
+fn power<T: Real>(x: T, n: i32) -> T {
+    let mut product = T::of(1.0);
     for _ in 0..n.unsigned_abs() {
-        product *= x;
+        product = product * x;
     }
-    if n < 0 { 1.0 / product } else { product }
+    if n < 0 { T::of(1.0) / product } else { product }
 }

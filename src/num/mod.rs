@@ -24,6 +24,15 @@ pub use dd::Dd;
 pub use jet::Jet;
 pub use real::Real;
 
+/// What is computed quickly rather than finely, wrong methods and condition numbers: doubles; in a page, which is small, the numbers
+/// that it has anyway.
+#[cfg(feature = "program")]
+pub type Fast = f64;
+/// What is computed quickly rather than finely, wrong methods and condition numbers: doubles; in a page, which is small, the numbers
+/// that it has anyway.
+#[cfg(not(feature = "program"))]
+pub type Fast = Dd;
+
 /// Unit roundoff of a double, 2^-53.
 pub const U: f64 = f64::EPSILON / 2.0;
 

@@ -23,6 +23,12 @@ pub trait Real:
     const SETTLED: f64 = U * U * 256.0;
     /// A number that is given: a datum, or a number of the bank such as a mass of 20 kg.
     fn datum(value: f64) -> Self;
+    /// Does it enclose the true value?
+    const ENCLOSES: bool = false;
+    /// The datum of this index: as [`Real::datum`], but an enclosure may be told to take a whole interval for it.
+    fn given(_index: usize, value: f64) -> Self {
+        Self::datum(value)
+    }
     /// A constant.
     fn constant(value: Dd) -> Self;
     /// The value as a double-double.

@@ -178,6 +178,16 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
     (rough + (y * c - x * s) / (x * c + y * s)).widened(|| 64.0 * STEP)
 }
 
+/// Radians in a degree.
+pub fn radians_per_degree<T: Real>() -> T {
+    T::constant(RADIANS_PER_DEGREE)
+}
+
+/// Degrees in a radian.
+pub fn degrees_per_radian<T: Real>() -> T {
+    T::constant(Dd::new(180.0) / Dd::PI)
+}
+
 /// [`sin_cos_degrees`] in any number type.
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
     if T::is_double() {

@@ -1,18 +1,18 @@
 //! A problem of a sheet file solved anew, and what becomes of an answer to one of its parts.
-use crate::answer::read::UnitCache;
 use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Case, Draw, Problem, Relative, load};
 use crate::finding::{Finding, Findings};
-use crate::grade::compare;
-use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Verdict;
-use crate::key::{Answer, KeyEntry, ProblemKey};
+use crate::key::{Answer, ProblemKey};
 use crate::page::echo;
 use crate::page::sheet_file::SheetProblem;
 use crate::problem::make_key;
-use crate::problem::maker::Variant;
+use crate::problem::maker::{Variant, of_sheet};
 use crate::scene::Scene;
 use crate::solve::outcome::Refusal;
+use crate::tutor::{FindWords, Tutor};
+use crate::words::Words;
+use crate::words::plain::plain;
 
 /// One problem of a sheet, solved.
 #[derive(Debug)]
@@ -56,6 +56,24 @@ impl CheckedProblem {
     pub fn part(&self, id: &str) -> Option<usize> {
         self.key.parts.iter().position(|entry| entry.part == id)
     }
+
+    /// Judges an answer to the part with this index; `find` knows the words of the wrong methods. `None` if there is no such part.
+    pub fn check<'w>(
+        &self,
+        part: usize,
+        cell: &str,
+        words: &'w Words,
+        find: FindWords<'_, 'w>,
+    ) -> Option<Checked> {
+        let tutor =
+            Tutor::new(self.problem(), &self.variant, &self.key, self.bank.grading.hints, words, find);
+        let told = tutor.tell(part, cell)?;
+        let read = match echo::echo(cell, self.key.parts.get(part)?, words) {
+            Ok(text) | Err(text) => text,
+        };
+        let hints = told.hints.iter().map(|hint| plain(&hint.text)).collect();
+        Some(Checked { verdict: told.verdict, reason: told.reason, read, hints })
+    }
 }
 
 /// What is told of an answer.
@@ -65,22 +83,11 @@ pub struct Checked {
     pub verdict: Verdict,
     /// Why, in the language of the sheet.
     pub reason: String,
-    /// How the answer was read.
+    /// How the answer was read, or why it cannot be.
     pub read: String,
+    /// Hints that lead on from a wrong answer, as many as the bank allows, as plain text.
+    pub hints: Vec<String>,
 }
-
-/// Judges an answer to a part of a problem.
-pub fn check(entry: &KeyEntry, cell: &str, units: &mut UnitCache, say: &Feedback) -> Checked {
-    let judgement = compare::compare_with(cell, entry, units, say);
-    let read = echo::echo(cell, entry, units, say);
-    Checked { verdict: judgement.verdict, reason: judgement.reason.into_owned(), read }
-}
-
-/// The program computes wrong methods too, for its hints.
-#[cfg(feature = "program")]
-use crate::problem::maker::from_values as of_values;
-#[cfg(not(feature = "program"))]
-use crate::problem::maker::of_sheet as of_values;
 
 /// Solves a problem of a sheet; `file` is the name shown in findings.
 ///
@@ -111,7 +118,7 @@ pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsol
             .collect()
     };
     // A contact may be left open: what happens is the case in which what was assumed of it holds.
-    let mut solved = only.cases.iter().enumerate().map(|(i, case)| of_values(only, i, &given(case)));
+    let mut solved = only.cases.iter().enumerate().map(|(i, case)| of_sheet(only, i, &given(case)));
     let first = solved.next().ok_or_else(no_problem)?;
     let holds = |v: &Variant| v.solved.all_hold() && !v.solved.regime.slips;
     let found = match first {

@@ -3,21 +3,26 @@ use crate::answer::read::{Number, Reading, UnitCache, read};
 use crate::grade::feedback::Feedback;
 use crate::key::{Answer, KeyEntry};
 use crate::units::Unit;
+use crate::words::Words;
 
 /// Figures of a converted number: more than anybody is asked for.
 const FIGURES: usize = 6;
 
-/// What a cell is read as where this part is asked: `45 km/h = 12.5 m/s`, `down`, or why it cannot be read; empty for a blank cell.
-pub fn echo(cell: &str, entry: &KeyEntry, units: &mut UnitCache, say: &Feedback) -> String {
-    match read(cell, units) {
+/// What a cell is read as where this part is asked: `45 km/h = 12.5 m/s`, `down`, nothing for a blank cell.
+///
+/// # Errors
+/// The reason why it cannot be read.
+pub fn echo(cell: &str, entry: &KeyEntry, words: &Words) -> Result<String, String> {
+    let say = &Feedback::new(words);
+    Ok(match read(cell, &mut UnitCache::default()) {
         Reading::Blank => String::new(),
-        Reading::Unreadable(why) => say.why(&why).into_owned(),
+        Reading::Unreadable(why) => return Err(say.why(&why).into_owned()),
         Reading::Word(word) => say.word(word.as_str()).to_owned(),
         Reading::Number(number) => match &entry.answer {
             Answer::Word { .. } => written(&number, number.unit.as_deref(), say),
             Answer::Number { .. } => of_number(&number, entry, say),
         },
-    }
+    })
 }
 
 fn of_number(number: &Number, entry: &KeyEntry, say: &Feedback) -> String {

@@ -1,75 +1,50 @@
 //! A page's talk with the program: a sheet is opened, then each request is a JSON text and so is its answer.
-use crate::answer::read::UnitCache;
 use crate::finding::Finding;
-use crate::grade::feedback::Feedback;
+use crate::misconception::MethodWords;
 use crate::page::check::{self, CheckedProblem};
 use crate::page::echo;
 use crate::page::sheet_file::SheetFile;
 use crate::words::{Phrases, Words};
-use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
 /// A sheet that is open in a page, solved.
 #[derive(Debug)]
 pub struct Session {
     words: Words,
+    /// What is said about wrong methods, by id: `did`, `see`, `hint`.
+    methods: Value,
     problems: Vec<CheckedProblem>,
 }
 
-/// What a page hands in.
-#[derive(Debug, Deserialize)]
-struct Opening {
-    sheet: SheetFile,
-    phrases: Phrases,
-}
-
-/// What a page asks.
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Request {
-    /// How an answer is read: part and cell.
-    Read(String, String),
-    /// What answers are: parts and cells.
-    Check(Vec<(String, String)>),
-}
-
-/// What it gets for one answer.
-#[derive(Debug, Serialize)]
-struct Told {
-    part: String,
-    verdict: &'static str,
-    reason: String,
-    read: String,
-}
-
 impl Session {
-    /// Opens a sheet from the JSON text of `{"sheet": ..., "phrases": ...}` and solves it.
+    /// Opens a sheet from the JSON text of `{"sheet": ..., "phrases": ..., "methods": ...}` and solves it.
     ///
     /// # Errors
     /// The texts cannot be read, or a problem of the sheet cannot be checked.
     pub fn open(text: &str) -> Result<Self, Finding> {
-        let opening: Opening =
+        let mut opening: Value =
             serde_json::from_str(text).map_err(|e| Finding::new("", format!("is no sheet: {e}")))?;
-        let words = Words::given(opening.phrases);
-        let problems = opening.sheet.problems.iter().map(|problem| {
+        let sheet = SheetFile::of(&opening["sheet"])?;
+        let phrases = Phrases::of(&opening["phrases"]).ok_or_else(|| Finding::new("phrases", "are none"))?;
+        let problems = sheet.problems.iter().map(|problem| {
             let fault = |_| Finding::new("scene", format!("problem {} cannot be checked", problem.number));
             check::solve(problem, "sheet").map_err(fault)
         });
-        Ok(Self { problems: problems.collect::<Result<_, _>>()?, words })
+        let problems = problems.collect::<Result<_, _>>()?;
+        Ok(Self { problems, words: Words::given(phrases), methods: opening["methods"].take() })
     }
 
-    /// The answer to a request; `null` to what is none.
+    /// The answer to a request, `{"read": [part, cell]}` or `{"check": [[part, cell], ...]}`; `null` to what is none.
     pub fn answer(&self, request: &str) -> String {
-        let answer = match serde_json::from_str(request) {
-            Ok(Request::Read(part, cell)) => serde_json::to_string(&self.read(&part, &cell)),
-            Ok(Request::Check(answers)) => {
-                let told: Vec<Told> =
-                    answers.iter().filter_map(|(part, cell)| self.check(part, cell)).collect();
-                serde_json::to_string(&told)
-            }
-            Err(_) => return "null".to_owned(),
+        let request: Value = serde_json::from_str(request).unwrap_or_default();
+        let pair = |value: &Value, answer: fn(&Self, &str, &str) -> Option<Value>| {
+            answer(self, value.get(0)?.as_str()?, value.get(1)?.as_str()?)
         };
-        // Texts only: this cannot fail.
-        answer.unwrap_or_else(|_| "null".to_owned())
+        let answer = match request["check"].as_array() {
+            Some(answers) => answers.iter().filter_map(|one| pair(one, Self::check)).collect(),
+            None => pair(&request["read"], Self::read).unwrap_or_default(),
+        };
+        answer.to_string()
     }
 
     /// Problem and index of a part by its name, `2.omega`.
@@ -79,21 +54,29 @@ impl Session {
         Some((problem, problem.part(part)?))
     }
 
-    fn read(&self, part: &str, cell: &str) -> Option<String> {
+    /// How an answer is read.
+    fn read(&self, part: &str, cell: &str) -> Option<Value> {
         let (problem, index) = self.part(part)?;
-        let say = Feedback::new(&self.words);
-        Some(echo::echo(cell, &problem.key.parts[index], &mut UnitCache::default(), &say))
+        let read = echo::echo(cell, &problem.key.parts[index], &self.words);
+        let readable = read.is_ok();
+        let (Ok(text) | Err(text)) = read;
+        Some(json!({ "readable": readable, "text": text }))
     }
 
-    fn check(&self, part: &str, cell: &str) -> Option<Told> {
+    /// What an answer is. All hints that lead on from it are handed over; the page tells them one by one.
+    fn check(&self, part: &str, cell: &str) -> Option<Value> {
         let (problem, index) = self.part(part)?;
-        let say = Feedback::new(&self.words);
-        let told = check::check(&problem.key.parts[index], cell, &mut UnitCache::default(), &say);
-        Some(Told {
-            part: part.to_owned(),
-            verdict: told.verdict.as_str(),
-            reason: told.reason,
-            read: told.read,
-        })
+        let find = |id: &str| {
+            let words = |name: &str| self.methods[id][name].as_str();
+            Some(MethodWords { did: words("did")?, see: words("see")?, hint: words("hint")? })
+        };
+        let told = problem.check(index, cell, &self.words, &find)?;
+        Some(json!({
+            "part": part,
+            "verdict": told.verdict.as_str(),
+            "reason": told.reason,
+            "read": told.read,
+            "hints": told.hints,
+        }))
     }
 }

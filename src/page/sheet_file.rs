@@ -1,56 +1,49 @@
 //! sheet.json as it is read: the file, and the problem that it puts, as the tree of a bank with the drawn data in their place.
 use crate::bank::node::{self, Node};
 use crate::finding::{Finding, Findings};
-use serde::Deserialize;
 use serde_json::{Map, Value};
 
 /// Version of the layout.
 pub const FORMAT: u32 = 1;
 
 /// A sheet file as it is read.
-#[derive(Debug, Deserialize)]
+#[derive(Debug)]
 pub struct SheetFile {
     /// Version of the layout.
-    #[serde(default)]
     pub format: Option<u32>,
     /// Student id.
     pub student: String,
     /// Name of the set.
     pub set: String,
     /// Language in which the student is answered; English if it does not say.
-    #[serde(default)]
     pub language: Option<String>,
     /// The problems.
     pub problems: Vec<SheetProblem>,
 }
 
 /// One problem of a sheet file.
-#[derive(Debug, Deserialize)]
+#[derive(Debug)]
 pub struct SheetProblem {
     /// Number in the sheet.
     pub number: usize,
     /// Id.
     pub id: String,
     /// The bank of this problem; null if the instructor does not want self-checks.
-    #[serde(default)]
     pub scene: Value,
     /// The drawn data.
     pub data: Map<String, Value>,
     /// What is asked.
-    #[serde(default)]
     pub parts: Vec<SheetPart>,
 }
 
 /// One part of a problem of a sheet file.
-#[derive(Debug, Deserialize)]
+#[derive(Debug)]
 pub struct SheetPart {
     /// Id.
     pub id: String,
     /// The relative tolerance.
-    #[serde(default)]
     pub tolerance: Option<f64>,
     /// The words that are offered, where they are not the usual ones.
-    #[serde(default)]
     pub words: Vec<String>,
 }
 
@@ -60,21 +53,94 @@ impl SheetFile {
     /// # Errors
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
-        let sheet: Self = serde_json::from_str(text).map_err(|e| {
+        let value: Value = serde_json::from_str(text).map_err(|e| {
             let words = e.to_string();
             let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
-            Finding::new("", format!("is no sheet file: {words}"))
-                .at(e.line().max(1), e.column().max(1))
-                .hint("give the file sheet.json that came with your sheet")
+            let fault = Finding::new("", format!("is no sheet file: {words}"));
+            fault.at(e.line().max(1), e.column().max(1)).hint(HINT)
         })?;
-        match sheet.format {
-            None | Some(FORMAT) => Ok(sheet),
-            Some(other) => Err(Finding::new("format", format!("is {other}; this program reads {FORMAT}"))),
-        }
+        Self::of(&value)
+    }
+
+    /// The sheet file that stands in this JSON.
+    ///
+    /// # Errors
+    /// What is wrong with it, with its field.
+    pub fn of(value: &Value) -> Result<Self, Finding> {
+        let place = |name: &str| name.to_owned();
+        let format = match value.get("format") {
+            None | Some(Value::Null) => None,
+            Some(other) => match other.as_u64().and_then(|n| u32::try_from(n).ok()) {
+                Some(FORMAT) => Some(FORMAT),
+                _ => {
+                    return Err(Finding::new("format", format!("is {other}; this program reads {FORMAT}")));
+                }
+            },
+        };
+        let problem = |(i, value): (usize, &Value)| SheetProblem::of(value, &format!("problems[{i}]"));
+        Ok(Self {
+            format,
+            student: text(value, "student", &place)?,
+            set: text(value, "set", &place)?,
+            language: value.get("language").and_then(Value::as_str).map(str::to_owned),
+            problems: list(value, "problems", &place)?
+                .iter()
+                .enumerate()
+                .map(problem)
+                .collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+/// What to do about a file that is none of these.
+const HINT: &str = "give the file sheet.json that came with your sheet";
+
+/// Makes the path of a field from its name.
+type Place<'p> = &'p dyn Fn(&str) -> String;
+
+fn wanted(place: Place, name: &str, what: &str) -> Finding {
+    Finding::new(place(name), format!("is no sheet file: {what} is expected here")).hint(HINT)
+}
+
+fn text(value: &Value, name: &str, place: Place) -> Result<String, Finding> {
+    let text = value.get(name).and_then(Value::as_str);
+    text.map(str::to_owned).ok_or_else(|| wanted(place, name, "a text"))
+}
+
+fn list<'v>(value: &'v Value, name: &str, place: Place) -> Result<&'v [Value], Finding> {
+    let list = value.get(name).and_then(Value::as_array);
+    list.map(Vec::as_slice).ok_or_else(|| wanted(place, name, "a list"))
+}
+
+impl SheetPart {
+    fn of(value: &Value, place: Place) -> Result<Self, Finding> {
+        let words = value.get("words").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        Ok(Self {
+            id: text(value, "id", place)?,
+            tolerance: value.get("tolerance").and_then(Value::as_f64),
+            words: words.iter().filter_map(Value::as_str).map(str::to_owned).collect(),
+        })
     }
 }
 
 impl SheetProblem {
+    fn of(value: &Value, path: &str) -> Result<Self, Finding> {
+        let place = |name: &str| format!("{path}.{name}");
+        let parts = match value.get("parts") {
+            None => &[][..],
+            Some(_) => list(value, "parts", &place)?,
+        };
+        let number = value.get("number").and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
+        let data = value.get("data").and_then(Value::as_object);
+        Ok(Self {
+            number: number.ok_or_else(|| wanted(&place, "number", "a whole number"))?,
+            id: text(value, "id", &place)?,
+            scene: value.get("scene").cloned().unwrap_or_default(),
+            data: data.ok_or_else(|| wanted(&place, "data", "the drawn data"))?.clone(),
+            parts: parts.iter().map(|part| SheetPart::of(part, &place)).collect::<Result<_, _>>()?,
+        })
+    }
+
     /// The tree of a bank that holds this problem with its drawn data, or `None` if the sheet carries no scene.
     ///
     /// # Errors

@@ -362,10 +362,17 @@ impl<'p> Screen<'p> {
         opening("fig", id, vec2(*width, *height), (title, desc), style) + &self.content + "</svg>\n"
     }
 
-    /// As a file of its own, with the same looks and paper of its own below it.
+    /// As a file of its own, with the same looks and paper of its own below it. Programs that know no variables of CSS (Word, what
+    /// makes a document for it) take the looks on light paper, which stand before each variable.
     pub fn file(&self) -> String {
         let paper = "\n<rect width=\"100%\" height=\"100%\" style=\"fill:var(--f-paper)\"/>\n";
-        let text = self.inline("figure").replacen('\n', paper, 1);
+        let mut text = self.inline("figure").replacen('\n', paper, 1);
+        for Ink { name, light, .. } in INKS {
+            for what in ["fill", "stroke"] {
+                let variable = format!("{what}:var(--f-{name})");
+                text = text.replace(&variable, &format!("{what}:{light};{variable}"));
+            }
+        }
         format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{text}")
     }
 }

@@ -2,6 +2,7 @@
 use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WrongValue};
+use crate::num::trig;
 use crate::problem::variant::Variant;
 use crate::scene::{Label, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
@@ -49,7 +50,9 @@ impl<'p> KeyFrame<'p> {
         let mut extras: Vec<Label> = Vec::new();
         let follows = problem.follows.iter().map(|follow| {
             let by = follow.by.formula().map(&mut |name| match name {
-                Name::Datum(i, factor) => Given::Known(i, factor),
+                Name::Datum(i, degrees) => {
+                    Given::Known(i, if degrees { trig::radians_per_degree() } else { 1.0 })
+                }
                 Name::Quantity(label) => {
                     let part = follow.from.iter().find(|q| problem.questions[**q].label == label);
                     match part {
@@ -178,7 +181,7 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
 /// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is
 /// positive forward, so not where positive is down: there `up` would mean a minus.
 pub fn words_sign(scene: &Scene, label: Label) -> bool {
-    let body = match label.of {
+    let body = match scene.owner(label) {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body(),
     };
@@ -205,6 +208,7 @@ pub const fn is_magnitude(quantity: Quantity) -> bool {
             | Quantity::WorkPull
             | Quantity::PowerPull
             | Quantity::Tension
+            | Quantity::Value
     )
 }
 

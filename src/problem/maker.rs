@@ -283,6 +283,9 @@ impl<'p> Maker<'p> {
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
+            if case.scene.formulas.found.is_some() {
+                return Err(unsolved(refusals, Refusal::NotUnique).into());
+            }
             return Err(DrawRule::Certain.into());
         }
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {
@@ -483,7 +486,11 @@ fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
         }
     }
-    let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
+    let pulls = solved
+        .entries
+        .iter()
+        .filter(|e| e.label.quantity == Quantity::WorkPull && matches!(e.label.of, Owner::Tie(_)))
+        .map(Entry::value);
     Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 
@@ -525,20 +532,19 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
     of_values(problem, case, values, |scene, data| {
         let mut solved = agree::solve(scene, data)?;
         agree::prove(scene, data, &mut solved);
-        let labels: Vec<Label> = problem.questions.iter().map(|q| q.label).collect();
-        let wrong = misconception::values(problem, case, data, &solved, &labels);
-        Ok((solved, wrong))
+        Ok(solved)
     })
 }
 
 /// The variant of a sheet's values, for who checks an answer: what a sheet puts was drawn because both roads and an enclosure
-/// agree on it, so the first road gives the answers. Condition numbers and wrong
-/// methods are not computed.
+/// agree on it, so the first road gives the answers.
 ///
 /// Errors: the values are no scene.
 pub fn of_sheet(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<Variant, Refusal> {
     of_values(problem, case, values, |scene, data| {
-        Ok((agree::again(scene, data)?.preview().clone(), Vec::new()))
+        let mut half = agree::again(scene, data)?;
+        half.weigh(scene, data);
+        Ok(half.preview().clone())
     })
 }
 
@@ -546,12 +552,14 @@ fn of_values(
     problem: &Problem,
     case: usize,
     values: &[Option<Decimal>],
-    solve: impl FnOnce(&Scene, &[f64]) -> Result<(Solved, Vec<Wrong>), Refusal>,
+    solve: impl FnOnce(&Scene, &[f64]) -> Result<Solved, Refusal>,
 ) -> Result<Variant, Refusal> {
     let number = |(i, datum)| values.get(i).copied().flatten().map_or(0.0, |v| fill::number(datum, v));
     let data: Vec<f64> = problem.data.iter().enumerate().map(number).collect();
     let scene = problem.cases.get(case).map(|c| &c.scene).ok_or(Refusal::Freedoms(0))?;
-    let (solved, wrong) = solve(scene, &data)?;
+    let solved = solve(scene, &data)?;
+    let labels: Vec<Label> = problem.questions.iter().map(|q| q.label).collect();
+    let wrong = misconception::values(problem, case, &data, &solved, &labels);
     let within = make_key::within(problem, &solved);
     let refusals = Refusals::default();
     Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals, within, wrong })

@@ -2,7 +2,7 @@
 use crate::bank::{Bound, Problem, measure};
 use crate::num::shown;
 use crate::scene::admissible::Inadmissible;
-use crate::scene::{Num, admissible};
+use crate::scene::{Num, Scene, admissible};
 use crate::solve::outcome::{CheckKind, Refusal, Regime};
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -189,7 +189,9 @@ impl Refusals {
                 format!("{} of its tolerance", tally.range(&plain))
             }
             DrawRule::Admissible => {
-                self.inadmissible.iter().map(|f| inadmissible(problem, f)).collect::<Vec<_>>().join("; ")
+                let scene = problem.cases.get(case).map(|c| &c.scene);
+                let told = |f| Some(inadmissible(problem, scene?, f));
+                self.inadmissible.iter().filter_map(told).collect::<Vec<_>>().join("; ")
             }
             _ => String::new(),
         };
@@ -262,17 +264,21 @@ fn wanted(bound: &Bound) -> String {
 }
 
 /// A number of the scene by its symbol.
-fn symbol(problem: &Problem, num: Num) -> String {
+fn symbol(problem: &Problem, scene: &Scene, num: Num) -> String {
     match num {
+        Num::Derived(i) => {
+            let written = scene.formulas.numbers.get(i);
+            written.map_or_else(|| "a number".to_owned(), |n| format!("`{}`", n.text))
+        }
         Num::Datum(i) => problem.data.get(i).map_or_else(|| "a datum".to_owned(), |d| d.symbol.clone()),
         Num::Fixed(x) => format!("the constant {x}"),
     }
 }
 
 /// What is wrong with a number of the scene.
-pub fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
+pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> String {
     use admissible::Rule as R;
-    let name = symbol(problem, fault.datum);
+    let name = symbol(problem, scene, fault.datum);
     let value = fault.value;
     match fault.rule {
         R::Finite => format!("{name} = {value}: must be a finite number"),
@@ -286,7 +292,9 @@ pub fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
         R::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
         R::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
         R::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
-        R::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
+        R::NotAbove(other) => {
+            format!("{name} = {value}: must not be above {}", symbol(problem, scene, other))
+        }
     }
 }
 

@@ -16,7 +16,7 @@ use crate::regrade::changes::ChangeRow;
 use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
-use crate::sheet::terminal::plain;
+use crate::words::plain::plain;
 use std::fmt::Write as _;
 
 /// Figures of keys and answers in the text.

@@ -5,7 +5,7 @@ use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
 use crate::regrade::tolerance::{ToleranceChange, WhatIf};
 use crate::sheet::terminal;
-use crate::sheet::terminal::plain;
+use crate::words::plain::plain;
 
 /// One of the tolerances that are tried.
 pub struct Trial {

@@ -226,18 +226,20 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
     !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
 }
 
-/// A number of a scene, NaN where there is no such datum.
-pub fn value(number: Num, data: &[f64]) -> f64 {
-    match number {
-        Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
-        Num::Fixed(x) => x,
+/// Does a number of the scene keep its rule?
+pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
+    let of = |n: Num| scene.value(n, data);
+    let value = of(datum);
+    match rule {
+        Rule::Stretch => fits(scene, &of, value),
+        // A value that is not even finite has its own finding.
+        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+        _ => fits_rule(value, rule),
     }
 }
 
-/// Does a number of the scene keep its rule?
-pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
-    let of = |n: Num| value(n, data);
-    let value = of(datum);
+/// Does a value keep a rule that is about it alone?
+pub fn fits_rule(value: f64, rule: Rule) -> bool {
     match rule {
         Rule::Range => value == 0.0 || !value.is_finite() || (LEAST..=MOST).contains(&value.abs()),
         Rule::Finite => value.is_finite(),
@@ -245,9 +247,7 @@ pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
         Rule::NotNegative => value.is_finite() && value >= 0.0,
         Rule::Slope => (0.0..=90.0).contains(&value),
         Rule::Angle => (-360.0..=360.0).contains(&value),
-        Rule::Stretch => fits(scene, &of, value),
-        // A value that is not even finite has its own finding.
-        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+        Rule::Stretch | Rule::NotAbove(_) => true,
     }
 }
 
@@ -257,7 +257,7 @@ pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut judge = |datum, rule| {
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
         if !holds(scene, data, datum, rule) && !found.iter().any(same) {
-            found.push(Inadmissible { datum, value: value(datum, data), rule });
+            found.push(Inadmissible { datum, value: scene.value(datum, data), rule });
         }
     };
     rules(scene, |datum, rule| {

@@ -20,6 +20,8 @@ pub enum Owner {
     Strut(usize),
     /// A named point of a body in the plane.
     Spot(Spot),
+    /// A question that asks by a formula, by its index in [`crate::scene::Formulas::asked`].
+    Asked(usize),
 }
 
 /// A quantity of a body, a tie or the scene.
@@ -35,16 +37,26 @@ macro_rules! quantities {
     ($($variant:ident $name:literal $unit:literal $doc:literal;)*) => {
         /// The quantities that the solvers give.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Quantity { $(#[doc = $doc] $variant,)* }
+        pub enum Quantity {
+            $(#[doc = $doc] $variant,)*
+            /// An expression that a bank asks for; no solver gives it.
+            Value,
+        }
         impl Quantity {
-            /// All of them, in the order in which they are listed.
+            /// All that the solvers give, in the order in which they are listed.
             pub const ALL: &'static [Quantity] = &[$(Quantity::$variant,)*];
             /// Name in banks, keys and JSON.
-            pub const fn name(self) -> &'static str { match self { $(Quantity::$variant => $name,)* } }
+            pub const fn name(self) -> &'static str {
+                match self { $(Quantity::$variant => $name,)* Quantity::Value => "value" }
+            }
             /// SI unit, ASCII; `1` for a pure number, empty for a word.
-            pub const fn unit(self) -> &'static str { match self { $(Quantity::$variant => $unit,)* } }
+            pub const fn unit(self) -> &'static str {
+                match self { $(Quantity::$variant => $unit,)* Quantity::Value => "1" }
+            }
             /// What it is, in words.
-            pub const fn meaning(self) -> &'static str { match self { $(Quantity::$variant => $doc,)* } }
+            pub const fn meaning(self) -> &'static str {
+                match self { $(Quantity::$variant => $doc,)* Quantity::Value => "an expression that is asked" }
+            }
         }
     };
 }
@@ -166,6 +178,7 @@ impl Scene {
         let q = label.quantity.name();
         match label.of {
             Owner::Scene => q.to_owned(),
+            Owner::Asked(i) => self.formulas.asked.get(i).map_or_else(|| q.to_owned(), |a| a.id.clone()),
             Owner::Body(b) if self.bare_body() == Some(b) => q.to_owned(),
             Owner::Body(b) => {
                 self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name))

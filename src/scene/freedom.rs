@@ -2,18 +2,22 @@
 use crate::num::eliminate::Equations;
 use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Num, Scene, Side, Tie};
 
-/// A number in the place of one that is not known: of no simple ratio to those of the other data.
-fn stand_in(num: Num) -> f64 {
-    match num {
-        Num::Fixed(x) => x,
-        Num::Datum(i) => (2.0 + i as f64).sqrt() + 1.0 / (3.0 + i as f64),
-    }
+/// A number in the place of a datum that is not known: of no simple ratio to those of the other data.
+fn stand_in(datum: usize) -> f64 {
+    (2.0 + datum as f64).sqrt() + 1.0 / (3.0 + datum as f64)
 }
 
 impl Scene {
     /// Coordinates less the ties that say something of their own, whatever the data; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
-        self.freedoms_with(&stand_in)
+        self.freedoms_with(&|number| match number {
+            Num::Fixed(x) => x,
+            Num::Datum(i) => stand_in(i),
+            Num::Derived(i) => {
+                let formula = self.formulas.numbers.get(i).map(|n| &n.formula);
+                formula.map_or(f64::NAN, |f| f.eval(&|given| stand_in(given.datum)))
+            }
+        })
     }
 
     /// The same for these numbers: another count where data are equal by chance.

@@ -9,6 +9,7 @@ pub mod admissible;
 pub mod ask;
 pub mod body;
 pub mod force;
+pub mod formula;
 pub mod freedom;
 pub mod inertia;
 pub mod link;
@@ -23,6 +24,7 @@ pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
+pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
@@ -30,13 +32,15 @@ pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
 pub use planar::{Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd};
 pub use scales::Scales;
 
-/// Where a number of the scene comes from: a datum of the problem (by index) or a constant of the bank.
+/// Where a number of the scene comes from: a datum of the problem (by index), a constant of the bank, or a formula of data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Num {
     /// Index into the data of the problem.
     Datum(usize),
     /// A constant, SI (angles in degrees).
     Fixed(f64),
+    /// Index into the numbers of [`Scene::formulas`].
+    Derived(usize),
 }
 
 /// A scene: structure only. The numbers are passed beside it, one SI `f64` for each datum, so that thousands of draws
@@ -65,4 +69,6 @@ pub struct Scene {
     pub heading: Option<Heading>,
     /// How far the conditions of validity and the extrema look.
     pub span: Span,
+    /// What is worked out by formulas of the bank.
+    pub formulas: Formulas,
 }

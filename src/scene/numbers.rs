@@ -24,6 +24,8 @@ pub struct BodyNumbers<T> {
 #[derive(Debug, Clone)]
 pub struct Numbers<'a, T> {
     data: &'a [f64],
+    /// The numbers that are worked out from data.
+    derived: SmallVec<[T; 1]>,
     mass_exponent: i32,
     /// Acceleration of free fall, m/s^2.
     pub gravity: T,
@@ -34,7 +36,8 @@ pub struct Numbers<'a, T> {
 impl<'a, T: Real> Numbers<'a, T> {
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
-        let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
+        let derived = scene.formulas.numbers.iter().map(|number| number.value(data)).collect();
+        let mut n = Self { data, derived, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
         let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = first.map_or(0, exponent);
@@ -69,8 +72,9 @@ impl<'a, T: Real> Numbers<'a, T> {
     #[inline]
     pub fn get(&self, num: Num) -> T {
         match num {
-            Num::Datum(i) => T::datum(self.data.get(i).copied().unwrap_or(f64::NAN)),
+            Num::Datum(i) => T::given(i, self.data.get(i).copied().unwrap_or(f64::NAN)),
             Num::Fixed(x) => T::datum(x),
+            Num::Derived(i) => self.derived.get(i).copied().unwrap_or_else(|| T::of(f64::NAN)),
         }
     }
 

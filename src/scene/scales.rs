@@ -4,8 +4,8 @@
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia,
-    Scene, Slope, Start, StrutEnd, Tie,
+    Arm, Attach, Body, CordEnd, Degree, End, Far, JointKind, Label, Mass, Num, Owner, Pin, Place, Rest,
+    RotaryInertia, Scene, Slope, Start, StrutEnd, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -28,22 +28,39 @@ impl Scales {
 
     /// Exponents of mass, length and time in a unit of SI, with which the number of that unit is scaled.
     fn power(self, unit: &str) -> i32 {
-        let (mass, length, time) = match unit {
-            "kg" => (1, 0, 0),
-            "m" => (0, 1, 0),
-            "s" => (0, 0, 1),
-            "m/s" => (0, 1, -1),
-            "m/s^2" => (0, 1, -2),
-            "rad/s" => (0, 0, -1),
-            "rad/s^2" => (0, 0, -2),
-            "N" => (1, 1, -2),
-            "N/m" => (1, 0, -2),
-            "N*m" | "J" => (1, 2, -2),
-            "W" => (1, 2, -3),
-            "kg*m^2" => (1, 2, 0),
-            _ => (0, 0, 0),
-        };
+        self.of_powers(match unit {
+            "kg" => [1, 0, 0],
+            "m" => [0, 1, 0],
+            "s" => [0, 0, 1],
+            "m/s" => [0, 1, -1],
+            "m/s^2" => [0, 1, -2],
+            "rad/s" => [0, 0, -1],
+            "rad/s^2" => [0, 0, -2],
+            "N" => [1, 1, -2],
+            "N/m" => [1, 0, -2],
+            "N*m" | "J" => [1, 2, -2],
+            "W" => [1, 2, -3],
+            "kg*m^2" => [1, 2, 0],
+            _ => [0, 0, 0],
+        })
+    }
+    /// The same for a unit of these powers of mass, length and time.
+    fn of_powers(self, [mass, length, time]: [i32; 3]) -> i32 {
         mass * self.mass + length * self.length + time * self.time
+    }
+    fn of_label(self, scene: &Scene, label: Label) -> i32 {
+        match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i).map_or(0, |a| self.of_powers(a.powers)),
+            _ => self.power(label.quantity.unit()),
+        }
+    }
+    /// The value of a quantity in SI that is `x` in these units.
+    pub fn said(self, scene: &Scene, label: Label, x: f64) -> f64 {
+        ldexp(x, self.of_label(scene, label))
+    }
+    /// The value of a quantity in these units that is `x` in SI.
+    pub fn own_said(self, scene: &Scene, label: Label, x: f64) -> f64 {
+        ldexp(x, -self.of_label(scene, label))
     }
     /// A number in a unit of SI that is `x` in these units.
     pub fn si(self, unit: &str, x: f64) -> f64 {
@@ -57,6 +74,10 @@ impl Scales {
     /// The scene and its data in these units; `None` where a number leaves the doubles.
     pub fn of(self, scene: &Scene, data: &[f64]) -> Option<(Scene, Vec<f64>)> {
         let (mut scaled, mut numbers, mut inside) = (scene.clone(), data.to_vec(), true);
+        for (_, other) in &mut scaled.formulas.others {
+            // Its data are those of the scene; its own constants are scaled too.
+            *other = self.of(other, data)?.0;
+        }
         each(&mut scaled, &mut |num, unit| {
             let (old, new) = match num {
                 Num::Datum(i) => match (data.get(*i), numbers.get_mut(*i)) {
@@ -64,10 +85,23 @@ impl Scales {
                     _ => return,
                 },
                 Num::Fixed(x) => (*x, x),
+                // A formula is worked out from data in these units.
+                Num::Derived(_) => return,
             };
             *new = self.own(unit, old);
             inside &= old == 0.0 || *new != 0.0 && exponent(*new).abs() <= ROOM;
         });
+        if let Some(found) = &mut scaled.formulas.found {
+            let power = self.of_powers(found.unknown.powers);
+            found.range = found.range.map(|x| ldexp(x, -power));
+        }
+        for given in scene.formulas.givens() {
+            let power = self.of_powers(given.powers);
+            if let (Some(old), Some(new)) = (data.get(given.datum), numbers.get_mut(given.datum)) {
+                *new = ldexp(*old, -power);
+                inside &= *old == 0.0 || *new != 0.0 && exponent(*new).abs() <= ROOM;
+            }
+        }
         inside.then_some((scaled, numbers))
     }
 
@@ -78,6 +112,7 @@ impl Scales {
             let x = match num {
                 Num::Datum(i) => data.get(*i).copied().unwrap_or(0.0),
                 Num::Fixed(x) => *x,
+                Num::Derived(_) => 0.0,
             };
             if x != 0.0 && x.is_finite() {
                 known.push((unit, exponent(x)));
@@ -112,7 +147,7 @@ impl Scales {
 }
 
 /// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.
-fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     tell(&mut scene.gravity_m_s2, "m/s^2");
     for body in &mut scene.bodies {
         of_body(body, tell);

@@ -357,8 +357,8 @@ pub fn running_head(head: &Head) -> String {
     text
 }
 
-/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `key`; `tools` are those of a sheet
-/// that checks itself.
+/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `practice`, `key`; `tools` are those of
+/// a page that checks answers.
 ///
 /// # Errors
 /// Faults of the templates.
@@ -423,7 +423,7 @@ pub fn booklet<'p>(
 }
 
 /// Figures bring their style along; in one page each style is needed once, and counts for all figures.
-fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
+pub fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
     const END: &str = "</style>";
     let mut out = String::with_capacity(html.len());
     let mut rest = html;
@@ -444,6 +444,11 @@ fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
 /// Id of a document in a booklet, counted from 0.
 pub fn part_id(i: usize) -> String {
     format!("s{}", i + 1)
+}
+
+/// A formula within a line, or on a line of its own, as MathML.
+pub fn formula(tex: &str, of_its_own: bool) -> String {
+    mathml(tex, if of_its_own { DisplayMode::Block } else { DisplayMode::Inline })
 }
 
 /// A formula as MathML; one that cannot be read is shown as it was written.

@@ -67,6 +67,52 @@ impl<'b> Sheets<'b> {
         self.write(i, variant, None, room, out)
     }
 
+    /// Appends the Markdown of one problem (counted from 0 in the sheet) with the line of its figure, which is returned.
+    fn whole_problem(
+        &self,
+        i: usize,
+        variant: &Variant,
+        room: &mut Room,
+        out: &mut Vec<u8>,
+    ) -> Result<Option<(String, Picture)>, Finding> {
+        let Some((index, _)) = self.statements.get(i) else { return Ok(None) };
+        let problem = &self.bank.problems[*index];
+        let drawn = (problem.figure != FigureLabels::None).then(|| {
+            let picture = scene::picture(problem, variant, self.words, problem.figure);
+            (format!("problem-{}", i + 1), picture)
+        });
+        let line = drawn.as_ref().map(|(name, picture)| format!("![{}]({name}.svg)", alternative(picture)));
+        self.write(i, variant, line.as_deref(), room, out)?;
+        Ok(drawn)
+    }
+
+    /// One problem (counted from 0 in the sheet) as a document of its own: heading, if one is given, statement, figure, questions.
+    ///
+    /// # Errors
+    /// Faults of the templates.
+    pub fn problem_document(
+        &self,
+        i: usize,
+        heading: &str,
+        variant: &Variant,
+        room: &mut Room,
+    ) -> Result<Document, Finding> {
+        let mut out = heading.to_owned().into_bytes();
+        let picture = self.whole_problem(i, variant, room, &mut out)?;
+        Ok(Document::new(String::from_utf8_lossy(&out).into_owned(), picture.into_iter().collect()))
+    }
+
+    /// How many significant figures most questions ask for, and in words how near to the right one an answer must be.
+    pub fn asked_for(&self) -> (u8, String) {
+        let within = self.words.number(&percent(self.common.relative));
+        let mut tolerance = self.words.say("sheet.tolerance", &[("share", &within)]);
+        let mut questions = self.statements.iter().flat_map(|(i, _)| &self.bank.problems[*i].questions);
+        if questions.any(|q| self.common.differs(q)) {
+            tolerance.push_str(self.words.get("sheet.unless"));
+        }
+        (self.common.figures, tolerance)
+    }
+
     fn write(
         &self,
         i: usize,
@@ -96,18 +142,10 @@ impl<'b> Sheets<'b> {
         let mut problems = Vec::with_capacity(variants.len());
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
+            let Some(variant) = variants.get(i) else { continue };
             body.clear();
             let problem = &self.bank.problems[*index];
-            if let Some(variant) = variants.get(i) {
-                let figure = (problem.figure != FigureLabels::None).then(|| {
-                    let picture = scene::picture(problem, variant, self.words, problem.figure);
-                    let name = format!("problem-{}", i + 1);
-                    let line = format!("![{}]({name}.svg)", alternative(&picture));
-                    pictures.push((name, picture));
-                    line
-                });
-                self.write(i, variant, figure.as_deref(), room, &mut body)?;
-            }
+            pictures.extend(self.whole_problem(i, variant, room, &mut body)?);
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
                 ("title", template::finished(&problem.title)),
@@ -153,15 +191,11 @@ impl<'b> Sheets<'b> {
         view.foreign("set", self.set);
         view.text("code", &head.code);
         view.text("units", if self.common.unit_required { "required" } else { "optional" });
-        view.text("figures", &self.common.figures.to_string());
-        let within = words.number(&percent(self.common.relative));
-        let questions =
-            || self.statements.iter().flat_map(|(index, _)| &self.bank.problems[*index].questions);
-        let mut tolerance = words.say("sheet.tolerance", &[("share", &within)]);
-        if questions().any(|q| self.common.differs(q)) {
-            tolerance.push_str(words.get("sheet.unless"));
-        }
+        let (figures, tolerance) = self.asked_for();
+        view.text("figures", &figures.to_string());
         view.text("tolerance", &tolerance);
+        // Practice has no student.
+        view.text("practice", if head.student.is_empty() { words.get("page.practice") } else { "" });
         view.text("self_check", if self.bank.self_check { "yes" } else { "" });
         let questions =
             self.statements.iter().enumerate().flat_map(|(i, (index, _))| {

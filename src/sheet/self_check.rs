@@ -2,6 +2,8 @@
 //! It knows no key: the scene is solved in the page, with the functions of [`crate::page`].
 use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
+use crate::misconception::catalogue::{Catalogue, Entry};
+use crate::policy::Hints;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Head;
@@ -20,8 +22,10 @@ pub const PROGRAM: &[u8] = include_bytes!("../../templates/page/check.wasm.gz");
 /// What keeps sheets of a site for when there is no network.
 pub const WORKER: &str = include_str!("../../templates/page/sw.js");
 const SCRIPT: &str = include_str!("../../templates/page/page.js");
-/// The phrases that the page needs, by the begins of their names.
-const PHRASES: [&str; 4] = ["feedback", "sheet", "page", "report.verdict"];
+/// The phrases that the page needs, by the begins of their names: those of judging, which `slipstick check` takes from the built-in
+/// lists alone, and those that stand on the page and may be one's own.
+const JUDGING: [&str; 3] = ["feedback", "sheet", "tutor"];
+const ON_THE_PAGE: [&str; 2] = ["page", "report.verdict"];
 
 static PACKED: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(PROGRAM));
 /// The script by its hash, so that no other runs.
@@ -60,10 +64,20 @@ impl Hosting {
     }
 }
 
+/// What a page is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Use {
+    /// Answers are saved and handed in.
+    Sheet,
+    /// One problem follows another; nothing is handed in.
+    Practice,
+}
+
 /// What all pages of a set have in common.
 pub struct SelfCheck<'t> {
     words: &'t Words,
     hosting: Hosting,
+    used: Use,
     phrases: serde_json::Value,
 }
 
@@ -91,13 +105,11 @@ pub struct Handed<'h> {
 
 impl<'t> SelfCheck<'t> {
     /// Gets ready.
-    pub fn new(words: &'t Words, hosting: Hosting) -> Self {
-        // Reasons are those of `slipstick check`, which knows the built-in phrases alone; what stands on the page may be one's own.
-        let mut phrases = words.phrases(&PHRASES);
-        if let Some(built_in) = Words::built_in(words.language()) {
-            phrases.phrases.extend(built_in.phrases(&["feedback", "sheet"]).phrases);
-        }
-        Self { words, hosting, phrases: json!(phrases) }
+    pub fn new(words: &'t Words, hosting: Hosting, used: Use) -> Self {
+        let mut phrases = words.phrases(&ON_THE_PAGE);
+        let judging = Words::built_in(words.language()).unwrap_or(words);
+        phrases.phrases.extend(judging.phrases(&JUDGING).phrases);
+        Self { words, hosting, used, phrases: json!(phrases) }
     }
 
     /// The tools of one sheet.
@@ -122,6 +134,7 @@ impl<'t> SelfCheck<'t> {
         let data = json!({
             "sheet": sheet,
             "phrases": self.phrases,
+            "methods": self.methods(bank, &sheet),
             "words": words,
             "file": format!("answers-{folder}.csv"),
             "keep": format!("slipstick {} {} {}", head.set, head.student, head.code),
@@ -132,6 +145,7 @@ impl<'t> SelfCheck<'t> {
             ("data", template::finished(&data.to_string().replace('<', "\\u003c"))),
             ("program", template::finished(program)),
             ("script", template::finished(SCRIPT)),
+            ("practice", template::finished(if self.used == Use::Practice { "yes" } else { "" })),
             ("say", template::Value::from_serializable(&self.words.tree("page"))),
         ]);
         let mut policy = format!("script-src 'sha256-{}' 'wasm-unsafe-eval'; ", *HASH);
@@ -139,6 +153,21 @@ impl<'t> SelfCheck<'t> {
             policy.push_str("connect-src 'self'; worker-src 'self'; ");
         }
         Ok(Tools { policy, view, parts })
+    }
+
+    /// The words of the wrong methods that a sheet lists, as far as the bank lets its hints go.
+    fn methods(&self, bank: &Bank, sheet: &serde_json::Value) -> BTreeMap<String, serde_json::Value> {
+        if bank.grading.hints == Hints::None {
+            return BTreeMap::new();
+        }
+        let catalogue = Catalogue::shared(self.words.language());
+        let scenes = sheet["problems"].as_array().into_iter().flatten().map(|problem| &problem["scene"]);
+        let problems = scenes.filter_map(|scene| scene["problems"].as_object()).flatten();
+        let listed = problems.filter_map(|(_, problem)| problem["mistakes"].as_object()).flatten();
+        // How to see that a method is wrong stands in the last hint alone.
+        let all = bank.grading.hints == Hints::Explain;
+        let words = |entry: &Entry| json!({ "did": entry.did, "see": if all { entry.see.as_str() } else { "" }, "hint": entry.hint });
+        listed.filter_map(|(id, _)| Some((id.clone(), words(catalogue.get(id)?)))).collect()
     }
 
     /// The words that answer a question in words.

@@ -10,6 +10,7 @@
 //!
 //! `ask` of a question is a template too and sees the same, but for `questions`.
 use crate::bank::decimal::Decimal;
+use crate::bank::expression;
 use crate::bank::{Bank, Problem, Question};
 use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
@@ -354,9 +355,16 @@ impl<'b> Statement<'b> {
         self.problem.data.get(datum).map_or_else(String::new, |d| format!("${}$", d.unit.tex_with(&digits)))
     }
 
+    /// `$2\,R$`
+    fn derived_tex(&self, scene: &Scene, number: usize) -> String {
+        let written = scene.formulas.numbers.get(number).map_or("", |n| n.text.as_str());
+        format!("${}$", expression::tex(written, &self.problem.data))
+    }
+
     fn particles(&self, scene: &Scene, drawn: &[Option<Decimal>], view: &mut View) {
         let text = |num: Num, unit: &str| match num {
             Num::Datum(i) => self.value_tex(i, drawn),
+            Num::Derived(i) => self.derived_tex(scene, i),
             Num::Fixed(x) => format!("${}{unit}$", self.words.tex_number(&x.to_string())),
         };
         let whole = |num: Num, symbol: &str, unit: &str| match num {
@@ -365,6 +373,7 @@ impl<'b> Statement<'b> {
                 let value = self.value_tex(i, drawn);
                 format!("${tex} = {}", &value[1..])
             }
+            Num::Derived(i) => self.derived_tex(scene, i),
             Num::Fixed(x) => format!("${symbol} = {}{unit}$", self.words.tex_number(&x.to_string())),
         };
         for body in scene.bodies.iter().filter(|b| !b.particles.is_empty()) {

@@ -59,7 +59,7 @@ impl<'s> WorkedPart<'s> {
     /// Do words for its direction say `forward` and `back`?
     fn level(&self) -> bool {
         let scene = &self.problem.cases[self.variant.case].scene;
-        let body = match self.label().map(|l| l.of) {
+        let body = match self.label().map(|l| scene.owner(l)) {
             Some(Owner::Body(b)) => Some(b),
             _ => scene.bare_body(),
         };

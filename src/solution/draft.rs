@@ -2,6 +2,7 @@
 //! found by which method.
 use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
+use crate::bank::expression;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
@@ -149,7 +150,16 @@ impl<'a> Draft<'a> {
                 None => ZERO,
             },
             Num::Fixed(0.0) => ZERO,
-            Num::Fixed(x) => {
+            Num::Fixed(_) | Num::Derived(_) => {
+                let x = self.value(num);
+                let (digits, written) = match num {
+                    Num::Derived(i) => {
+                        let text = self.scene.formulas.numbers.get(i).map_or("", |n| n.text.as_str());
+                        let tex = expression::tex(text, &self.problem.data);
+                        (shown::significant(x, FIGURES), format!(" = {tex}"))
+                    }
+                    _ => (shortest(x), String::new()),
+                };
                 let known = self.constants.iter().find(|(bits, t, _)| *bits == x.to_bits() && t == tex);
                 if let Some((_, _, symbol)) = known {
                     return (*symbol).into();
@@ -164,8 +174,8 @@ impl<'a> Draft<'a> {
                         name = format!("{tex}_{{{i}}}");
                     }
                 }
-                let symbol = self.symbols.given(&name, x, &shortest(x), &unit, degrees);
-                self.told.push(format!("{name} = {}", self.symbols.shown(symbol)));
+                let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);
+                self.told.push(format!("{name}{written} = {}", self.symbols.shown(symbol)));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                 symbol.into()
             }
@@ -174,10 +184,7 @@ impl<'a> Draft<'a> {
 
     /// The value of a number of the scene, SI, slopes in degrees.
     pub fn value(&self, num: Num) -> f64 {
-        match num {
-            Num::Datum(i) => self.variant.data.get(i).copied().unwrap_or(f64::NAN),
-            Num::Fixed(x) => x,
-        }
+        self.scene.value(num, &self.variant.data)
     }
 
     /// The first of these symbols that no datum bears; if all are taken, the last one with a star.

@@ -184,6 +184,12 @@ fn made(
 
 /// The derivation that the scene needs.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.formulas.numbers.iter().any(|n| n.any) {
+        return Err(Beyond::Any.into());
+    }
+    if draft.scene.formulas.found.is_some() {
+        return Err(Beyond::Found.into());
+    }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::work(draft);
     }
@@ -260,7 +266,7 @@ fn named(draft: &Draft, label: Label) -> String {
             Tie::Cord(cord) => names::cord(draft.words, draft.scene, cord),
             Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
         },
-        Owner::Scene | Owner::Joint(_) | Owner::Strut(_) | Owner::Spot(_) => String::new(),
+        Owner::Scene | Owner::Joint(_) | Owner::Strut(_) | Owner::Spot(_) | Owner::Asked(_) => String::new(),
     };
     let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
     let symbol = draft.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {

@@ -61,6 +61,8 @@ macro_rules! beyond {
     };
 }
 beyond! {
+    Any "any";
+    Found "found";
     Arrangement "arrangement";
     BehindTurning "behind_turning";
     CannotRoll "cannot_roll";

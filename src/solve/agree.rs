@@ -1,5 +1,5 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::{Ball, Dd, NOISE, Real, U, ball, dd};
+use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
@@ -144,13 +144,6 @@ pub fn in_scales<R>(
     solve(&scene, &data)
 }
 
-/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
-#[cfg(feature = "program")]
-pub type Fast = f64;
-/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
-#[cfg(not(feature = "program"))]
-pub type Fast = Dd;
-
 /// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
 /// come to. What the right scene shares with it was admissible there and is not looked at again.
 #[derive(Debug)]
@@ -165,7 +158,12 @@ pub struct Quick<'s> {
 impl<'s> Quick<'s> {
     /// Prepares `scene`, which stands for `right` with other values of these data.
     pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
-        let other = |n: Num| matches!(n, Num::Datum(i) if changed.contains(&i));
+        // A formula may be another one in another scene.
+        let other = |n: Num| match n {
+            Num::Datum(i) => changed.contains(&i),
+            Num::Derived(_) => true,
+            Num::Fixed(_) => false,
+        };
         let mut kept = Vec::new();
         admissible::rules(right, |number, rule| {
             let touched = match rule {
@@ -228,8 +226,7 @@ impl Half {
             check.available = scales.si(unit, check.available);
         }
         entries.retain_mut(|entry| {
-            let unit = entry.label.quantity.unit();
-            let si = |x: f64| scales.si(unit, x);
+            let si = |x: f64| scales.said(scene, entry.label, x);
             let kept = |x: f64| x == 0.0 || !x.is_finite() || si(x).is_normal();
             let holds = kept(entry.value()) && entry.energy.is_none_or(kept);
             if !holds {
@@ -261,7 +258,7 @@ impl Half {
         let compared = in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course));
         compared.map_err(|refusal| match refusal {
             Refusal::Disagree { label, eom, energy, allowed } => {
-                let si = |x| scales.si(label.quantity.unit(), x);
+                let si = |x| scales.said(scene, label, x);
                 Refusal::Disagree { label, eom: si(eom), energy: si(energy), allowed }
             }
             other => other,
@@ -335,9 +332,9 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
         return false;
     }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
-        let unit = entry.label.quantity.unit();
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
-        let bound = said.map(|s| scales.si(unit, s.value.about(scales.own(unit, entry.value()))));
+        let value = scales.own_said(scene, entry.label, entry.value());
+        let bound = said.map(|s| scales.said(scene, entry.label, s.value.about(value)));
         entry.bound = bound.filter(|b| b.is_finite());
         // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
         let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
@@ -357,7 +354,7 @@ fn is_held(tie: &Tie) -> bool {
 fn ordinary(scene: &Scene, data: &[f64]) -> bool {
     let mut all = true;
     admissible::rules(scene, |number, _| {
-        let x = admissible::value(number, data).abs();
+        let x = scene.value(number, data).abs();
         all &= x == 0.0 || (ORDINARY.recip()..ORDINARY).contains(&x);
     });
     all
@@ -396,7 +393,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
-    let number = |n: Num| admissible::value(n, data);
+    let number = |n: Num| scene.value(n, data);
     // Cords alone can say what other ties say.
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);

@@ -5,8 +5,8 @@
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
-use crate::num::{Dd, NOISE, Real};
-use crate::scene::{Label, Num, Scene, admissible};
+use crate::num::{Dd, Fast, NOISE, Real};
+use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road};
 
@@ -39,7 +39,7 @@ struct Changed<T> {
 /// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let (mut conds, rounded) = quotients::<f64>(scene, data, kind, entries);
+    let (mut conds, rounded) = quotients::<Fast>(scene, data, kind, entries);
     if rounded.contains(&true) {
         let (finer, _) = quotients::<Dd>(scene, data, kind, entries);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
@@ -123,12 +123,13 @@ fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
 fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
     let mut used = vec![false; data.len()];
     admissible::rules(scene, |number, _| {
-        if let Num::Datum(i) = number
-            && data.get(i).is_some_and(|x| *x != 0.0)
-        {
-            used[i] = true;
+        for i in scene.data_of(number) {
+            used[i] |= data.get(i).is_some_and(|x| *x != 0.0);
         }
     });
+    for given in scene.formulas.givens() {
+        used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
+    }
     (0..data.len()).filter(|i| used[*i]).collect()
 }
 

@@ -114,9 +114,9 @@ fn values(
     rung: Rung,
     labels: &[Label],
 ) -> Result<(Vec<f64>, Count), Refusal> {
-    fn of<P: Real>(road: &Road<P>, scales: Scales, labels: &[Label]) -> Vec<f64> {
+    fn of<P: Real>(road: &Road<P>, scene: &Scene, scales: Scales, labels: &[Label]) -> Vec<f64> {
         let value = |l: &Label| road.get(*l).map_or(f64::NAN, |s| s.value.f64());
-        labels.iter().map(|l| scales.si(l.quantity.unit(), value(l))).collect()
+        labels.iter().map(|l| scales.said(scene, *l, value(l))).collect()
     }
     let asked = |q: Quantity| labels.iter().any(|l| l.quantity == q);
     let rung = match rung {
@@ -126,10 +126,10 @@ fn values(
     agree::in_scales(scales, scene, data, |scene, data| {
         if rung == Rung::Doubles {
             let (road, count) = road::<f64>(scene, data, rung, &asked)?;
-            Ok((of(&road, scales, labels), count))
+            Ok((of(&road, scene, scales, labels), count))
         } else {
             let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
-            Ok((of(&road, scales, labels), count))
+            Ok((of(&road, scene, scales, labels), count))
         }
     })
 }

@@ -4,6 +4,7 @@ pub mod agree;
 pub mod condition;
 pub mod energy;
 pub mod eom;
+pub mod found;
 pub mod ladder;
 pub mod method;
 pub mod outcome;

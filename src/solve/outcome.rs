@@ -2,7 +2,7 @@
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
-use crate::scene::{Coordinate, Degree, End, Label, Scales, Scene};
+use crate::scene::{Coordinate, Degree, End, Label, Owner, Scales, Scene, Term};
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -372,6 +372,10 @@ pub enum Refusal {
         /// Rank found.
         rank: usize,
     },
+    /// No value of its range gives the measurement from which a datum is found.
+    NotFound,
+    /// That it is the only one in its range cannot be shown.
+    NotUnique,
     /// The ties leave this many freedoms; the program solves one, or two with slip.
     Freedoms(usize),
     /// The start and the ties leave the velocity of this coordinate open.
@@ -639,6 +643,38 @@ impl<T: Real> Road<T> {
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {
         self.said.iter().find(|s| s.label == label)
+    }
+    /// The road with what is asked by formulas; `other` is the same road of another scene. What has no value is not said.
+    pub fn answering(
+        mut self,
+        scene: &Scene,
+        data: &[f64],
+        other: &dyn Fn(&Scene) -> Result<Self, Refusal>,
+    ) -> Self {
+        if scene.formulas.asked.is_empty() {
+            return self;
+        }
+        let others: Vec<Option<Self>> =
+            scene.formulas.others.iter().map(|(_, scene)| other(scene).ok()).collect();
+        for (i, asked) in scene.formulas.asked.iter().enumerate() {
+            let said = |road: Option<&Self>, label: Label| {
+                let said = road.and_then(|road| road.get(label));
+                said.map_or((T::of(f64::NAN), 0.0), |s| (s.value, s.scale))
+            };
+            let (value, scale) = asked.formula.weighed(&|term: Term| match term {
+                Term::Given(given) => {
+                    let value: T = given.value(data);
+                    (value, value.size())
+                }
+                Term::Said(label) => said(Some(&self), label),
+                Term::Other(at, label) => said(others.get(at).and_then(Option::as_ref), label),
+            });
+            if value.is_finite() && scale.is_finite() {
+                let label = Label { quantity: asked.quantity, of: Owner::Asked(i) };
+                self.said.push(Said { label, value: value.cleared(scale), scale });
+            }
+        }
+        self
     }
 }
 

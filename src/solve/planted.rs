@@ -1,8 +1,8 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Line, Mass, Num, Particle, Pin,
-    PinSpring, Rest, RotaryInertia, Scene, Side, Slope, Span, Start, Tie, Zero,
+    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, Line, Mass, Num,
+    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Side, Slope, Span, Start, Tie, Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -25,6 +25,7 @@ fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
         turns: k.is_some(),
         particles: Vec::new(),
         pin: None,
+        planar: None,
     }
 }
 
@@ -46,10 +47,14 @@ fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
         bodies,
         ties,
         couples: Vec::new(),
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: Vec::new(),
         end,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     }
 }
 
@@ -75,6 +80,107 @@ fn pinned_and_tied(start: f64, end: f64) -> Scene {
         });
     }
     scene.couples.push(Couple { body: 0, moment_n_m: f(2.0), forward: false });
+    scene
+}
+
+/// A rod of the plane, 1.2 m long with its mass centre off the middle, and two named points and one between.
+fn rod(name: &str, start: Option<f64>) -> Body {
+    let mut rod = body(name, None, 3.0, Some(0.31));
+    rod.planar = Some(Planar {
+        points: [("A", 0.0), ("B", 1.2), ("C", 0.9)].map(|(n, x)| (n.to_owned(), Place::At(f(x)))).to_vec(),
+        centre: Place::At(f(0.55)),
+        from: Ray::Right,
+        clockwise: false,
+        start_deg: start.map(f),
+        origin_m: None,
+        side: Branch::Ahead,
+    });
+    rod
+}
+
+fn joint(kind: JointKind) -> Joint {
+    Joint { name: "joint".to_owned(), kind }
+}
+
+fn spot(body: usize, point: usize) -> Spot {
+    Spot { body, point }
+}
+
+fn guide(at: Spot, direction: f64, mu_k: Option<f64>) -> Joint {
+    let through_m = [f(0.0), f(0.0)];
+    joint(JointKind::Guide {
+        at,
+        through_m,
+        direction_deg: f(direction),
+        one_sided: false,
+        mu_k: mu_k.map(f),
+    })
+}
+
+/// A rod in two guides, with a force, a couple and a spring, that may rub.
+fn guided(mu_k: Option<f64>) -> Scene {
+    let mut scene = scene(vec![rod("rod", Some(62.0))], Vec::new(), 1.0);
+    scene.joints = vec![guide(spot(0, 0), 0.0, mu_k), guide(spot(0, 1), 90.0, mu_k)];
+    let push = |force_n, direction_deg, turns| Push {
+        name: "P".to_owned(),
+        at: spot(0, 2),
+        force_n,
+        direction_deg,
+        turns,
+    };
+    scene.pushes = vec![push(f(3.0), f(200.0), false), push(f(2.0), f(70.0), true)];
+    scene.struts.push(Strut {
+        name: "spring".to_owned(),
+        at: spot(0, 2),
+        to: StrutEnd::Ground([f(1.4), f(0.3)]),
+        stiffness_n_m: f(20.0),
+        rest: Rest::Length(f(0.4)),
+    });
+    scene.couples.push(Couple { body: 0, moment_n_m: f(1.5), forward: false });
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(38.0));
+    scene
+}
+
+/// A crank, a coupler and a rocker, or a slider instead of it.
+fn linkage(slider: bool) -> Scene {
+    let mut last = rod("last", None);
+    if slider {
+        last.inertia = None;
+        last.turns = false;
+    }
+    let mut scene = scene(vec![rod("crank", Some(70.0)), rod("coupler", None), last], Vec::new(), 1.0);
+    let hinge = |one, other| joint(JointKind::Hinge { one, other });
+    scene.joints = vec![
+        joint(JointKind::Pin { at: spot(0, 0), place_m: [f(0.0), f(0.0)] }),
+        hinge(spot(0, 2), spot(1, 0)),
+    ];
+    if slider {
+        scene.joints.extend([hinge(spot(1, 1), spot(2, 0)), guide(spot(2, 0), 0.0, None)]);
+    } else {
+        let pin = JointKind::Pin { at: spot(2, 0), place_m: [f(1.5), f(0.1)] };
+        scene.joints.extend([hinge(spot(1, 1), spot(2, 1)), joint(pin)]);
+        // On a body that does not lead: its turn is summed over the way.
+        scene.couples.push(Couple { body: 2, moment_n_m: f(1.0), forward: true });
+        scene.struts.push(Strut {
+            name: "spring".to_owned(),
+            at: spot(0, 1),
+            to: StrutEnd::Spot(spot(2, 2)),
+            stiffness_n_m: f(15.0),
+            rest: Rest::Stretch(f(0.2)),
+        });
+    }
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(45.0));
+    scene
+}
+
+/// A rod on a cord, let go.
+fn hanging() -> Scene {
+    let mut scene = scene(vec![rod("rod", Some(15.0))], Vec::new(), 1.0);
+    if let Some(planar) = &mut scene.bodies[0].planar {
+        planar.origin_m = Some([f(0.0), f(0.0)]);
+    }
+    scene.joints.push(joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.3), f(0.9)] }));
+    scene.end = End::AtOnce;
     scene
 }
 
@@ -191,6 +297,18 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             scene
         }),
         ("pinned body with a spring", pinned_and_tied(40.0, 100.0)),
+        ("rod in two guides", guided(None)),
+        ("rod in two guides that rub", guided(Some(0.15))),
+        ("four-bar linkage", linkage(false)),
+        ("slider-crank", linkage(true)),
+        ("rod on a cord", hanging()),
+        ("rod on a cord that turns", {
+            let mut scene = hanging();
+            scene.joints[0] = joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.0), f(0.9)] });
+            scene.joints.push(guide(spot(0, 1), 90.0, None));
+            scene.start.push(Start::Speed(Coordinate { body: 0, degree: Degree::Turn }, f(2.0)));
+            scene
+        }),
     ]
 }
 

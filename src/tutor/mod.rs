@@ -16,7 +16,7 @@ use crate::num::shown;
 use crate::policy::Hints;
 use crate::problem::make_key;
 use crate::problem::maker::{APART, Variant};
-use crate::scene::{Label, Quantity};
+use crate::scene::{End, Label, Num, Quantity};
 use crate::solve::agree;
 use crate::solve::outcome::{Entry, Solved};
 use crate::words::Words;
@@ -88,6 +88,14 @@ const QUESTIONS: usize = 3;
 enum Limit {
     Zero(usize),
     Tenfold(usize),
+    Twofold(usize),
+    Half(usize),
+}
+
+impl Limit {
+    const fn is_zero(self) -> bool {
+        matches!(self, Self::Zero(_))
+    }
 }
 
 /// Tells what becomes of answers to one problem of one student.
@@ -133,6 +141,13 @@ impl<'a, 'w> Tutor<'a, 'w> {
             methods: Vec::new(),
             hints: Vec::new(),
         };
+        if self.level == Hints::None && told.verdict == Verdict::WrongDirection {
+            // That only the sign is wrong is a hint.
+            told.verdict = Verdict::Wrong;
+            let signs = [self.say.other_sign, self.say.no_sign, self.say.get("feedback.other_word")];
+            let notes = signs.into_iter().find_map(|sign| told.reason.strip_prefix(sign)).unwrap_or_default();
+            told.reason = format!("{}{notes}", self.say.outside);
+        }
         let asks = matches!(told.verdict, Verdict::Wrong | Verdict::WrongDirection);
         if !asks || self.level == Hints::None {
             return Some(told);
@@ -220,15 +235,18 @@ impl<'a, 'w> Tutor<'a, 'w> {
             }
         };
         let label = self.problem.questions.get(part).map(|q| q.label);
-        let limit = label.and_then(|label| {
-            let taken = single.and_then(|(method, _)| self.method_in_a_limit(method, label, entry));
-            taken.or_else(|| self.right_in_a_limit(label))
+        let limit = label.and_then(|label| match single {
+            Some((method, words)) => self.method_in_a_limit(method, label, entry, words.did),
+            None => self.right_in_a_limit(label).map(|text| (text, false)),
         });
-        hints.extend(limit.map(|text| (Step::Limit, text)));
+        let named = limit.as_ref().is_some_and(|(_, named)| *named);
+        hints.extend(limit.map(|(text, _)| (Step::Limit, text)));
         self.of_place(part, hints);
         if let (Some((_, words)), Some((_, last))) = (single, hints.last_mut()) {
+            // A method is named once.
+            let name = if named { "tutor.instead" } else { "tutor.done" };
             let pieces = [("did", words.did), ("see", words.see), ("step", last.as_str())];
-            *last = self.words.say("tutor.done", &pieces);
+            *last = self.words.say(name, &pieces);
         }
     }
 
@@ -260,19 +278,29 @@ impl<'a, 'w> Tutor<'a, 'w> {
         format!("{} {}", self.words.get("tutor.unknown"), self.words.get(check))
     }
 
-    /// The limiting cases that are still a motion of this kind: the data, and the solution there.
+    /// The limiting cases that are still a motion of this kind: the data, and the solution there. What is at the end of a motion of no
+    /// length or duration tells nothing.
     fn limits(&self) -> impl Iterator<Item = (Limit, Vec<f64>, Solved)> + '_ {
-        let given = self.variant.values.iter().enumerate().filter(|(i, value)| {
+        let end = match self.problem.cases.get(self.variant.case).map(|case| case.scene.end) {
+            Some(End::Travel(_, n) | End::Position(_, n) | End::Time(_, n) | End::Speed(_, n)) => Some(n),
+            _ => None,
+        };
+        let given = self.variant.values.iter().enumerate().filter(move |(i, value)| {
             let free_fall = self.problem.data.get(*i).is_none_or(|d| d.symbol == "g");
-            value.is_some() && !free_fall && self.variant.data[*i] != 0.0
+            value.is_some() && !free_fall && self.variant.data[*i] != 0.0 && end != Some(Num::Datum(*i))
         });
-        given.filter_map(|(i, _)| {
-            let angle = self.problem.data[i].degrees;
-            let zero = self.solved_with(i, 0.0).map(|(data, solved)| (Limit::Zero(i), data, solved));
-            let more = || self.solved_with(i, 10.0 * self.variant.data[i]);
-            zero.or_else(|| {
-                let (data, solved) = (!angle).then(more).flatten()?;
-                Some((Limit::Tenfold(i), data, solved))
+        given.flat_map(move |(i, _)| {
+            let (angle, here) = (self.problem.data[i].degrees, self.variant.data[i]);
+            let zero = (Limit::Zero(i), 0.0);
+            let more = [
+                (Limit::Tenfold(i), 10.0 * here),
+                (Limit::Twofold(i), 2.0 * here),
+                (Limit::Half(i), 0.5 * here),
+            ];
+            let cases = std::iter::once(zero).chain(more.into_iter().filter(move |_| !angle));
+            cases.filter_map(move |(limit, value)| {
+                let (data, solved) = self.solved_with(i, value)?;
+                Some((limit, data, solved))
             })
         })
     }
@@ -281,7 +309,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         let mut data = self.variant.data.clone();
         data[datum] = value;
         // The first road is enough: no right number of it is told.
-        let half = agree::first(&self.problem.cases.get(self.variant.case)?.scene, &data).ok()?;
+        let half = agree::again(&self.problem.cases.get(self.variant.case)?.scene, &data).ok()?;
         let solved = half.preview().clone();
         let right = &self.variant.solved;
         let same = solved.regime == right.regime && solved.all_hold() == right.all_hold();
@@ -290,51 +318,59 @@ impl<'a, 'w> Tutor<'a, 'w> {
 
     /// `With k = 0`.
     fn of_limit(&self, limit: Limit) -> String {
-        let (Limit::Zero(i) | Limit::Tenfold(i)) = limit;
+        let (Limit::Zero(i) | Limit::Tenfold(i) | Limit::Twofold(i) | Limit::Half(i)) = limit;
         let symbol = format!("${}$", self.problem.data[i].tex);
         let name = match limit {
             Limit::Zero(_) => "tutor.limit.zero",
             Limit::Tenfold(_) => "tutor.limit.tenfold",
+            Limit::Twofold(_) => "tutor.limit.twofold",
+            Limit::Half(_) => "tutor.limit.half",
         };
         self.words.say(name, &[("symbol", &symbol)])
     }
 
-    /// What a wrong method gives in the limiting case in which that is oddest.
-    fn method_in_a_limit(&self, method: usize, label: Label, entry: &KeyEntry) -> Option<String> {
+    /// For a recognised method: its number where that is visibly wrong, else what the right answer does where the method's does
+    /// otherwise, in words. Is the method named in it? `None` where no limiting case tells the two apart.
+    fn method_in_a_limit(
+        &self,
+        method: usize,
+        label: Label,
+        entry: &KeyEntry,
+        did: &str,
+    ) -> Option<(String, bool)> {
         let magnitude = make_key::is_magnitude(label.quantity);
-        let mut best: Option<(f64, Limit, f64)> = None;
+        let here = self.variant.solved.get(label)?;
+        let before = self.wrong(method, label);
+        let mut odd: Option<(u8, Limit, f64)> = None;
+        let mut apart: Option<(u8, Limit, Trend)> = None;
         for (limit, data, solved) in self.limits() {
             let Some(right) = solved.get(label).map(Entry::value).filter(|r| r.is_finite()) else { continue };
-            let values = misconception::values(self.problem, self.variant.case, &data, &solved, &[label]);
-            let Some(wrong) = values.iter().find(|w| w.mistake == method) else { continue };
-            let value = if magnitude { wrong.value.abs() } else { wrong.value };
+            let at = (method, label);
+            let value = misconception::value(self.problem, self.variant.case, (&data, &solved), at);
+            let Some(value) = value.map(|v| if magnitude { v.abs() } else { v }) else { continue };
             let size = value.abs().max(right.abs());
-            // A datum that changes neither tells nothing.
-            let (here, before) =
-                (self.variant.solved.get(label).map_or(f64::NAN, Entry::value), self.wrong(method, label));
-            let same = |a: f64, b: f64| (a - b).abs() <= NONE * a.abs().max(b.abs());
-            let idle = same(right, here) && same(value, before);
-            if idle || (value - right).abs() <= TELLING * size || self.is_a_key(value) {
+            // A difference that nobody sees tells nothing.
+            if (value - right).abs() <= TELLING * size {
                 continue;
             }
-            // Oddest is a number where there should be none, then one of the other sign, then none where there should be one.
-            let oddness = if right.abs() <= NONE * size {
-                4.0
-            } else if value * right < 0.0 {
-                3.0
-            } else if value.abs() <= NONE * size {
-                2.0
-            } else {
-                let zero = matches!(limit, Limit::Zero(_));
-                f64::from(zero) + 0.5 - 0.5 * value.abs().min(right.abs()) / size
-            };
-            if best.is_none_or(|(most, ..)| oddness > most) {
-                best = Some((oddness, limit, value));
+            // Visibly wrong is a number where there should be none, and none where there should be one.
+            let none = [right, value].map(|x| x.abs() <= NONE * size);
+            let oddness = if limit.is_zero() { 2 * u8::from(none[0]) + u8::from(none[1]) } else { 0 };
+            if oddness > 0 && !self.is_a_key(value) && odd.is_none_or(|(most, ..)| oddness > most) {
+                odd = Some((oddness, limit, if none[1] { 0.0 } else { value }));
+            }
+            let trend = Trend::of(here.value(), right, here.scale);
+            let rank = trend.rank(limit);
+            if trend != Trend::of(before, value, here.scale) && apart.is_none_or(|(most, ..)| rank > most) {
+                apart = Some((rank, limit, trend));
             }
         }
-        let (_, limit, value) = best?;
-        let value = self.written(value, entry);
-        Some(self.words.say("tutor.limit.method", &[("limit", &self.of_limit(limit)), ("value", &value)]))
+        if let Some((_, limit, value)) = odd {
+            let (limit, value) = (self.of_limit(limit), self.written(value, entry));
+            let pieces = [("did", did), ("limit", &*limit), ("value", &*value)];
+            return Some((self.words.say("tutor.limit.method", &pieces), true));
+        }
+        apart.map(|(_, limit, trend)| (self.of_right(limit, trend), false))
     }
 
     /// What a wrong method gives for this student's data, SI; NaN where it gives nothing.
@@ -364,28 +400,59 @@ impl<'a, 'w> Tutor<'a, 'w> {
     /// What the right answer does in the limiting case that tells most, in words.
     fn right_in_a_limit(&self, label: Label) -> Option<String> {
         let here = self.variant.solved.get(label)?;
-        let mut best: Option<(u8, Limit, &str)> = None;
+        let mut best: Option<(u8, Limit, Trend)> = None;
         for (limit, _, solved) in self.limits() {
             let Some(there) = solved.get(label).map(Entry::value).filter(|x| x.is_finite()) else { continue };
-            let value = here.value();
-            let (rank, trend) = if there.abs() <= NONE * value.abs().max(here.scale) {
-                (5, "vanishes")
-            } else if there * value < 0.0 {
-                (4, "turns")
-            } else if (there - value).abs() <= NONE * value.abs() {
-                (3, "stays")
-            } else if there.abs() > value.abs() {
-                (1, "grows")
-            } else {
-                (2, "shrinks")
-            };
+            let trend = Trend::of(here.value(), there, here.scale);
+            let rank = trend.rank(limit);
             if best.is_none_or(|(most, ..)| rank > most) {
                 best = Some((rank, limit, trend));
             }
         }
-        let (_, limit, trend) = best?;
-        let trend = self.words.get(&format!("tutor.trend.{trend}"));
-        Some(self.words.say("tutor.limit.right", &[("limit", &self.of_limit(limit)), ("trend", trend)]))
+        best.map(|(_, limit, trend)| self.of_right(limit, trend))
+    }
+
+    fn of_right(&self, limit: Limit, trend: Trend) -> String {
+        let trend = self.words.get(match trend {
+            Trend::Grows => "tutor.trend.grows",
+            Trend::Shrinks => "tutor.trend.shrinks",
+            Trend::Stays => "tutor.trend.stays",
+            Trend::Turns => "tutor.trend.turns",
+            Trend::Vanishes => "tutor.trend.vanishes",
+        });
+        self.words.say("tutor.limit.right", &[("limit", &self.of_limit(limit)), ("trend", trend)])
+    }
+}
+
+/// What becomes of a number in a limiting case: the later one tells more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Trend {
+    Stays,
+    Grows,
+    Shrinks,
+    Turns,
+    Vanishes,
+}
+
+impl Trend {
+    /// How much it tells: without a datum more than with more of it.
+    const fn rank(self, limit: Limit) -> u8 {
+        2 * self as u8 + limit.is_zero() as u8
+    }
+
+    /// From its value at the student's data and in the limiting case; `scale` is the size of the terms that make it up.
+    fn of(here: f64, there: f64, scale: f64) -> Self {
+        if there.abs() <= NONE * here.abs().max(scale) {
+            Self::Vanishes
+        } else if there * here < 0.0 {
+            Self::Turns
+        } else if (there - here).abs() <= NONE * here.abs() {
+            Self::Stays
+        } else if there.abs() > here.abs() {
+            Self::Grows
+        } else {
+            Self::Shrinks
+        }
     }
 }
 
@@ -411,5 +478,6 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::Period | Q::PeriodSmall | Q::OmegaSmall => "swing",
         Q::Direction => "direction",
         Q::Rolls => "rolls",
+        Q::Value => "value",
     }
 }

@@ -24,6 +24,7 @@ macro_rules! lists {
             ("marks", include_str!(concat!("../../templates/", $folder, "words/marks.yaml"))),
             ("tutor", include_str!(concat!("../../templates/", $folder, "words/tutor.yaml"))),
             ("index", include_str!(concat!("../../templates/", $folder, "words/index.yaml"))),
+            ("export", include_str!(concat!("../../templates/", $folder, "words/export.yaml"))),
             ("report", include_str!(concat!("../../templates/", $folder, "words/report.yaml"))),
         ]
     };

@@ -25,6 +25,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             turns: true,
             particles: vec![],
             pin: None,
+            planar: None,
         }],
         ties: vec![
             contact,
@@ -35,10 +36,14 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             }),
         ],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: vec![],
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     let p = if slip { 400.0 } else { 200.0 };
     (scene, vec![40.0, 0.4, 0.2, 0.22, 25.0, 9.81, p, 1.0, if slip { 0.2 } else { 0.9 }, 0.15])

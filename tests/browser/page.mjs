@@ -8,7 +8,7 @@ import { createRequire } from 'node:module';
 const modules = createRequire(path.join(path.resolve(process.env.SLIPSTICK_BROWSER), 'package.json'));
 const { chromium } = modules('playwright-core');
 const axe = fs.readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8');
-const { sheets, site, off } = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
+const { sheets, site, off, practice } = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
 const faults = [];
 const holds = (is, what) => { if (!is) faults.push(what); };
 
@@ -27,7 +27,7 @@ const opened = async (url, settings = {}) => {
 };
 const ready = (page) => page.waitForFunction(() => document.documentElement.dataset.ready === 'yes', null, { timeout: 30000 });
 const box = (page, part) => page.locator(`input[name="${part}"]`);
-const found = (page) => page.$$eval('[data-part]', (all) => all.map((e) => ({ part: e.dataset.part, verdict: e.dataset.verdict, read: e.dataset.read, reason: e.textContent })));
+const found = (page) => page.$$eval('[data-part]', (all) => all.map((e) => ({ part: e.dataset.part, verdict: e.dataset.verdict, read: e.dataset.read, hint: e.dataset.hint, reason: e.textContent })));
 const sound = async (page, what) => {
   if (!await page.evaluate(() => 'axe' in window)) await page.evaluate(axe);
   const { violations } = await page.evaluate(() => globalThis.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] }));
@@ -37,19 +37,20 @@ const sound = async (page, what) => {
 };
 const url = (file) => `file://${encodeURI(path.resolve(file))}`;
 
-let judged = 0, slowest = 0;
+let judged = 0, hinted = 0, slowest = 0;
 for (const sheet of sheets) {
   const page = await opened(url(sheet.file));
   await ready(page);
   const names = await page.$$eval('.box input', (all) => all.map((e) => e.name));
   holds(JSON.stringify(names.toSorted()) === JSON.stringify(sheet.parts.toSorted()), `${sheet.file}: boxes ${names}`);
   const button = page.getByRole('button', { name: sheet.button }).first();
+  // No hint to a part is said twice.
+  const said = new Map(names.map((part) => [part, new Set()]));
   for (const round of sheet.rounds) {
     for (const part of names) await box(page, part).fill(round.find((one) => one.part === part)?.cell ?? '');
-    await button.click();
-    slowest = Math.max(slowest, await page.evaluate(() => {
+    slowest = Math.max(slowest, await button.evaluate((one) => {
       const begin = performance.now();
-      document.getElementById('answers').requestSubmit();
+      one.click();
       return performance.now() - begin;
     }));
     const told = (await found(page)).filter((one) => one.verdict);
@@ -61,8 +62,36 @@ for (const sheet of sheets) {
       for (const what of ['verdict', 'reason', 'read']) {
         holds(got.length === 1 && got[0][what] === want[what], `${sheet.file}: ${want.part}=${JSON.stringify(want.cell)}: ${what} ${JSON.stringify(got[0]?.[what])}, the program says ${JSON.stringify(want[what])}`);
       }
+      const hint = want.hints.find((one) => !said.get(want.part).has(one));
+      if (hint) said.get(want.part).add(hint);
+      const line = hint ?? (want.hints.length ? sheet.no_more.replace('{part}', want.part).replace('{of}', want.hints.length) : '');
+      hinted += hint ? 1 : 0;
+      holds(got[0]?.hint === line, `${sheet.file}: ${want.part}=${JSON.stringify(want.cell)}: hint ${JSON.stringify(got[0]?.hint)}, the program says ${JSON.stringify(line)}`);
     }
   }
+  await page.context().close();
+}
+holds(hinted > 300, `only ${hinted} hints`);
+
+// The ladder of one wrong answer: check again, or the button, and never twice.
+for (const sheet of sheets.slice(0, 4)) {
+  const page = await opened(url(sheet.file));
+  await ready(page);
+  const { part, cell, hints } = sheet.rounds.slice(2, 6).flat().toSorted((a, b) => b.hints.length - a.hints.length)[0];
+  const told = async () => (await found(page)).find((one) => one.part === part).hint;
+  await box(page, part).fill(cell);
+  await box(page, part).press('Enter');
+  const heard = [await told()];
+  const more = page.locator(`#found-${part.replace('.', '\\.')} button`);
+  for (let i = 1; i < hints.length; i++) {
+    if (i % 2) await more.click();
+    else await page.getByRole('button', { name: sheet.button }).first().click();
+    heard.push(await told());
+  }
+  holds(JSON.stringify(heard) === JSON.stringify(hints) && hints.length > 2, `${sheet.file}: ${part}=${cell}: ${JSON.stringify(heard)}, the program says ${JSON.stringify(hints)}`);
+  holds(!await more.isVisible(), `${sheet.file}: there is still a button for hints`);
+  holds(await page.locator('.hint').count() === hints.length, `${sheet.file}: hints that were said stay`);
+  await sound(page, `${sheet.file} with hints`);
   await page.context().close();
 }
 
@@ -72,7 +101,7 @@ for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme
   const page = await opened(url(file), settings);
   await ready(page);
   await sound(page, `${file} ${JSON.stringify(settings)}`);
-  for (const [i, name] of (await page.$$eval('.box input', (all) => all.map((e) => e.name))).entries()) await box(page, name).fill(i % 2 ? '1e9 kg' : cell);
+  for (const [i, name] of (await page.$$eval('.box input', (all) => all.map((e) => e.name))).entries()) await box(page, name).fill(i % 3 === 1 ? '1e9 kg' : i % 3 ? '0.1234' : cell);
   await page.getByRole('button', { name: button }).first().click();
   await sound(page, `${file} checked ${JSON.stringify(settings)}`);
   await page.context().close();
@@ -135,12 +164,74 @@ for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme
   await once('without its server');
   await page.context().close();
 }
+// Practice: one problem at a time; the first is missed, and comes again behind the others, empty.
+{
+  const [first, ...others] = practice.tasks;
+  for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme: 'dark' }]) {
+    const page = await opened(url(practice.file), settings);
+    await ready(page);
+    await sound(page, `practice ${JSON.stringify(settings)}`);
+    await box(page, first[0][0]).fill('0.1234');
+    await page.keyboard.press('Enter');
+    await page.locator('.task:not([hidden]) summary').click();
+    await sound(page, `practice with a solution ${JSON.stringify(settings)}`);
+    await page.context().close();
+  }
+  const page = await opened(url(practice.file));
+  await ready(page);
+  const shown = () => page.$$eval('.task:not([hidden]) .box input', (all) => all.map((e) => e.name));
+  const at = async (task, what) => {
+    const names = await shown();
+    holds(JSON.stringify(names) === JSON.stringify(task.map(([name]) => name)), `practice: ${what}: boxes ${names}`);
+  };
+  const solve = async (task) => {
+    for (const [name, right] of task) await box(page, name).fill(right);
+    await page.locator('#answers button').first().click();
+    const wrong = (await found(page)).filter((one) => one.verdict && one.verdict !== 'right');
+    holds(wrong.length === 0, `practice: ${JSON.stringify(wrong)}`);
+  };
+  const next = async () => {
+    await page.locator('#next').focus();
+    await page.keyboard.press('Enter');
+  };
+  await at(first, 'at first');
+  holds(!await page.locator('.task:not([hidden]) details > :not(summary)').first().isVisible(), 'practice: the solution is open');
+  await box(page, first[0][0]).fill('0.1234');
+  await page.keyboard.press('Enter');
+  holds((await found(page)).find((one) => one.part === first[0][0]).hint !== '', 'practice: no hint');
+  await next();
+  await at(others[0], 'after one that was missed');
+  await solve(others[0]);
+  await page.reload();
+  await ready(page);
+  await at(others[0], 'after a reload');
+  holds(await box(page, others[0][0][0]).inputValue() === others[0][0][1], 'practice: not kept');
+  await next();
+  await solve(others[1]);
+  // A problem whose solution was opened comes again as well.
+  await page.locator('.task:not([hidden]) summary').press('Enter');
+  await next();
+  await solve(others[2]);
+  await next();
+  for (const task of [first, others[1]]) {
+    await at(task, 'what comes again');
+    holds(await box(page, task[0][0]).inputValue() === '', 'practice: what comes again is not empty');
+    holds(await page.locator('.task:not([hidden]) details[open]').count() === 0, 'practice: a solution is still open');
+    await solve(task);
+    await next();
+  }
+  holds((await shown()).length === 0 && /^All 4/.test(await page.locator('#status').textContent()), 'practice: no end');
+  await sound(page, 'practice at its end');
+  await page.locator('#over').click();
+  await at(first, 'started over');
+  await page.context().close();
+}
 {
   const page = await opened(url(off));
   holds(await page.locator('input, script, button').count() === 0, `${off}: self check is off`);
   await page.context().close();
 }
 await browser.close();
-console.log(`${judged} answers in ${sheets.length} pages; the slowest check took ${slowest.toFixed(0)} ms`);
+console.log(`${judged} answers and ${hinted} hints in ${sheets.length} pages; the slowest check took ${slowest.toFixed(0)} ms`);
 for (const fault of faults.slice(0, 40)) console.error(fault);
 process.exit(faults.length ? 1 : 0);

@@ -228,6 +228,7 @@ fn body(name: &str, line: Option<Line>, mass: f64, gyration: Option<f64>) -> Bod
         turns: gyration.is_some(),
         particles: Vec::new(),
         pin: None,
+        planar: None,
     }
 }
 
@@ -293,16 +294,21 @@ fn composed(dice: &mut Dice) -> Scene {
         bodies,
         ties,
         couples,
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start,
         end: End::AtOnce,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     }
 }
 
 fn number(n: Num) -> f64 {
     match n {
         Num::Fixed(x) => x,
+        Num::Derived(_) => panic!("these scenes have no expressions"),
         Num::Datum(_) => unreachable!("all constants"),
     }
 }
@@ -664,6 +670,9 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         bodies: vec![body("plate", None, 1.0, Some(1.0))],
         ties: Vec::new(),
         couples: Vec::new(),
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: vec![Start::Lamina {
             body: 0,
             particle: 0,
@@ -674,6 +683,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         end: End::AtOnce,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     scene.bodies[0].inertia = None;
     scene.bodies[0].mass = Mass::OfParts;

@@ -19,6 +19,7 @@ fn wheel(k: usize, roll: &str) -> Body {
         turns: true,
         particles: vec![],
         pin: None,
+        planar: None,
     }
 }
 
@@ -40,10 +41,14 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
         bodies: vec![wheel(3, "")],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: vec![],
         end: End::Travel(along(0), Num::Datum(7)),
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     match name {
         "pulled-rolling" => (
@@ -77,6 +82,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
                 end: End::Travel(along(0), Num::Datum(8)),
                 // The greatest speed and the turning point are asked, too.
                 span: Span::ToTurningPoint,
+                formulas: Formulas::default(),
                 ..base
             },
             vec!["m", "R", "r", "k", "theta", "g", "ks", "x0", "D", "mu_s"],
@@ -324,16 +330,21 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
             start_deg: Num::Datum(3),
             spring: None,
         }),
+        planar: None,
     };
     let scene = Scene {
         gravity_m_s2: Num::Datum(2),
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: vec![],
         end: End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4)),
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     (scene, symbols.iter().map(|s| number(&inputs[*s])).collect())
 }

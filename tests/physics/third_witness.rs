@@ -21,6 +21,7 @@ impl Witness<'_> {
         match n {
             Num::Datum(i) => self.data[i],
             Num::Fixed(x) => x,
+            Num::Derived(_) => panic!("these scenes have no expressions"),
         }
     }
     fn mass(&self, b: &Body) -> f64 {
@@ -514,6 +515,7 @@ fn lamina(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
     let get = |n: Num| match n {
         Num::Datum(i) => data[i],
         Num::Fixed(x) => x,
+        Num::Derived(_) => panic!("these scenes have no expressions"),
     };
     let Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } = scene.start[0] else {
         panic!("no lamina")

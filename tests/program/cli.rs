@@ -467,7 +467,7 @@ fn check_gives_the_hints_that_the_bank_allows() {
     };
     let first = "How far does the point move at which the pull acts, compared with the centre?";
     assert_eq!(hint("explain", "1"), format!("1 of 4: {first}"));
-    assert!(hint("explain", "2").ends_with("Can that be?"), "{}", hint("explain", "2"));
+    assert!(hint("explain", "2").ends_with("What does your formula do there?"), "{}", hint("explain", "2"));
     assert!(hint("explain", "3").starts_with("3 of 4: Look at the figure"), "{}", hint("explain", "3"));
     assert!(
         hint("explain", "4").contains("The pulled end does not move with the centre"),

@@ -14,6 +14,7 @@ mod support;
 mod asked;
 mod cli;
 mod earlier_sets;
+mod exports;
 mod findings;
 mod hostile_texts;
 mod leaks;

@@ -1,12 +1,12 @@
 //! Sheets that check themselves: the program in the page answers what `slipstick check` answers, in Node and in a browser.
 use sha2::{Digest, Sha256};
-use slipstick::answer::read::UnitCache;
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
-use slipstick::grade::feedback::Feedback;
 use slipstick::grade::verdict::Verdict;
 use slipstick::key::{Answer, KeyEntry};
-use slipstick::page::check;
+use slipstick::misconception::catalogue::{Catalogue, Entry};
+use slipstick::num::shown;
+use slipstick::page::check::{self, CheckedProblem};
 use slipstick::page::sheet_file::SheetFile;
 use slipstick::sheet::self_check::PROGRAM;
 use slipstick::words::Words;
@@ -50,13 +50,17 @@ struct Case {
     told: check::Checked,
 }
 
-/// A sheet, and answers to it: in each round one to a part at most. The first round is right, the second is wrong.
+/// A sheet, and answers to it: in each round one to a part at most. The first round is right, the second is wrong, the next ones are
+/// where known wrong methods come to.
 struct Made {
     folder: PathBuf,
     language: &'static str,
     parts: Vec<String>,
     rounds: Vec<Vec<Case>>,
 }
+
+/// Rounds of answers by wrong methods.
+const METHODS: usize = 4;
 
 fn right(entry: &KeyEntry, words: &Words) -> String {
     match &entry.answer {
@@ -77,6 +81,13 @@ fn wrong(entry: &KeyEntry, words: &Words) -> String {
             entry.unit.text_with(&entry.unit.from_si(off).to_string())
         }
     }
+}
+
+/// Where a wrong method comes to, to four figures; the n-th that is known of the part, or the right answer with the wrong sign.
+fn by_method(entry: &KeyEntry, n: usize) -> String {
+    let Answer::Number { value, .. } = entry.answer else { return "5".to_owned() };
+    let wrong = entry.wrong.get(n).map_or(-value, |w| w.value);
+    entry.unit.text_with(&shown::significant(entry.unit.from_si(wrong), 4))
 }
 
 /// What students write: numbers near and far, in other units, with commas, words, fractions, and what is no answer.
@@ -132,48 +143,64 @@ fn random(entry: &KeyEntry, lots: &mut Lots) -> String {
     format!("{text} {unit}{word}").trim_end().to_owned()
 }
 
-/// Sheets of every built-in problem in a language, with answers and what the program says of them.
+/// Sheets of every built-in problem in a language, with answers and what the program says of them: in English with all hints, in
+/// German with those of a bank that says nothing about them.
 fn made(room: &Path, language: &'static str) -> Vec<Made> {
     let roster = room.join("roster.csv");
     std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n").unwrap();
     let words = Words::built_in(language).unwrap();
-    let (say, mut lots) = (Feedback::new(words), Lots(17));
+    let catalogue = Catalogue::shared(language);
+    let find = |id: &str| catalogue.get(id).map(Entry::words);
+    let mut lots = Lots(17);
     let mut all = Vec::new();
     for bank in BANKS {
         let out = room.join(format!("{bank}-{language}"));
+        let mut file = bank.to_owned();
+        if language == "en" {
+            let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("banks/{bank}.yaml"));
+            let text = std::fs::read_to_string(built_in).unwrap();
+            file = room.join(format!("{bank}.yaml")).display().to_string();
+            std::fs::write(&file, text.replacen("\nproblems:", "\ngrading: {hints: explain}\nproblems:", 1))
+                .unwrap();
+        }
         let (folder, roster) = (out.display().to_string(), roster.display().to_string());
         let args =
-            ["generate", bank, "--roster", &roster, "--seed", "7", "--language", language, "--out", &folder];
+            ["generate", &file, "--roster", &roster, "--seed", "7", "--language", language, "--out", &folder];
         let (exit, _, err) = run(&args);
         assert_eq!(exit, Exit::Fine, "{err}");
         let folder = out.join("students/0017");
         let sheet = SheetFile::parse(&std::fs::read_to_string(folder.join("sheet.json")).unwrap()).unwrap();
         let solved: Vec<_> = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()).collect();
-        let entries: Vec<(String, &KeyEntry)> = solved
+        let parts: Vec<(String, &CheckedProblem, usize)> = solved
             .iter()
-            .flat_map(|p| p.key.parts.iter().map(|e| (format!("{}.{}", p.number, e.part), e)))
+            .flat_map(|p| {
+                p.key.parts.iter().enumerate().map(move |(i, e)| (format!("{}.{}", p.number, e.part), p, i))
+            })
             .collect();
         let round = |cell: &mut dyn FnMut(&KeyEntry) -> String| -> Vec<Case> {
-            let case = |(part, entry): &(String, &KeyEntry)| {
-                let cell = cell(entry);
-                let told = check::check(entry, &cell, &mut UnitCache::default(), &say);
+            let case = |(part, problem, index): &(String, &CheckedProblem, usize)| {
+                let cell = cell(&problem.key.parts[*index]);
+                let told = problem.check(*index, &cell, words, &find).unwrap();
                 Case { part: part.clone(), cell, told }
             };
-            entries.iter().map(case).collect()
+            parts.iter().map(case).collect()
         };
         let mut rounds = vec![round(&mut |e| right(e, words)), round(&mut |e| wrong(e, words))];
-        for _ in 0..RANDOM.div_ceil(BANKS.len() * entries.len()) {
+        rounds.extend((0..METHODS).map(|n| round(&mut |e| by_method(e, n))));
+        for _ in 0..RANDOM.div_ceil(BANKS.len() * parts.len()) {
             rounds.push(round(&mut |e| random(e, &mut lots)));
         }
-        let parts = entries.iter().map(|(part, _)| part.clone()).collect();
+        let parts = parts.iter().map(|(part, ..)| part.clone()).collect();
         all.push(Made { folder, language, parts, rounds });
     }
     all
 }
 
 fn case(case: &Case) -> serde_json::Value {
-    let check::Checked { verdict, reason, read } = &case.told;
-    serde_json::json!({"part": case.part, "cell": case.cell, "verdict": verdict.as_str(), "reason": reason, "read": read})
+    let check::Checked { verdict, reason, read, hints } = &case.told;
+    serde_json::json!({
+        "part": case.part, "cell": case.cell, "verdict": verdict.as_str(), "reason": reason, "read": read, "hints": hints,
+    })
 }
 
 #[test]
@@ -187,7 +214,7 @@ fn key_answers_are_right_and_what_is_just_beyond_the_tolerance_is_not() {
                 assert_eq!(right(case), want, "{} {part}: {cell}: {told:?}", made.folder.display());
             }
         }
-        let random = made.rounds[2..].iter().flatten();
+        let random = made.rounds[2 + METHODS..].iter().flatten();
         let share = random.clone().filter(|case| right(case)).count() * 100 / random.count();
         assert!((5..60).contains(&share), "{share} % of the random answers are right");
     }
@@ -231,6 +258,60 @@ fn node() -> bool {
     there
 }
 
+/// The data of a page.
+fn data_of(page: &str) -> serde_json::Value {
+    let begin = "<script type=\"application/json\" id=\"sheet\">";
+    let (_, rest) = page.split_once(begin).unwrap();
+    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+}
+
+/// What the page and `check` tell is one ladder; a bank without hints gives verdicts alone, and its pages carry no words for more.
+#[test]
+fn the_ladder_of_hints_is_that_of_check() {
+    let room = tempfile::tempdir().unwrap();
+    let (mut hints, mut longest) = (0, 0);
+    for made in made(room.path(), "en").into_iter().step_by(3) {
+        let file = made.folder.join("sheet.json").display().to_string();
+        for case in made.rounds[2].iter().chain(&made.rounds[3]) {
+            let Case { part, cell, told } = case;
+            let answer = format!("{part}={cell}");
+            let of = told.hints.len();
+            longest = longest.max(of);
+            for (n, hint) in told.hints.iter().enumerate() {
+                hints += 1;
+                let n = (n + 1).to_string();
+                let (exit, out, err) = run(&["check", &file, &answer, "--hint", &n]);
+                assert_eq!(exit, Exit::NotAllRight, "{err}");
+                assert_eq!(out.lines().last().unwrap(), format!("{part}, hint {n} of {of}: {hint}"));
+            }
+        }
+    }
+    assert!(hints > 80 && longest >= 4, "{hints}, {longest}");
+    let at = |name: &str| room.path().join(name).display().to_string();
+    let text = std::fs::read_to_string(at("slip-and-roll.yaml")).unwrap();
+    std::fs::write(at("none.yaml"), text.replace("hints: explain", "hints: none")).unwrap();
+    let (roster, out) = (at("roster.csv"), at("none"));
+    assert_eq!(
+        run(&["generate", &at("none.yaml"), "--roster", &roster, "--seed", "7", "--out", &out]).0,
+        Exit::Fine
+    );
+    let data = data_of(&std::fs::read_to_string(at("none/students/0017/sheet.html")).unwrap());
+    assert_eq!(data["methods"], serde_json::json!({}));
+    let sheet = SheetFile::of(&data["sheet"]).unwrap();
+    let mut signs = 0;
+    for problem in sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()) {
+        for (index, entry) in problem.key.parts.iter().enumerate() {
+            let Answer::Number { value, .. } = entry.answer else { continue };
+            let cell = entry.unit.text_with(&entry.unit.from_si(-value).to_string());
+            let told = problem.check(index, &cell, Words::built_in("en").unwrap(), &|_| None).unwrap();
+            signs += 1;
+            assert_eq!((told.verdict, &*told.reason), (Verdict::Wrong, "not within the tolerance"), "{cell}");
+            assert!(told.hints.is_empty(), "{told:?}");
+        }
+    }
+    assert!(signs > 5, "{signs}");
+}
+
 #[test]
 fn the_program_of_the_page_answers_in_node_what_check_answers() {
     if !node() {
@@ -240,11 +321,9 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
     let all: Vec<Made> = ["en", "de"].into_iter().flat_map(|language| made(room.path(), language)).collect();
     let mut cases = Vec::new();
     for made in &all {
-        let text = std::fs::read_to_string(made.folder.join("sheet.json")).unwrap();
-        let sheet: serde_json::Value = serde_json::from_str(&text).unwrap();
-        let phrases = Words::built_in(made.language).unwrap().phrases(&["feedback", "sheet"]);
         let answers: Vec<_> = made.rounds.iter().flatten().map(|c| [&c.part, &c.cell]).collect();
-        cases.push(serde_json::json!({"opening": {"sheet": sheet, "phrases": phrases}, "answers": answers}));
+        let opening = data_of(&std::fs::read_to_string(made.folder.join("sheet.html")).unwrap());
+        cases.push(serde_json::json!({"opening": opening, "answers": answers}));
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut node = Command::new("node")
@@ -274,6 +353,57 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
     assert!(judged > 2 * RANDOM, "{judged} answers");
 }
 
+/// A page to practise with: its file, and right answers to its problems in their order.
+fn practice(file: &str) -> serde_json::Value {
+    let problems = "pulled-rolling,spring-released";
+    let args =
+        ["practice", BANKS[0], "--problems", problems, "--seed", "5", "--variants", "2", "--page", file];
+    let (exit, out, err) = run(&args);
+    assert_eq!(exit, Exit::Fine, "{err}");
+    assert!(out.contains("4 problems (seed 5)"), "{out}");
+    let words = Words::built_in("en").unwrap();
+    let data = data_of(&std::fs::read_to_string(file).unwrap());
+    let sheet = SheetFile::of(&data["sheet"]).unwrap();
+    let solved = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap());
+    let tasks: Vec<_> = solved
+        .map(|p| {
+            let answer =
+                |e: &KeyEntry| serde_json::json!([format!("{}.{}", p.number, e.part), right(e, words)]);
+            p.key.parts.iter().map(answer).collect::<Vec<_>>()
+        })
+        .collect();
+    serde_json::json!({"file": file, "tasks": tasks})
+}
+
+/// Practice in a terminal draws the same problems; a page is not written over another, nor from a bank that leaves no scene.
+#[test]
+fn a_page_to_practise_with_has_solutions_and_is_written_whole_or_not_at_all() {
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    let file = at("practice.html");
+    let made = practice(&file);
+    assert_eq!(made["tasks"].as_array().unwrap().len(), 4);
+    let page = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(page.matches("<section class=\"task\">").count(), 4);
+    assert_eq!(page.matches("<details><summary>Worked solution</summary>").count(), 4);
+    assert!(!page.contains("<details open"), "solutions are closed");
+    assert!(page.len() < 2_000_000, "{} bytes", page.len());
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let unique: std::collections::BTreeSet<&str> = ids.iter().copied().collect();
+    assert_eq!(ids.len(), unique.len(), "an id stands twice");
+    let (exit, _, err) = run(&["practice", BANKS[0], "--page", &file]);
+    assert!(exit != Exit::Fine && err.contains("is there already"), "{err}");
+    assert_eq!(run(&["practice", BANKS[0], "--variants", "2"]).0, Exit::Faulty);
+    let bank = Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/slip-and-roll.yaml");
+    let text = std::fs::read_to_string(bank).unwrap();
+    std::fs::write(at("off.yaml"), text.replacen("\nproblems:", "\nself check: off\nproblems:", 1)).unwrap();
+    let (exit, _, err) = run(&["practice", &at("off.yaml"), "--page", &at("off.html")]);
+    assert!(
+        exit != Exit::Fine && err.contains("self check") && !Path::new(&at("off.html")).exists(),
+        "{err}"
+    );
+}
+
 #[test]
 fn sheets_check_themselves_in_a_browser() {
     if std::env::var_os("SLIPSTICK_BROWSER").is_none() {
@@ -289,6 +419,7 @@ fn sheets_check_themselves_in_a_browser() {
             serde_json::json!({
                 "file": made.folder.join("sheet.html"), "parts": made.parts, "rounds": rounds, "answers": "answers-0017.csv",
                 "button": Words::built_in(made.language).unwrap().get("page.check"),
+                "no_more": Words::built_in(made.language).unwrap().get("tutor.no_more"),
             })
         })
         .collect();
@@ -313,6 +444,9 @@ fn sheets_check_themselves_in_a_browser() {
         "site": {"folder": format!("{site}/students"), "sheet": "0017/sheet.html", "part": first.part, "cell": first.cell},
         "off": format!("{off}/students/0017/sheet.html"),
     });
+    let practice = practice(&at("practice.html"));
+    let mut cases = cases;
+    cases["practice"] = practice;
     std::fs::write(at("cases.json"), cases.to_string()).unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/browser/page.mjs");
     let done = Command::new("node").arg(script).arg(at("cases.json")).output().unwrap();

@@ -1,5 +1,6 @@
 //! What several tests share: the banks of the project, and the program run.
 pub mod program;
+pub mod xml;
 
 use slipstick::bank::{Bank, load};
 

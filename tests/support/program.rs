@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 /// How a command line ended, and what it wrote.
 pub struct Ran {
@@ -39,6 +40,16 @@ pub fn run(args: &[&str]) -> Ran {
 /// `generate` with seed 1.
 pub fn generate(bank: &str, roster: &str, out: &str, more: &[&str]) -> Ran {
     run(&[&["generate", bank, "--roster", roster, "--seed", "1", "--out", out], more].concat())
+}
+
+/// Is there pandoc? Where there is none, tests pass over what needs it, but not in `.ci/run`.
+pub fn has_pandoc() -> bool {
+    let there = Command::new("pandoc").arg("--version").output().is_ok_and(|o| o.status.success());
+    assert!(there || std::env::var_os("SLIPSTICK_NEEDS_PANDOC").is_none(), "there is no pandoc");
+    if !there {
+        println!("passed over: there is no pandoc");
+    }
+    there
 }
 
 /// All files below a folder with their bytes, by their paths with `/`.

@@ -202,8 +202,8 @@ impl SceneReader<'_> {
                         direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
                     }
                 }
-                (Num::Datum(_), Ray::Up | Ray::Left) => {}
-                (Num::Datum(_), _) => {
+                (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
+                (Num::Datum(_) | Num::Derived(_), _) => {
                     let hint = "it pushes to the left of its direction: write the angle so that this is `up`";
                     f.hint(node, "a line along a drawn direction pushes up", hint);
                 }

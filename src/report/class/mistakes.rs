@@ -3,8 +3,8 @@ use crate::report::class::{ClassReporter, Rich};
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::{LEVEL, MistakeCount};
 use crate::report::table::percent;
-use crate::sheet::terminal::plain;
 use crate::template;
+use crate::words::plain::plain;
 use serde::Serialize;
 
 /// Mistakes told in words; all are in the table.

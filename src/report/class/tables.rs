@@ -5,8 +5,8 @@ use crate::report::class::{ClassReporter, Rich, SHOWN};
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::DatumComparison;
 use crate::report::table::{Table, TableCell, percent};
-use crate::sheet::terminal::plain;
 use crate::template;
+use crate::words::plain::plain;
 use std::collections::BTreeMap;
 
 /// Names of all tables.

@@ -16,7 +16,7 @@ pub mod thrown;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Real, ball};
+use crate::num::{Fast, Real, ball};
 use crate::scene::{
     Attach, Coordinate, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity, RotaryInertia, Scene,
     Span, Tie,
@@ -25,6 +25,8 @@ use crate::solve::energy::account::{Account, Store};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
+use crate::solve::found;
+use crate::solve::found::Forward;
 use crate::solve::method::Method;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Refusal, Road, Said};
@@ -35,6 +37,32 @@ use std::cell::Cell;
 ///
 /// Errors: ties that hold the ending coordinate fast, a start that contradicts them or leaves open what is asked.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => found::road(found, data, &Here(scene)),
+        None => answered(scene, data),
+    }
+}
+
+/// [`road`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+}
+
+/// This road of a scene, for the search of what is found from a measurement.
+struct Here<'s>(&'s Scene);
+
+impl<T: Real> Forward<T> for Here<'_> {
+    fn rough(&self, data: &[f64], label: Label) -> f64 {
+        let road = alone::<Fast>(self.0, data).ok();
+        road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
+    }
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.0, data)
+    }
+}
+
+/// [`road`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
         return joined::road(scene, &n);
@@ -56,6 +84,16 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 ///
 /// Errors: those of [`road`].
 pub fn road_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
+    let (road, count) = alone_by(scene, data, points)?;
+    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+}
+
+/// [`road_by`] without what is asked by formulas.
+fn alone_by<T: Real>(
     scene: &Scene,
     data: &[f64],
     points: Option<usize>,

@@ -11,10 +11,10 @@ pub mod swing;
 pub mod thrown;
 pub mod travel;
 
-use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
+use crate::num::{Fast, Real};
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Side, Span, Start, Tie,
@@ -22,6 +22,8 @@ use crate::scene::{
 use crate::solve::eom::equations::{CONSTANT, Response, SPRING, Setting, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
+use crate::solve::found;
+use crate::solve::found::Forward;
 use crate::solve::method::Rung;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Unsupported};
@@ -31,6 +33,32 @@ use smallvec::{SmallVec, smallvec};
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => found::road(found, data, &Here(scene)),
+        None => answered(scene, data),
+    }
+}
+
+/// [`road`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+}
+
+/// This road of a scene, for the search of what is found from a measurement.
+struct Here<'s>(&'s Scene);
+
+impl<T: Real> Forward<T> for Here<'_> {
+    fn rough(&self, data: &[f64], label: Label) -> f64 {
+        let road = alone::<Fast>(self.0, data).ok();
+        road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
+    }
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.0, data)
+    }
+}
+
+/// [`road`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
         return joined::road(scene, &n);
@@ -52,6 +80,17 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 ///
 /// Errors: those of [`road`], and a run that does not reach its events.
 pub fn road_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    rung: Rung,
+    asked: &dyn Fn(Quantity) -> bool,
+) -> Result<(Road<T>, Count), Refusal> {
+    let (road, count) = alone_by(scene, data, rung, asked)?;
+    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+}
+
+/// [`road_by`] without what is asked by formulas.
+fn alone_by<T: Real>(
     scene: &Scene,
     data: &[f64],
     rung: Rung,

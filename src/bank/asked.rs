@@ -1,0 +1,198 @@
+//! Questions that no quantity answers as it stands: an expression (`value:`), or a quantity as if contacts were others (`if:`).
+use crate::bank::expression::{Expression, Name};
+use crate::bank::node::{Faults, Node, choice, named, shorten, text};
+use crate::bank::scene::DatumUse;
+use crate::bank::{Datum, measure, need::Need, review};
+use crate::num::formula::{Formula, Step};
+use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term};
+use crate::units::Unit;
+
+/// The words of `if:`.
+const AS_IF: [(&str, AsIf); 2] = [("rolls", AsIf::Rolls), ("smooth", AsIf::Smooth)];
+
+/// Is this a question that asks by a formula?
+pub fn is_formula(question: &Node) -> bool {
+    question.field("value").is_some() || question.field("if").is_some()
+}
+
+/// What the formulas of the questions are read against.
+pub struct AskedContext<'a> {
+    /// The data, g last.
+    pub data: &'a [Datum],
+    /// Name of the case, empty if there is one only.
+    pub case: &'a str,
+}
+
+/// Puts the questions that ask by a formula into a scene, one for each, and gives the uses of data in them. One that this scene
+/// cannot answer is told, and has no value there.
+pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: &Faults) -> Vec<DatumUse> {
+    let mut uses = Vec::new();
+    for (id, key, node) in named(questions, "questions by id", &Faults::default()) {
+        if !is_formula(node) {
+            continue;
+        }
+        if Quantity::from_name(id).is_some() {
+            let hint = "give it a name of its own, such as `largest`, and name the quantity by `quantity:`";
+            faults.hint(key, format!("`{id}` is a quantity itself; this question asks another thing"), hint);
+        }
+        let asked = read(id, key, node, scene, context, faults).unwrap_or_else(|| nothing(id));
+        let terms = asked.formula.names().filter_map(|term| match term {
+            Term::Given(given) => Some(DatumUse { datum: given.datum, need: Need::TERM }),
+            Term::Said(_) | Term::Other(..) => None,
+        });
+        uses.extend(terms);
+        scene.formulas.asked.push(asked);
+    }
+    uses
+}
+
+/// A question without a value.
+fn nothing(id: &str) -> Asked {
+    let formula = Formula::new(vec![Step::Number(f64::NAN)]);
+    let (quantity, of) = (Quantity::Value, Owner::Scene);
+    let (id, text, unit) = (id.to_owned(), String::new(), "1".to_owned());
+    Asked { id, text, formula, quantity, of, unit, powers: [0; 3] }
+}
+
+fn read(
+    id: &str,
+    key: &Node,
+    node: &Node,
+    scene: &mut Scene,
+    context: &AskedContext,
+    faults: &Faults,
+) -> Option<Asked> {
+    let [value, how, quantity, unit] = ["value", "if", "quantity", "unit"].map(|name| node.field(name));
+    let other = match how {
+        None => None,
+        Some(n) => Some(other(n, scene, faults)?),
+    };
+    let target = other.map_or(&*scene, |at| &scene.formulas.others[at].1);
+    let told = |n: &Node, (message, hint): (String, Option<String>)| {
+        let case =
+            if context.case.is_empty() { String::new() } else { format!(" (case `{}`)", context.case) };
+        faults.maybe(n, format!("{message}{case}"), hint);
+    };
+    let term = |label: Label| match other {
+        None => Term::Said(label),
+        Some(at) => Term::Other(at, label),
+    };
+    let how = how.and_then(Node::text).map(str::trim);
+    let condition = how.map_or_else(String::new, |how| format!(", if: {how}"));
+    let Some(written) = value else {
+        let name = quantity.and_then(Node::text).map_or(id, str::trim);
+        let label = review::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
+        if label.quantity.is_word() {
+            faults.at(
+                quantity.unwrap_or(key),
+                format!("`{name}` is answered with a word; `if:` is for numbers"),
+            );
+            return None;
+        }
+        let powers = measure::own_powers(label.quantity.unit()).map(|p| p / 4);
+        let (formula, unit) = (Formula::new(vec![Step::Name(term(label))]), label.quantity.unit().to_owned());
+        let (id, text) = (id.to_owned(), format!("{name}{condition}"));
+        return Some(Asked { id, text, formula, quantity: label.quantity, of: label.of, unit, powers });
+    };
+    if let Some(n) = quantity {
+        faults.hint(
+            n,
+            "this question asks for an expression, not for a quantity",
+            "keep `value:` or `quantity:`",
+        );
+    }
+    let written_text = text(written, "an expression such as `mu_s*normal`", faults)?;
+    let lookup = |name: &str| match measure::datum(context.data, name) {
+        Some(found) => Ok(found),
+        None => review::label(target, name).and_then(|label| measure::quantity(target, label, name)),
+    };
+    let expression = match Expression::parse(&written_text, &lookup) {
+        Ok(expression) => expression,
+        Err(mut fault) => {
+            if !context.case.is_empty() {
+                fault.message.push_str(&format!(" (case `{}`)", context.case));
+            }
+            fault.tell(written, &written_text, faults);
+            return None;
+        }
+    };
+    let powers = expression.powers.map(|p| p / 4);
+    let dimension = measure::powers_text(expression.powers);
+    let Some(unit) = unit else {
+        let hint = format!("write its unit; the expression has the dimension {dimension}");
+        faults.hint(node, format!("`{id}` asks for an expression, and `unit` is missing"), hint);
+        return None;
+    };
+    // A unit that is none is told where questions are read.
+    let read = Unit::parse(unit.text().unwrap_or("").trim()).ok()?;
+    if measure::powers(&read) != expression.powers {
+        let found = measure::powers_text(measure::powers(&read));
+        let message = format!("`{}` has the dimension {dimension}, its unit {found}", shorten(&written_text));
+        faults.hint(unit, message, format!("a unit such as {dimension}"));
+        return None;
+    }
+    let formula = expression.formula().map(&mut |name| match name {
+        Name::Datum(datum, degrees) => {
+            let powers = context.data.get(datum).map_or([0; 3], |d| measure::powers(&d.unit).map(|p| p / 4));
+            Term::Given(Given { datum, degrees, powers })
+        }
+        Name::Quantity(label) => term(label),
+    });
+    let quantity = Quantity::Value;
+    let (id, text) = (id.to_owned(), format!("{written_text}{condition}"));
+    Some(Asked { id, text, formula, quantity, of: Owner::Scene, unit: measure::si(powers), powers })
+}
+
+/// The scene as if its contacts were others: its index, new or known.
+fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
+    let how = choice(node, &AS_IF, faults)?;
+    if let Some(at) = scene.formulas.others.iter().position(|(h, _)| *h == how) {
+        return Some(at);
+    }
+    let Some(other) = scene.as_if(how) else {
+        let hint = "take `if:` away, or write a contact: `rolls`, `slips`, `touches` or `slides`";
+        faults.hint(node, "no contact of this scene could be another", hint);
+        return None;
+    };
+    if scene.thrown().is_some() {
+        let message = "a body that is thrown with slip has a speed and a spin of its own: it cannot be taken as if it rolled or were smooth";
+        faults.hint(node, message, "ask for `a_rolling` or `friction_if_rolled`, or take `if:` away");
+        return None;
+    }
+    let own = Faults::default();
+    review::structure(&other, node, &own);
+    if let Some(why) = own.into_sorted("").iter().next() {
+        let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
+        faults.at(node, format!("as if it {so}, this scene is not solved: {}", why.message));
+        return None;
+    }
+    scene.formulas.others.push((how, other));
+    Some(scene.formulas.others.len() - 1)
+}
+
+/// The label of a question that asks by a formula, where the scenes hold them.
+pub fn label(scene: &Scene, id: &str) -> Option<Label> {
+    let of = scene.formulas.asked.iter().position(|a| a.id == id)?;
+    Some(Label { quantity: scene.formulas.asked[of].quantity, of: Owner::Asked(of) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_question_by_formula_is_told_from_others() {
+        let text = |t: &str| Node {
+            value: crate::bank::node::Value::Text(t.to_owned()),
+            line: 1,
+            column: 1,
+            path: String::new(),
+        };
+        let map = |field: &str| Node {
+            value: crate::bank::node::Value::Map(vec![(text(field), text("x"))]),
+            ..text("")
+        };
+        assert!(is_formula(&map("value")) && is_formula(&map("if")));
+        assert!(!is_formula(&map("quantity")) && !is_formula(&text("value")));
+    }
+}

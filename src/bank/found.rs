@@ -1,0 +1,111 @@
+//! The inverse question: a datum that is `unknown:` is found from another one that was `measured:`.
+use crate::bank::node::{Faults, Node};
+use crate::bank::scene::DatumUse;
+use crate::bank::{Datum, measure, need::Need, review};
+use crate::scene::{Found, Given, Num, Scene, admissible};
+
+/// The one datum that was measured, where one is unknown; anything else is told.
+pub fn only<'n>(
+    problem: &Node,
+    measured: &[(usize, &'n Node)],
+    data: &[Datum],
+    faults: &Faults,
+) -> Option<(usize, &'n Node)> {
+    let unknown: Vec<&str> = data.iter().filter(|d| d.unknown.is_some()).map(|d| d.symbol.as_str()).collect();
+    match (unknown.as_slice(), measured) {
+        ([], []) => None,
+        ([_], [one]) => Some(*one),
+        ([symbol], []) => {
+            let message =
+                format!("`{symbol}` is unknown, and nothing is measured from which it could be found");
+            faults.hint(problem, message, "give a datum `measured:` and a quantity, such as `measured: t`");
+            None
+        }
+        ([], [(_, node), ..]) => {
+            faults.hint(
+                node,
+                "this is measured, and nothing is unknown",
+                "write `unknown: 1 to 3 step 0.1` for a datum",
+            );
+            None
+        }
+        _ => {
+            let at = measured.get(1).map_or(problem, |(_, node)| *node);
+            faults.hint(
+                at,
+                "one datum is found from one measurement",
+                "keep one `unknown:` and one `measured:`",
+            );
+            None
+        }
+    }
+}
+
+/// Has the unknown datum of a scene found from the measurement; gives the uses of data in it.
+pub fn put(
+    problem: &Node,
+    measured: Option<(usize, &Node)>,
+    scene: &mut Scene,
+    data: &[Datum],
+    faults: &Faults,
+) -> Vec<DatumUse> {
+    let unknown = data.iter().enumerate().find_map(|(i, d)| Some((i, d.unknown.as_ref()?)));
+    let (Some((i, draw)), Some((at, node))) = (unknown, measured) else { return Vec::new() };
+    let name = node.text().unwrap_or("").trim();
+    let label = match review::label(scene, name) {
+        Ok(label) if !label.quantity.is_word() => label,
+        Ok(_) => {
+            faults.at(node, format!("`{name}` is a word: only a number is measured"));
+            return Vec::new();
+        }
+        Err((message, hint)) => {
+            faults.maybe(node, message, hint);
+            return Vec::new();
+        }
+    };
+    let symbol = &data[i].symbol;
+    let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(label.quantity.unit()));
+    if own != wanted {
+        let (own, wanted) = (measure::powers_text(own), measure::powers_text(wanted));
+        faults.at(node, format!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
+        return Vec::new();
+    }
+    let mut used = false;
+    admissible::rules(scene, |number, _| used |= scene.data_of(number).any(|datum| datum == i));
+    if !used {
+        let message = format!("`{symbol}` is to be found, but the scene does not use it");
+        faults.hint(
+            problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node),
+            message,
+            "use it in the scene",
+        );
+    }
+    let (low, high) = draw.range();
+    let scene_value = |end: crate::bank::decimal::Decimal| match data[i].degrees {
+        true => data[i].unit.decimal_to_scene(end.value, end.decimals),
+        false => data[i].unit.decimal_to_si(end.value, end.decimals),
+    };
+    let range = [scene_value(low), scene_value(high)];
+    let mut rule = None;
+    admissible::rules(scene, |number, r| {
+        let fits = |x: &f64| admissible::fits_rule(*x, r);
+        if number == Num::Datum(i) && !range.iter().all(fits) {
+            rule = Some(r);
+        }
+    });
+    if rule.is_some() || range[0] >= range[1] {
+        let place = problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node);
+        faults.hint(
+            place,
+            format!("`{symbol}` cannot have all values of this range"),
+            "such as `unknown: 1 to 3 step 0.1`",
+        );
+        return Vec::new();
+    }
+    let given = |datum: usize| {
+        let powers = measure::powers(&data[datum].unit).map(|p| p / 4);
+        Given { datum, degrees: data[datum].degrees, powers }
+    };
+    scene.formulas.found = Some(Found { unknown: given(i), range, measured: given(at), label });
+    vec![DatumUse { datum: at, need: Need::TERM }]
+}

@@ -1,0 +1,116 @@
+//! `slipstick export`: a set, or a pool drawn from a bank, to one file for a learning platform.
+use crate::cli::args::{AsArg, ExportArgs};
+use crate::cli::tell::{Exit, Io};
+use crate::export::{Layout, Platform};
+use crate::finding::{Finding, Findings};
+use crate::folder;
+use crate::folder::deal::Plan;
+use crate::folder::export::{ExportJob, set_beside};
+use crate::folder::{deal, export, files, names, set, staged};
+use crate::review;
+use crate::set::dealer;
+use crate::sheet::self_check::Hosting;
+use crate::sheet::terminal;
+use std::path::{Path, PathBuf};
+
+/// Variants of a pool at most.
+const MOST: u32 = 10_000;
+
+/// Runs it.
+pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
+    let layout = match (args.format, args.layout) {
+        (Platform::Moodle, Some(AsArg::Numerical)) => Layout::PartsWithUnits,
+        (Platform::Canvas, None) => Layout::Parts,
+        (_, Some(_)) if args.format != Platform::Moodle => {
+            return Err(
+                Finding::new("--as", format!("is for moodle, and not for {}", args.format.name())).into()
+            );
+        }
+        _ => Layout::Whole,
+    };
+    export::may_write(&args.out, args.force)?;
+    let set = match args.variants {
+        Some(variants) => drawn(args, variants, io)?,
+        None => source(&args.source)?,
+    };
+    let bar = io.bar();
+    let job = ExportJob {
+        set: &set,
+        out: &args.out,
+        platform: args.format,
+        layout,
+        with_solutions: args.with_solutions,
+        problems: args.problems.as_deref(),
+        templates: args.own.templates.as_deref(),
+        language: args.own.language.as_deref(),
+        progress: &bar,
+    };
+    let made = folder::pool(args.threads)?.install(|| export::write(&job))?;
+    io.line(&format!(
+        "{} of {} as {} for {}, {} kB, in {} (it holds the key: not for students)",
+        terminal::count(made.variants, "variant"),
+        terminal::count(made.problems, "problem"),
+        terminal::count(made.questions, "question"),
+        args.format.name(),
+        made.bytes.div_ceil(1000),
+        args.out.display()
+    ));
+    if args.variants.is_some() {
+        let set = set.display();
+        io.line(&format!("  the key:       {set}/key.csv, by the code of each question"));
+    }
+    io.line(&format!(
+        "What {} does not carry over (tolerances and points are those of the key):",
+        args.format.name()
+    ));
+    made.losses.iter().for_each(|lost| io.line(&format!("  {lost}")));
+    Ok(Exit::Fine)
+}
+
+/// The folder of a set, which the first word names.
+fn source(name: &str) -> Result<PathBuf, Finding> {
+    let path = Path::new(name);
+    if path.is_dir() {
+        return Ok(path.to_owned());
+    }
+    let what = Finding::new("", "is no folder of a set").in_file(name);
+    Err(what.hint("give the folder that `slipstick generate` made; from a bank a pool is drawn with --variants 200 --seed 1"))
+}
+
+/// The set of a pool, beside the file.
+fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<PathBuf, Findings> {
+    if !(1..=MOST).contains(&variants) {
+        return Err(Finding::new("--variants", format!("{variants} is not from 1 to {MOST}")).into());
+    }
+    let path = Path::new(&args.source);
+    if path.join(names::SET).is_file() {
+        let fault = Finding::new("--variants", "is for a bank, and this is a set, which has its variants");
+        return Err(fault.in_file(&args.source).into());
+    }
+    let out = set_beside(&args.out);
+    staged::sweep_beside(&out);
+    let (loaded, texts) = args.own.load(&args.source)?;
+    files::has_a_name(&out, "--out pool.xml")?;
+    set::may_write(&out, args.force)?;
+    let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
+    let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
+    if !tried.faults.is_empty() {
+        return Err(tried.faults);
+    }
+    let name = args.name.as_ref().unwrap_or(&loaded.bank.id);
+    deal::may_be_named(name)?;
+    let plan = Plan {
+        bank: &loaded.bank,
+        text: &loaded.text,
+        texts: &texts,
+        // Nobody gets a sheet of a pool.
+        formats: &[],
+        hosting: Hosting::Single,
+        problems: &problems,
+        seed: args.seed.unwrap_or_default(),
+        name,
+    };
+    let bar = io.bar();
+    folder::pool(args.threads)?.install(|| export::pool(&plan, variants, &out, &bar))?;
+    Ok(out)
+}

@@ -1,0 +1,228 @@
+//! One variant of one problem as a question: its text, its figure, and what is right, in the units that are asked.
+use crate::answer::word;
+use crate::bank::Bank;
+use crate::export::body::{Body, BodyWriter};
+use crate::finding::Finding;
+use crate::key::{Answer, ProblemKey};
+use crate::picture::svg;
+use crate::problem::maker::Variant;
+use crate::sheet::document::Document;
+use crate::sheet::page::{Room, Sheets};
+use crate::sheet::statement;
+use crate::sheet::texts::Texts;
+use crate::solution;
+use crate::units::Unit;
+use crate::words::Words;
+
+/// One variant of one problem.
+pub struct Item {
+    /// Index of the problem in the sheet.
+    pub problem: usize,
+    /// Code of its data.
+    pub code: String,
+    /// Title of the problem.
+    pub title: String,
+    /// Statement, figure, questions and how to answer them.
+    pub body: Body,
+    /// Pictures of the statement, then of the solution.
+    pub pictures: Vec<ItemPicture>,
+    /// Its parts.
+    pub parts: Vec<ItemPart>,
+    /// The worked solution, if it is wanted; its pictures come behind those of the statement, of which there are so many.
+    pub solution: Option<(Body, usize)>,
+}
+
+/// A picture of an item.
+pub struct ItemPicture {
+    /// Name of its file, with its ending.
+    pub file: String,
+    /// What it shows, for those who do not see it.
+    pub alternative: String,
+    /// The file.
+    pub svg: String,
+}
+
+/// One part of an item.
+pub struct ItemPart {
+    /// Its id, `omega`.
+    pub id: String,
+    /// What is right.
+    pub right: Right,
+    /// Points.
+    pub points: f64,
+}
+
+/// What is right.
+pub enum Right {
+    /// A number in the unit that is asked.
+    Number {
+        /// The number.
+        value: f64,
+        /// How far an answer may be from it.
+        tolerance: f64,
+        /// The unit.
+        unit: Unit,
+    },
+    /// A word.
+    Word {
+        /// The right one, as keys write it.
+        right: &'static str,
+        /// Those that are offered: as keys write them, and as the sheet says them.
+        offered: Vec<(&'static str, String)>,
+        /// All that is read as the right one.
+        spellings: Vec<&'static str>,
+    },
+}
+
+/// Makes items of the variants of a set.
+pub struct ItemMaker<'i> {
+    bank: &'i Bank,
+    problems: &'i [usize],
+    texts: &'i Texts,
+    sheets: &'i Sheets<'i>,
+    /// Below the questions of each problem, with a place for the code.
+    below: Vec<String>,
+    with_solutions: bool,
+}
+
+/// Room for making items, one for each thread.
+#[derive(Default)]
+pub struct ItemRoom {
+    sheet: Room,
+    bodies: BodyWriter,
+}
+
+impl<'i> ItemMaker<'i> {
+    /// For the problems of a set; `sheets` writes them in the words of `texts`, and `rule` of the word list says how a number is
+    /// typed, `word_rule` how a word is.
+    pub fn new(
+        (bank, problems): (&'i Bank, &'i [usize]),
+        texts: &'i Texts,
+        sheets: &'i Sheets<'i>,
+        (rule, word_rule): (&str, &str),
+        with_solutions: bool,
+    ) -> Self {
+        let words = &texts.words;
+        let below = problems.iter().filter_map(|p| bank.problems.get(*p)).map(|problem| {
+            let is_word = |q: &crate::bank::Question| q.label.quantity.is_word();
+            let mut rules = Vec::new();
+            if !problem.questions.iter().all(is_word) {
+                rules.push(words.get(rule));
+            }
+            if problem.questions.iter().any(is_word) {
+                rules.push(words.get(word_rule));
+            }
+            let (figures, tolerance) = sheets.asked_for();
+            let pieces = [
+                ("rules", rules.join(" ")),
+                ("figures", figures.to_string()),
+                ("tolerance", tolerance),
+                ("code", CODE.to_owned()),
+            ];
+            words.say("export.below", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())))
+        });
+        Self { bank, problems, texts, sheets, below: below.collect(), with_solutions }
+    }
+
+    /// The item of a variant of the problem at this place of the sheet.
+    ///
+    /// # Errors
+    /// Faults of the templates.
+    pub fn item(
+        &self,
+        at: usize,
+        variant: &Variant,
+        key: &ProblemKey,
+        room: &mut ItemRoom,
+    ) -> Result<Item, Finding> {
+        let problem = &self.bank.problems[self.problems[at]];
+        let (words, code) = (&self.texts.words, key.code.as_str());
+        if let Some(none) =
+            key.parts.iter().find(|p| matches!(p.answer, Answer::Number { value, .. } if !value.is_finite()))
+        {
+            let field = format!("problems.{}.questions.{}", problem.id, none.part);
+            return Err(Finding::new(field, format!("has no answer for the data of {code}")));
+        }
+        let names: Vec<String> = key.parts.iter().map(|p| format!("{}.{}", at + 1, p.part)).collect();
+        let mut document = self.sheets.problem_document(at, "", variant, &mut room.sheet)?;
+        document.markdown.push('\n');
+        document.markdown.push_str(&self.below[at].replace(CODE, code));
+        document.markdown.push('\n');
+        let body = room.bodies.body(&document, &names);
+        let prefix = format!("p{}-{code}", at + 1);
+        let mut pictures: Vec<ItemPicture> = pictures(&document, &prefix).collect();
+        let solution = match self.with_solutions {
+            true => {
+                let worked = solution::document(problem, variant, at + 1, words, &self.texts.templates)?;
+                let own = pictures.len();
+                pictures.extend(self::pictures(&worked, &format!("{prefix}-solution")));
+                Some((room.bodies.body(&worked, &[]), own))
+            }
+            false => None,
+        };
+        let parts = key.parts.iter().map(|entry| ItemPart {
+            id: entry.part.clone(),
+            right: right(&entry.answer, &entry.unit, words),
+            points: entry.points,
+        });
+        Ok(Item {
+            problem: at,
+            code: code.to_owned(),
+            title: problem.title.clone(),
+            body,
+            pictures,
+            parts: parts.collect(),
+            solution,
+        })
+    }
+}
+
+/// Stands for the code until it is known.
+const CODE: &str = "\u{e000}";
+
+fn pictures<'d>(document: &'d Document, prefix: &'d str) -> impl Iterator<Item = ItemPicture> + 'd {
+    document.screens().into_iter().zip(&document.pictures).map(move |((name, screen), (_, picture))| {
+        let told = if picture.desc.is_empty() { &picture.title } else { &picture.desc };
+        let file = match document.pictures.len() {
+            1 => format!("{prefix}.svg"),
+            _ => format!("{prefix}-{name}.svg"),
+        };
+        ItemPicture { file, alternative: told.clone(), svg: screen.file() }
+    })
+}
+
+fn right(answer: &Answer, unit: &Unit, words: &Words) -> Right {
+    match answer {
+        Answer::Number { value, half_width, .. } => Right::Number {
+            value: unit.from_si(*value),
+            tolerance: unit.from_si(*half_width),
+            unit: unit.clone(),
+        },
+        Answer::Word { right, offered } => Right::Word {
+            right,
+            offered: offered.iter().map(|w| (*w, statement::said(words, w).to_owned())).collect(),
+            spellings: word::spellings(right),
+        },
+    }
+}
+
+impl Item {
+    /// The picture of this index in the text; `address` makes the address of its file.
+    pub fn picture(&self, i: usize, address: &dyn Fn(&str) -> String) -> String {
+        self.pictures.get(i).map_or_else(String::new, |picture| {
+            let (src, alt) = (svg::escaped(&address(&picture.file)), svg::escaped(&picture.alternative));
+            format!("<img src=\"{src}\" alt=\"{alt}\"/>")
+        })
+    }
+
+    /// The worked solution as XHTML, if it is there.
+    pub fn solution(&self, address: &dyn Fn(&str) -> String) -> Option<String> {
+        let (body, before) = self.solution.as_ref()?;
+        Some(body.text(None, &mut |_| String::new(), &|i| self.picture(before + i, address)))
+    }
+
+    /// Points of all parts.
+    pub fn points(&self) -> f64 {
+        self.parts.iter().map(|p| p.points).sum()
+    }
+}

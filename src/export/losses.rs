@@ -1,0 +1,73 @@
+//! What a platform's questions cannot carry of what `grade` reads and does, question by question, for the instructor.
+use crate::bank::{Problem, Question};
+use crate::export::{Export, Layout, Platform, moodle, units};
+use crate::problem::make_key;
+use crate::set::key_file::shortest;
+
+/// What no platform does.
+const NOWHERE: &str =
+    "no decimal comma, no points for what follows from an earlier answer, no hint for a wrong method";
+
+/// Units named at most.
+const NAMED: usize = 3;
+
+/// What is lost of the chosen problems, a line each; the tolerances are not: each platform gets those of the key.
+pub fn losses(export: &Export, chosen: &[usize]) -> Vec<String> {
+    let mut lines = vec![format!("every question: {NOWHERE}")];
+    for (i, problem) in chosen.iter().map(|i| (*i, export.problems[*i])) {
+        for question in &problem.questions {
+            let lost = of_question(export, problem, question);
+            if !lost.is_empty() {
+                lines.push(format!("{}.{}: {}", i + 1, question.id, lost.join("; ")));
+            }
+        }
+        if export.layout == Layout::Whole && export.platform == Platform::Moodle {
+            lines.extend(points(problem).map(|lost| format!("{}: {lost}", i + 1)));
+        }
+    }
+    lines
+}
+
+fn of_question(export: &Export, problem: &Problem, question: &Question) -> Vec<String> {
+    let mut lost = Vec::new();
+    if question.label.quantity.is_word() {
+        if export.platform == Platform::Moodle {
+            lost.push("a word as `grade` reads it, but no sentence around it".to_owned());
+        }
+        return lost;
+    }
+    let known = units::units(&question.unit);
+    let asked = question.unit.ascii();
+    let mut others: Vec<(&str, f64)> = known.iter().map(|(name, times)| (name.as_str(), *times)).collect();
+    // Other spellings of a unit are no other unit.
+    others.dedup_by(|next, known| next.1.total_cmp(&known.1).is_eq());
+    if !question.unit.is_number() {
+        let some = others.iter().skip(1).take(NAMED).map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+        lost.push(match export.layout {
+            Layout::PartsWithUnits => format!("only the units offered ({asked}, {some} ...)"),
+            _ if some.is_empty() => format!("a number in {asked}, the unit not typed"),
+            _ => format!("a number in {asked}, the unit not typed, no other one ({some} ...)"),
+        });
+    }
+    let sign_in_words = problem.cases.iter().any(|case| make_key::words_sign(&case.scene, question.label));
+    if question.label.quantity.is_directed() && sign_in_words {
+        lost.push("signed, no direction in words".to_owned());
+    }
+    lost
+}
+
+/// Points that are no whole numbers, where weights have to be.
+fn points(problem: &Problem) -> Option<String> {
+    let points: Vec<f64> = problem.questions.iter().map(|q| q.points).collect();
+    let weights = moodle::weights(&points);
+    let texts: Vec<String> = points.iter().map(|p| shortest(*p)).collect();
+    let whole: Vec<String> = weights.iter().map(u64::to_string).collect();
+    (texts != whole).then(|| {
+        format!(
+            "points {} become the weights {}; give the question {} marks in the quiz",
+            texts.join(", "),
+            whole.join(", "),
+            shortest(points.iter().sum())
+        )
+    })
+}

@@ -1,0 +1,148 @@
+//! Variants as questions of a learning platform: one file that can be uploaded, with the key in it.
+//!
+//! A [`item::Item`] is one variant of one problem, in the words of its set; a format makes its text and files of it ([`Fragment`]),
+//! several at a time, and at the end one file of all. [`losses`] says what a format cannot carry.
+pub mod body;
+pub mod canvas;
+pub mod item;
+pub mod losses;
+pub mod moodle;
+pub mod package;
+pub mod qti;
+pub mod qti21;
+pub mod qti3;
+pub mod units;
+pub mod xml;
+
+use crate::bank::Problem;
+use crate::export::item::Item;
+use crate::finding::{Finding, Findings};
+
+/// A platform's format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Platform {
+    /// Moodle XML
+    Moodle,
+    /// QTI 1.2 in a ZIP archive, as Canvas imports it
+    Canvas,
+    /// QTI 2.1 in a ZIP archive
+    Qti21,
+    /// QTI 3.0 in a ZIP archive
+    Qti3,
+}
+
+impl Platform {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Moodle, Self::Canvas, Self::Qti21, Self::Qti3];
+
+    /// By its name, as people type it.
+    ///
+    /// # Errors
+    /// There is none of this name.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let name = text.trim().to_ascii_lowercase();
+        let found = Self::ALL.into_iter().find(|p| p.name() == name);
+        found.ok_or_else(|| "the formats are moodle, canvas, qti21 and qti3".to_owned())
+    }
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Moodle => "moodle",
+            Self::Canvas => "canvas",
+            Self::Qti21 => "qti21",
+            Self::Qti3 => "qti3",
+        }
+    }
+}
+
+/// How a problem becomes questions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// One question, with a place for the answer to each part.
+    Whole,
+    /// A question for each part, each with the statement.
+    Parts,
+    /// The same, and a number may have a unit.
+    PartsWithUnits,
+}
+
+/// What all questions of an export have in common.
+pub struct Export<'e> {
+    /// The format.
+    pub platform: Platform,
+    /// How a problem becomes questions.
+    pub layout: Layout,
+    /// Name of the set.
+    pub set: &'e str,
+    /// Tells this set from others, in letters and digits.
+    pub id: String,
+    /// Language of the set.
+    pub language: &'e str,
+    /// The problems, in the order of the sheet.
+    pub problems: Vec<&'e Problem>,
+    /// What a pool of questions holds, in a sentence.
+    pub about: String,
+}
+
+/// What an item becomes in a format.
+pub struct Fragment {
+    /// Index of the problem in the sheet.
+    pub problem: usize,
+    /// Code of the data.
+    pub code: String,
+    /// Its questions, one or one for each part: their XML, or the name of the item where that is a file.
+    pub questions: Vec<String>,
+    /// Files beside them: path and bytes.
+    pub files: Vec<(String, Vec<u8>)>,
+}
+
+impl Export<'_> {
+    /// Name of the pool of a problem: as its heading on a sheet.
+    pub fn name(&self, problem: usize) -> String {
+        format!("{}. {}", problem + 1, self.problems[problem].title)
+    }
+
+    /// An item in the format.
+    ///
+    /// # Errors
+    /// What the format cannot hold at all.
+    pub fn fragment(&self, item: &Item) -> Result<Fragment, Finding> {
+        match self.platform {
+            Platform::Moodle => Ok(moodle::fragment(self, item)),
+            Platform::Canvas => canvas::fragment(self, item),
+            Platform::Qti21 => Ok(qti::fragment(&qti21::DIALECT, self, item)),
+            Platform::Qti3 => Ok(qti::fragment(&qti3::DIALECT, self, item)),
+        }
+    }
+
+    /// The file that is uploaded, of all fragments in the order of the set. Equal data of one problem are one question.
+    ///
+    /// # Errors
+    /// The archive would be too large.
+    pub fn file(&self, mut fragments: Vec<Fragment>) -> Result<ExportedFile, Findings> {
+        let mut seen = rustc_hash::FxHashSet::default();
+        fragments.retain(|f| seen.insert((f.problem, f.code.clone())));
+        // By problem, which keeps the order of the set within each.
+        fragments.sort_by_key(|f| f.problem);
+        let variants = fragments.len();
+        let questions = fragments.iter().map(|f| f.questions.len()).sum();
+        let bytes = match self.platform {
+            Platform::Moodle => moodle::file(self, &fragments),
+            Platform::Canvas => canvas::file(self, fragments)?,
+            Platform::Qti21 => qti::file(&qti21::DIALECT, self, fragments)?,
+            Platform::Qti3 => qti::file(&qti3::DIALECT, self, fragments)?,
+        };
+        Ok(ExportedFile { bytes, variants, questions })
+    }
+}
+
+/// A file that can be uploaded.
+pub struct ExportedFile {
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// Variants in it, of all problems.
+    pub variants: usize,
+    /// Questions in it.
+    pub questions: usize,
+}

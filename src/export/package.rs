@@ -1,0 +1,82 @@
+//! A ZIP archive that a platform takes: files and a manifest that lists them. No file has a time, so that the same set gives the
+//! same bytes.
+use crate::export::xml::Xml;
+use crate::finding::Finding;
+use std::io::{Cursor, Write as _};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// A resource of a manifest.
+pub struct Resource {
+    /// Its identifier.
+    pub id: String,
+    /// What it is.
+    pub kind: String,
+    /// Its files, the main one first.
+    pub files: Vec<String>,
+    /// Identifiers of resources that it needs.
+    pub needs: Vec<String>,
+    /// Is the main file named on the resource itself?
+    pub named: bool,
+}
+
+/// The manifest of an archive.
+pub struct Manifest<'m> {
+    /// Its identifier.
+    pub id: &'m str,
+    /// Namespace of its elements.
+    pub namespace: &'m str,
+    /// Schema and its version.
+    pub schema: (&'m str, &'m str),
+    /// What is listed.
+    pub resources: &'m [Resource],
+}
+
+impl Manifest<'_> {
+    /// The file.
+    fn text(&self) -> String {
+        let mut x = Xml::file();
+        x.element("manifest", &[("xmlns", self.namespace), ("identifier", self.id)], |x| {
+            x.element("metadata", &[], |x| {
+                x.text("schema", &[], self.schema.0);
+                x.text("schemaversion", &[], self.schema.1);
+            });
+            x.empty("organizations", &[]);
+            x.element("resources", &[], |x| {
+                x.line();
+                for resource in self.resources {
+                    let mut attributes = vec![("identifier", resource.id.as_str()), ("type", &resource.kind)];
+                    if let Some(file) = resource.files.first().filter(|_| resource.named) {
+                        attributes.push(("href", file));
+                    }
+                    x.element("resource", &attributes, |x| {
+                        resource.files.iter().for_each(|file| x.empty("file", &[("href", file)]));
+                        resource.needs.iter().for_each(|id| x.empty("dependency", &[("identifierref", id)]));
+                    });
+                    x.line();
+                }
+            });
+        });
+        x.line();
+        x.done()
+    }
+
+    /// The archive: the manifest, then the files in this order.
+    ///
+    /// # Errors
+    /// It would be larger than an archive can be.
+    pub fn archive(&self, files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>, Finding> {
+        let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .last_modified_time(DateTime::default())
+            .unix_permissions(0o644);
+        let manifest = ("imsmanifest.xml".to_owned(), self.text().into_bytes());
+        let fault = |e: zip::result::ZipError| Finding::new("", format!("the archive cannot be made: {e}"));
+        for (name, bytes) in std::iter::once(manifest).chain(files) {
+            zip.start_file(name, options).map_err(fault)?;
+            zip.write_all(&bytes).map_err(|e| fault(e.into()))?;
+        }
+        Ok(zip.finish().map_err(fault)?.into_inner())
+    }
+}

@@ -1,0 +1,168 @@
+//! The inverse question: of a datum that was measured, the solution with the value of another datum that gives just this
+//! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
+use crate::num::dd::pow2;
+use crate::num::{Real, ball};
+use crate::scene::{Found, Label};
+use crate::solve::outcome::{Refusal, Road, Said};
+
+/// Places of the stated range at which a change of sign is looked for.
+const PLACES: u32 = 16;
+/// Steps of the search between two places.
+const STEPS: u32 = 100;
+/// Relative step of the last correction: the solution is linear over it up to 2^-78.
+const STEP: f64 = pow2(-26);
+/// Half-widths that are tried about the root, as powers of 2 of its size.
+const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
+/// Enclosures of parts of the range that are spent on showing that there is no other root.
+const MOST: u32 = 20_000;
+
+/// How a road answers: rounded to a double, and as it stands.
+pub trait Forward<T: Real> {
+    /// What is measured, in doubles; NaN where there is none.
+    fn rough(&self, data: &[f64], label: Label) -> f64;
+    /// The whole road.
+    ///
+    /// # Errors
+    /// Those of the road.
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal>;
+}
+
+/// What is measured on a road, less its printed value.
+fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
+    road.get(found.label).map(|said| said.value - found.measured.value(data))
+}
+
+/// The road at the value of the unknown that gives the measurement.
+///
+/// # Errors
+/// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
+pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Result<Road<T>, Refusal> {
+    let root = search(found, data, forward).ok_or(Refusal::NotFound)?;
+    let mut at = data.to_vec();
+    let unknown = found.unknown.datum;
+    if T::ENCLOSES {
+        return enclosed(found, &mut at, root, forward);
+    }
+    at[unknown] = root;
+    let mut near = forward.exact(&at)?;
+    at[unknown] = root * (1.0 + STEP);
+    let beside = forward.exact(&at)?;
+    let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
+    let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
+    // The share of the step at which nothing is missing.
+    let share = -(y0 / (y1 - y0));
+    let correct = |said: &mut Said<T>| {
+        if let Some(other) = beside.get(said.label) {
+            said.value = said.value + share * (other.value - said.value);
+        }
+    };
+    near.said.iter_mut().for_each(correct);
+    Ok(near)
+}
+
+/// The root to a few units of doubles, in the first place of the range where the sign changes.
+fn search<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Option<f64> {
+    let mut at = data.to_vec();
+    let printed: f64 = found.measured.value(data);
+    let mut miss = |x: f64| {
+        at[found.unknown.datum] = x;
+        forward.rough(&at, found.label) - printed
+    };
+    let [low, high] = found.range;
+    // A wrong method may come to a value beyond the range; what is published may not.
+    let beyond = [(low, low - 3.0 * low.abs() / 4.0), (high, high + 3.0 * high.abs())];
+    let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| T::is_double()));
+    for (low, high) in tried {
+        let mut before: Option<(f64, f64)> = None;
+        for i in 0..=PLACES {
+            let x = low + (high - low) * f64::from(i) / f64::from(PLACES);
+            let y = miss(x);
+            if y == 0.0 {
+                return Some(x);
+            }
+            if let Some((x0, y0)) = before.filter(|(_, y0)| y0 * y < 0.0) {
+                return Some(between((x0, y0), (x, y), &mut miss));
+            }
+            before = (!y.is_nan()).then_some((x, y));
+        }
+    }
+    None
+}
+
+#[expect(clippy::float_cmp, reason = "a place between two neighbouring doubles is one of them")]
+fn ends(x: f64, a: f64, b: f64) -> bool {
+    x == a || x == b
+}
+
+/// Regula falsi after Dowell and Jarratt (1971, Illinois), with halving where that is slow.
+fn between(mut a: (f64, f64), mut b: (f64, f64), miss: &mut dyn FnMut(f64) -> f64) -> f64 {
+    let mut kept = 0;
+    for step in 0..STEPS {
+        let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
+        let inside = (a.0.min(b.0)..=a.0.max(b.0)).contains(&secant);
+        let x = if inside && step % 3 != 2 { secant } else { f64::midpoint(a.0, b.0) };
+        if ends(x, a.0, b.0) {
+            break;
+        }
+        let y = miss(x);
+        if y == 0.0 || y.is_nan() {
+            return x;
+        }
+        if y * b.1 < 0.0 {
+            a = b;
+            kept = 0;
+        } else {
+            kept += 1;
+            if kept > 1 {
+                a.1 *= 0.5;
+            }
+        }
+        b = (x, y);
+    }
+    b.0
+}
+
+/// The road over an interval about the root, which is shown to hold every root of the range.
+fn enclosed<T: Real>(
+    found: &Found,
+    at: &mut [f64],
+    root: f64,
+    forward: &dyn Forward<T>,
+) -> Result<Road<T>, Refusal> {
+    let unknown = found.unknown.datum;
+    // The sign of what is missing over an interval, where the enclosure decides it.
+    let mut sign = |low: f64, high: f64| {
+        let middle = f64::midpoint(low, high);
+        at[unknown] = middle;
+        let radius = (high - middle).max(middle - low);
+        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, || forward.exact(at)));
+        let missed = road.ok().and_then(|road| miss(found, &road, at))?;
+        let size = missed.f64().abs();
+        (!doubt && size.is_finite() && size > missed.radius()).then(|| missed.sign())
+    };
+    let [low, high] = found.range;
+    let width = WIDTHS.into_iter().map(|power| root.abs() * pow2(power)).find(|w| {
+        let ends = (sign(root - w, root - w), sign(root + w, root + w));
+        matches!(ends, (Some(a), Some(b)) if a * b < 0.0)
+    });
+    let width = width.ok_or(Refusal::NotFound)?;
+    let mut spent = 0;
+    for (from, to) in [(low, root - width), (root + width, high)] {
+        let mut open = if from < to { vec![(from, to)] } else { Vec::new() };
+        while let Some((from, to)) = open.pop() {
+            spent += 1;
+            if spent > MOST {
+                return Err(Refusal::NotUnique);
+            }
+            if sign(from, to).is_none() {
+                let middle = f64::midpoint(from, to);
+                if middle <= from || middle >= to {
+                    return Err(Refusal::NotUnique);
+                }
+                open.extend([(from, middle), (middle, to)]);
+            }
+        }
+    }
+    at[unknown] = root;
+    ball::spread(unknown, width, || forward.exact(at))
+}

@@ -1,0 +1,446 @@
+//! Expressions in the place of numbers: what they come to on both roads, enclosed, and what is said of wrong ones.
+use slipstick::bank::{Bank, Problem, load};
+use slipstick::finding::Findings;
+use slipstick::problem::maker::Maker;
+use slipstick::problem::variant::Variant;
+use slipstick::scene::{Label, Owner, Quantity};
+
+const DATA: &str = "
+      m:     {name: mass of the wheel, unit: kg, draw: 2 to 9 step 0.5}
+      R:     {name: radius of the wheel, unit: mm, draw: 200 to 400 step 10}
+      k_O:   {name: radius of gyration about a point of the rim, unit: mm, draw: 440 to 520 step 10}
+      theta: {name: slope, unit: deg, draw: 10 to 25 step 1}
+      h:     {name: height, unit: m, draw: 1 to 2 step 0.1}";
+
+/// A wheel that rolls down an incline by a height, of which the inertia about a point of the rim is known.
+fn wheel(moment: &str, by: &str, more: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A wheel
+    data:{DATA}
+    scene:
+      surfaces: {{incline: {{slope: theta}}}}
+      bodies:
+        wheel: {{mass: m, moment of inertia: {moment}, radii: {{rim: R}}, moves: along incline, positive: down}}
+      ties: [rolls: {{body: wheel, on its: rim}}]
+      start: at rest
+      end: {{travel: {{of: wheel, by: {by}}}}}
+    bounds: {{k_O / R: {{min: 1.2, max: 1.6}}}}
+{more}    questions:
+      v: {{ask: the speed, unit: m/s}}
+    statement: s
+"
+    )
+}
+
+fn read(text: &str) -> Result<Bank, Findings> {
+    load::scenes_only(text, "bank.yaml")
+}
+
+fn drawn(problem: &Problem, student: &str) -> Variant {
+    Maker::new(problem, 7, "set").variant(student).expect("a variant")
+}
+
+#[test]
+fn a_scene_of_expressions_is_solved_and_enclosed() {
+    let bank = read(&wheel("m*(k_O^2 - R^2)", "h/sin(theta)", "")).expect("a bank");
+    let v = Label { quantity: Quantity::V, of: Owner::Body(0) };
+    for i in 0..20 {
+        let variant = drawn(&bank.problems[0], &format!("s{i}"));
+        let [_, r, k, _, h, g] = variant.data[..] else { panic!("six data") };
+        // Energy: 2 g h = v^2 (1 + (k_O^2 - R^2)/R^2) = v^2 k_O^2/R^2.
+        let exact = (2.0 * g * h).sqrt() * r / k;
+        let entry = variant.solved.get(v).expect("a speed");
+        for road in [entry.eom, entry.energy] {
+            assert!((road.expect("both roads") - exact).abs() < 1e-14 * exact, "{road:?} {exact}");
+        }
+        // sqrt(h) R/k_O sqrt(g), and nothing of m or theta: their parts cancel.
+        assert!((entry.cond - 3.0).abs() < 1e-4, "{}", entry.cond);
+        let bound = entry.bound.expect("enclosed");
+        assert!(bound > 0.0 && bound < 1e-14 * exact, "{bound}");
+    }
+}
+
+#[test]
+fn an_enclosure_knows_what_cancels_in_an_expression() {
+    // The data are decimals, known to some 1e-16 of themselves: of their difference that is much more.
+    let text =
+        wheel("m*(k_O^2 - R^2)", "h - 0.999999*h", "").replace("unit: m/s", "unit: m/s, cond limit: 1000");
+    let bank = read(&text).expect("a bank");
+    let v = Label { quantity: Quantity::V, of: Owner::Body(0) };
+    let of = |bank: &Bank| drawn(&bank.problems[0], "s").solved.get(v).expect("a speed").clone();
+    let entry = of(&bank);
+    let other = of(&read(&text.replace("h - 0.999999*h", "h")).expect("a bank"));
+    let share = |e: &slipstick::solve::outcome::Entry| e.bound.expect("enclosed") / e.value();
+    assert!(share(&entry) > 1e4 * share(&other), "{} {}", share(&entry), share(&other));
+}
+
+#[test]
+fn wrong_data_go_through_expressions() {
+    // Who takes k_O for the radius of gyration about the centre.
+    let mistakes = "    mistakes: {K01: {data: {k_O: sqrt(k_O^2 + R^2)}}}\n";
+    let bank = read(&wheel("m*(k_O^2 - R^2)", "h/sin(theta)", mistakes)).expect("a bank");
+    let variant = drawn(&bank.problems[0], "s");
+    let [_, r, k, _, h, g] = variant.data[..] else { panic!("six data") };
+    let wrong = (2.0 * g * h / (1.0 + k * k / (r * r))).sqrt();
+    let found = variant.wrong.first().expect("a wrong value").value;
+    assert!((found - wrong).abs() < 1e-12 * wrong, "{found} {wrong}");
+}
+
+#[test]
+fn what_is_wrong_with_an_expression_is_told() {
+    let cases = [
+        (
+            "m*(k_O^2 - R)",
+            "h",
+            "`m*(k_O^2 - R)`, character 11: the terms of a sum have different dimensions, m^2 and m",
+        ),
+        ("m*k_O", "h", "`m*k_O` has the dimension kg m, but it is used as a moment of inertia"),
+        ("m*k_0^2", "h", "`m*k_0^2`, character 3: `k_0` is no symbol of the data"),
+        ("m*(k_O^2 - R^2", "h", "character 15: `)` is missing"),
+        ("m*R^2", "2*h m", "`2*h m`, character 5: `m` is not expected here"),
+        ("m*R^2", "h/sin(h)", "`sin` takes an angle"),
+        ("m*R^2", "-2*3", "`-2*3` has the dimension 1, but it is used as a length"),
+        ("m*R^2*v", "h", "`v` is no symbol of the data"),
+        ("m*R^2*2 kg", "h", "numbers of an expression have no unit"),
+    ];
+    for (moment, by, wanted) in cases {
+        let found = read(&wheel(moment, by, "")).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(all.iter().any(|f| f.contains(wanted)), "{wanted}\n{}", all.join("\n"));
+    }
+}
+
+#[test]
+fn a_number_with_its_unit_is_no_expression() {
+    for moment in ["4 kg*m^2", "0.5e0 kg m^2", "4 kg·m²"] {
+        let found = read(&wheel(moment, "2 m", "")).expect_err("k_O and h are not used");
+        let idle = |f: &slipstick::finding::Finding| f.message.contains("the scene does not use it");
+        assert!(found.iter().all(idle), "{moment}: {found:#?}");
+    }
+}
+
+/// A spool on the floor, pulled by a cord on its hub, of which several things are asked that no quantity says.
+fn spool(contact: &str, questions: &str, more: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A spool
+    data:
+      m:    {{name: mass, unit: kg, draw: 20 to 40 step 1}}
+      k:    {{name: radius of gyration, unit: m, draw: 0.2 to 0.3 step 0.01}}
+      R:    {{name: radius of the rim, unit: m, draw: 0.36 to 0.44 step 0.01}}
+      r:    {{name: radius of the hub, unit: m, draw: 0.1 to 0.2 step 0.01}}
+      P:    {{name: pull, unit: N, draw: 200 to 400 step 10}}
+      mu_s: {{name: coefficient of static friction, unit: \"1\", draw: always 0.2}}
+      mu_k: {{name: coefficient of kinetic friction, unit: \"1\", draw: always 0.15}}
+    scene:
+      surfaces: {{floor: level}}
+      bodies: {{spool: {{mass: m, radius of gyration: k, radii: {{rim: R, hub: r}}, moves: along floor}}}}
+      ties:
+        - {contact}
+        - cord: {{from: {{body: spool, wound on: hub, leaves: bottom forward}}, pulled with: P}}
+      start: at rest
+      end: {{time: {{of: spool, is: 2 s}}}}
+    questions:
+{questions}{more}    statement: s
+"
+    )
+}
+
+const SLIPS: &str = "slips: {body: spool, on its: rim, mu_s: mu_s, mu_k: mu_k}";
+const ASKED: &str = "
+      friction_if_rolled: {ask: it, unit: N}
+      largest: {value: mu_s*normal, unit: N, ask: it}
+      needed:  {quantity: friction, if: rolls, unit: N, ask: it}
+      lacking: {value: abs(friction) - mu_s*normal, if: rolls, unit: kN, ask: it}
+      free:    {quantity: a, if: smooth, ask: it}
+      share:   {value: kinetic_energy/work_pull, unit: \"1\", ask: it}
+";
+
+#[test]
+fn expressions_and_other_contacts_are_asked_on_both_roads_and_enclosed() {
+    let bank = read(&spool(SLIPS, ASKED, "")).expect("a bank");
+    let problem = &bank.problems[0];
+    for i in 0..20 {
+        let variant = drawn(problem, &format!("s{i}"));
+        let [m, _, _, _, p, mu_s, _, g] = variant.data[..] else { panic!("the data") };
+        let entry = |id: &str| {
+            let q = problem.questions.iter().find(|q| q.id == id).expect("a question");
+            variant.solved.get(q.label).unwrap_or_else(|| panic!("{id} has no answer"))
+        };
+        for id in ["largest", "needed", "lacking", "free", "share"] {
+            let e = entry(id);
+            assert!(e.eom.is_some() && e.energy.is_some(), "{id}: both roads");
+            assert!(e.bound.expect("enclosed") < 1e-13 * e.scale, "{id}: {e:?}");
+            assert!(e.cond.is_finite() && e.cond > 0.0, "{id}: {}", e.cond);
+        }
+        let near = |id: &str, expected: f64| {
+            let e = entry(id);
+            assert!((e.value() - expected).abs() < 1e-13 * e.scale, "{id}: {} {expected}", e.value());
+        };
+        let rolled = entry("friction_if_rolled").value();
+        near("largest", mu_s * m * g);
+        near("needed", rolled);
+        near("lacking", rolled.abs() - mu_s * m * g);
+        near("free", p / m);
+        assert!((entry("free").cond - 2.0).abs() < 1e-4);
+        // What is asked of another scene leaves that of this one alone.
+        let key = Maker::new(problem, 7, "set").key(&variant);
+        assert_eq!(key.parts.len(), problem.questions.len());
+    }
+}
+
+#[test]
+fn a_wrong_method_spoils_what_is_put_together_of_it() {
+    let mistakes = "    mistakes:
+      A24: {values: {normal: m*g + P}}
+      B01: {data: {mu_s: 2*mu_s}}
+      A05: {data: {k: 0.9*k}, of: [needed]}
+";
+    let bank = read(&spool(SLIPS, ASKED, mistakes)).expect("a bank");
+    let problem = &bank.problems[0];
+    let variant = drawn(problem, "s");
+    let wrong = |method: usize, id: &str| {
+        let q = problem.questions.iter().find(|q| q.id == id).expect("a question");
+        variant.wrong.iter().find(|w| w.mistake == method && w.label == q.label).map(|w| w.value)
+    };
+    let [m, _, _, _, p, mu_s, _, g] = variant.data[..] else { panic!("the data") };
+    let near = |found: Option<f64>, expected: f64| {
+        assert!(found.is_some_and(|x| (x - expected).abs() < 1e-12 * expected.abs()), "{found:?} {expected}");
+    };
+    near(wrong(0, "largest"), mu_s * (m * g + p));
+    // The method knows nothing of the other scene.
+    assert_eq!(wrong(0, "lacking"), None);
+    near(wrong(1, "largest"), 2.0 * mu_s * m * g);
+    assert_eq!(wrong(1, "needed"), None, "the static coefficient does not enter");
+    assert!(wrong(2, "needed").is_some(), "changed data are those of the other scene too");
+    assert_eq!(wrong(2, "lacking"), None, "it is not among `of`");
+}
+
+#[test]
+fn what_is_wrong_with_a_question_by_formula_is_told() {
+    let none = "cord: {name: other, from: {body: spool, tied at: centre, leaves: back}, pulled with: P}";
+    let cases = [
+        (SLIPS, "x: {value: mu_s*normal, ask: it}", "`x` asks for an expression, and `unit` is missing"),
+        (
+            SLIPS,
+            "x: {value: mu_s*normal, unit: m, ask: it}",
+            "`mu_s*normal` has the dimension kg m s^-2, its unit m",
+        ),
+        (SLIPS, "x: {value: mu_s*norm, unit: N, ask: it}", "character 6: `norm` is no quantity"),
+        (SLIPS, "x: {value: mu_s*tension, unit: N, ask: it}", "`tension` does not exist in this scene"),
+        (SLIPS, "x: {value: normal + m, unit: N, ask: it}", "different dimensions, kg m s^-2 and kg"),
+        (SLIPS, "x: {value: 2*rolls, unit: N, ask: it}", "`rolls` is a word, not a number"),
+        (SLIPS, "x: {value: normal, quantity: normal, unit: N, ask: it}", "not for a quantity"),
+        (SLIPS, "friction: {value: mu_s*normal, unit: N, ask: it}", "`friction` is a quantity itself"),
+        (SLIPS, "x: {quantity: friction, if: glides, ask: it}", "found `glides`"),
+        (SLIPS, "x: {quantity: direction, if: rolls, ask: it}", "`direction` is answered with a word"),
+        (SLIPS, "x: {quantity: friction, if: smooth, unit: m, ask: it}", "expected N"),
+        (none, "x: {quantity: a, if: rolls, ask: it}", "no contact of this scene could be another"),
+        (SLIPS, "x: {if: rolls, ask: it}", "`x` is no quantity"),
+    ];
+    for (contact, question, wanted) in cases {
+        let text = spool(contact, &format!("      {question}\n"), "");
+        let found = read(&text).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(
+            all.iter().any(|f| f.contains(wanted) && f.contains("questions.")),
+            "{wanted}\n{}",
+            all.join("\n")
+        );
+    }
+}
+
+/// A disc that rolls down by a height, with some of its numbers `any`.
+fn disc(body: &str, rest: &str, question: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A disc
+    data:
+      theta: {{name: slope, unit: deg, draw: 10 to 25 step 1}}
+      h:     {{name: height, unit: m, draw: 1.0 to 4.0 step 0.1}}
+    scene:
+      surfaces: {{incline: {{slope: theta}}}}
+      bodies: {{disc: {{{body}, moves: along incline, positive: down}}}}
+      ties: [rolls: {{body: disc, on its: rim}}]
+      {rest}
+      end: {{travel: {{of: disc, by: h/sin(theta)}}}}
+    questions:
+      {question}
+    statement: s
+"
+    )
+}
+
+const ANY: &str = "mass: any, shape: {disc: any}";
+const REST: &str = "start: at rest";
+
+#[test]
+fn what_is_any_cancels() {
+    let all =
+        "{v: {ask: v}, a: {ask: a}, t: {ask: t}, mu_required: {ask: mu}, rotational_fraction: {ask: q}}";
+    let questions = all.trim_matches(['{', '}']).to_owned() + "}";
+    let bank =
+        read(&disc(ANY, REST, "").replace("questions:\n      ", &format!("questions: {{{questions}}}")))
+            .expect("a bank");
+    let given = disc("mass: 7 kg, shape: {disc: 0.13 m}", REST, "");
+    let given =
+        read(&given.replace("questions:\n      ", &format!("questions: {{{questions}}}"))).expect("a bank");
+    for i in 0..20 {
+        let [any, with] = [&bank, &given].map(|b| drawn(&b.problems[0], &format!("s{i}")));
+        assert_eq!(any.data, with.data);
+        for q in &bank.problems[0].questions {
+            let [a, b] = [&any, &with].map(|v| v.solved.get(q.label).expect("an answer").value());
+            assert!((a - b).abs() <= 4e-16 * b.abs(), "{}: {a} {b}", q.id);
+        }
+    }
+}
+
+#[test]
+fn what_does_not_cancel_is_told() {
+    let gyration = "mass: any, radius of gyration: any, radii: {rim: 1 m}";
+    let hub = "mass: 2 kg, shape: {disc: any}, radii: {hub: 0.1 m}";
+    let couple = "forces: [couple: {on: disc, moment: 3 N*m, sense: forward}]\n      start: at rest";
+    let cases = [
+        (ANY, REST, "omega: {ask: x}", "`omega` depends on the radius of `disc`, which is `any`"),
+        (ANY, REST, "friction: {ask: x}", "`friction` depends on the mass of `disc`, which is `any`"),
+        (ANY, REST, "x: {value: v*omega, unit: m/s^2, ask: x}", "`x` depends on the radius of `disc`"),
+        (ANY, REST, "x: {value: normal/h, unit: N/m, ask: x}", "`x` depends on the mass of `disc`"),
+        (ANY, couple, "v: {ask: x}", "this does not cancel: there is a couple"),
+        (ANY, couple, "v: {ask: x}", "this does not cancel: a couple acts on the body"),
+        (
+            ANY,
+            "start: {disc: {spin: 3 rad/s}}",
+            "v: {ask: x}",
+            "this does not cancel: the body starts with a spin",
+        ),
+        (gyration, REST, "v: {ask: x}", "a radius of gyration cannot be `any`"),
+        (hub, REST, "v: {ask: x}", "this does not cancel: the body has another radius, `hub`"),
+    ];
+    for (body, rest, question, wanted) in cases {
+        let found = read(&disc(body, rest, question)).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(all.iter().any(|f| f.contains(wanted)), "{wanted}\n{}", all.join("\n"));
+    }
+}
+
+/// A stone that falls on the cord of a pulley, timed.
+fn stone(mass: &str, time: &str, questions: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A stone
+    data:
+      M:  {{name: mass of the pulley, unit: kg, draw: 6.0 to 14.0 step 0.5}}
+      y:  {{name: fall, unit: m, draw: 8.0 to 13.0 step 0.1}}
+      t1: {{name: measured time, unit: s, {time}}}
+      m:  {{name: mass of the stone, unit: kg, {mass}}}
+    scene:
+      bodies:
+        pulley: {{mass: M, shape: {{disc: any}}, moves: about a fixed axle}}
+        stone: {{mass: m, moves: vertically, positive: down}}
+      ties:
+        - cord: {{from: {{body: stone, tied at: centre, leaves: up}}, to: {{body: pulley, wound on: rim, leaves: back down}}}}
+      start: at rest
+      end: {{travel: {{of: stone, by: y}}}}
+    questions: {questions}
+    mistakes: {{A05: {{scene: {{bodies: {{pulley: {{mass: M, shape: {{hoop: any}}, moves: about a fixed axle}}, stone: {{mass: m, moves: vertically, positive: down}}}}}}}}}}
+    statement: s
+"
+    )
+}
+
+const UNKNOWN: &str = "unknown: 0.2 to 20 step 0.1";
+const TIMED: &str = "draw: 2.0 to 3.6 step 0.05, measured: t";
+const MASS: &str = "{mass: {value: m, unit: kg, ask: m}, tension: {unit: N, ask: T}}";
+
+#[test]
+fn what_is_unknown_is_found_from_the_printed_measurement() {
+    let bank = read(&stone(UNKNOWN, TIMED, MASS)).expect("a bank");
+    let problem = &bank.problems[0];
+    for i in 0..10 {
+        let variant = drawn(problem, &format!("s{i}"));
+        let [big, y, t, _, g] = variant.data[..] else { panic!("five data") };
+        assert!(variant.values[3].is_none(), "it is not printed");
+        let a = 2.0 * y / (t * t);
+        let entry = |i: usize| variant.solved.get(problem.questions[i].label).expect("an answer");
+        let expected = [big * a / (2.0 * (g - a)), big * a / 2.0];
+        for (i, expected) in expected.into_iter().enumerate() {
+            let e = entry(i);
+            for road in [e.eom, e.energy] {
+                let off = (road.expect("both roads") - expected).abs();
+                assert!(off < 8e-16 * e.cond * expected, "{road:?} {expected}");
+            }
+            assert!(e.bound.is_some_and(|b| b < 1e-8 * expected), "enclosed: {e:?}");
+        }
+        // m = M a/(2 (g - a)) moves with M as 1, with y as q = g/(g - a), with t as 2 q, and with g as q.
+        let q = g / (g - a);
+        assert!((entry(0).cond - (1.0 + 4.0 * q)).abs() < 1e-3, "{} {q}", entry(0).cond);
+        // Who takes the pulley for a hoop finds twice the mass from the same time.
+        let wrong = variant.wrong.iter().find(|w| w.label == problem.questions[0].label);
+        let off = wrong.map(|w| (w.value - 2.0 * expected[0]).abs() / expected[0]);
+        assert!(off.is_some_and(|off| off < 1e-9), "{wrong:?}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_an_inverse_question_is_told() {
+    let cases = [
+        (UNKNOWN, "draw: 2 to 3 step 0.1", "`m` is unknown, and nothing is measured"),
+        ("draw: 1 to 3 step 0.1", TIMED, "this is measured, and nothing is unknown"),
+        (UNKNOWN, "draw: 2 to 3 step 0.1, measured: stone.v", "`t1` has the dimension s, `stone.v` m s^-1"),
+        (UNKNOWN, "draw: 2 to 3 step 0.1, measured: time", "`time` is no quantity"),
+        (UNKNOWN, "draw: 2 to 3 step 0.1, measured: stone.direction", "only a number is measured"),
+        ("unknown: 0 to 3 step 0.1", TIMED, "`m` cannot have all values of this range"),
+        ("unknown: 0.2 to 20", TIMED, "has no step"),
+        ("unknown: 1 to 3 step 0.1, draw: always 2", TIMED, "what is to be found is not drawn"),
+    ];
+    for (mass, time, wanted) in cases {
+        let found = read(&stone(mass, time, MASS)).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(all.iter().any(|f| f.contains(wanted)), "{wanted}\n{}", all.join("\n"));
+    }
+}
+
+#[test]
+fn what_two_values_give_is_refused() {
+    // The period is least where the pin is as far from G as the radius of gyration: nearer and farther pins share a period.
+    let bank = "bank: b
+title: B
+problems:
+  p:
+    title: A pendulum
+    data:
+      T: {name: measured period, unit: s, draw: always 1.7, measured: period_small}
+      h: {name: distance of the pin, unit: m, unknown: RANGE}
+    scene:
+      bodies: {body: {mass: 2 kg, radius of gyration: 0.3 m, pinned: {distance: h}, angle: from hanging}}
+      start: {body: {angle: 10 deg}}
+      end: {angle: {of: body, reaches: 0 deg}}
+    questions: {distance: {value: h, unit: m, ask: h}}
+    statement: s
+";
+    let drawn = |range: &str| {
+        let bank = read(&bank.replace("RANGE", range)).expect("a bank");
+        Maker::new(&bank.problems[0], 7, "set")
+            .giving_up_after(1)
+            .variant("s")
+            .map(|v| v.solved.entries.len())
+    };
+    let two = drawn("0.05 to 2 step 0.05").expect_err("two distances");
+    assert_eq!(two.unsolved, Some(slipstick::solve::outcome::Refusal::NotUnique));
+    let none = drawn("0.31 to 0.4 step 0.01").expect_err("no distance");
+    assert_eq!(none.unsolved, Some(slipstick::solve::outcome::Refusal::NotFound));
+    assert!(drawn("0.31 to 2 step 0.01").is_ok(), "one distance");
+}
