@@ -11,10 +11,17 @@ use crate::scene::{
     pose,
 };
 
-/// Pixels of the longer side of all that moves.
-const SIDE: f64 = 290.0;
+/// Pixels of the height of all that moves, at most.
+const HIGH: f64 = 290.0;
+/// Pixels of its width, at most: a flat mechanism is wider, or its crank would be lost under its labels.
+const WIDE: f64 = 400.0;
 /// Half the width of a rod.
 const THICK: f64 = 5.0;
+/// Half the width of a slot in which the end of a rod slides, and of a guide of what only slides.
+const SLOT: f64 = 9.0;
+const GUIDE: f64 = 11.0;
+/// How far a guide is drawn beyond what slides on it.
+const BEYOND: f64 = 30.0;
 
 /// Where a body lies on the board.
 #[derive(Debug, Clone, Copy)]
@@ -75,8 +82,8 @@ impl Plane {
                 (low, high) = (low.inf(&p), high.sup(&p));
             }
         }
-        let size = (high - low).x.max((high - low).y);
-        plane.scale = if size > 0.0 && size.is_finite() { SIDE / size } else { SIDE };
+        let size = ((high - low).x / WIDE).max((high - low).y / HIGH);
+        plane.scale = if size > 0.0 && size.is_finite() { 1.0 / size } else { HIGH };
         let scale = plane.scale;
         for laid in plane.start.iter_mut().chain(plane.end.iter_mut().flatten()) {
             laid.origin *= scale;
@@ -163,8 +170,10 @@ fn fixed_place(joint: &Joint) -> Option<[Num; 2]> {
 /// Draws the bodies with their joints, forces and sizes.
 pub fn draw(board: &mut Board, view: &SceneView) {
     let Some(plane) = Plane::new(view) else { return };
-    for joint in &view.scene.joints {
-        guide(board, view, &plane, joint);
+    let runs: Vec<Run> = view.scene.joints.iter().filter_map(|j| Run::new(view, &plane, j)).collect();
+    for (i, run) in runs.iter().enumerate() {
+        let others: Vec<&Run> = runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, r)| r).collect();
+        guide(board, view, run, &others);
     }
     if let Some(end) = &plane.end {
         for b in 0..view.scene.bodies.len() {
@@ -184,7 +193,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
             StrutEnd::Spot(spot) => plane.spot(view, &plane.start, spot),
         };
         if (far - near).norm() > 14.0 {
-            board.spring(far, near, 9, 7.0);
+            board.spring(far, near, 9, 6.0);
         } else {
             board.line(far, near, Role::Spring);
         }
@@ -202,36 +211,102 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     for b in 0..view.scene.bodies.len() {
         sizes(board, view, &plane, b);
     }
+    places(board, view, &plane);
     loads(board, view, &plane);
 }
 
-/// A line that guides a point: hatched where it only pushes, else two rails.
-fn guide(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
-    let JointKind::Guide { at, through_m, direction_deg, one_sided, .. } = joint.kind else { return };
-    let direction = Vec2::at_degrees(view.of(direction_deg));
-    let through = ground(view, through_m) * plane.scale;
-    let mut reach: Vec<f64> = vec![0.0];
-    for laid in std::iter::once(&plane.start).chain(&plane.end) {
-        reach.push((plane.spot(view, laid, at) - through).dot(&direction));
+/// A line that guides a point, as far as it is drawn.
+struct Run {
+    body: usize,
+    through: Vec2,
+    direction: Vec2,
+    /// The distances along it between which it guides.
+    low: f64,
+    high: f64,
+    /// Half its width.
+    apart: f64,
+    one_sided: bool,
+    mu_k: Option<Num>,
+}
+
+impl Run {
+    fn new(view: &SceneView, plane: &Plane, joint: &Joint) -> Option<Self> {
+        let JointKind::Guide { at, through_m, direction_deg, one_sided, mu_k } = joint.kind else {
+            return None;
+        };
+        let direction = Vec2::at_degrees(view.of(direction_deg));
+        let through = ground(view, through_m) * plane.scale;
+        let places = std::iter::once(&plane.start).chain(&plane.end);
+        let reach = places.map(|laid| (plane.spot(view, laid, at) - through).dot(&direction));
+        let (low, high) = reach.fold((f64::INFINITY, -f64::INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        // What slides on it lies within it, a rod's end upon it.
+        let slider = !view.scene.bodies[at.body].turns;
+        let apart = match (slider, one_sided) {
+            (true, _) => GUIDE,
+            (false, true) => THICK + 1.0,
+            (false, false) => SLOT,
+        };
+        Some(Self { body: at.body, through, direction, low, high, apart, one_sided, mu_k })
     }
-    let (low, high) = reach.iter().fold((f64::INFINITY, -f64::INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
-    let (from, to) = (through + direction * (low - 30.0), through + direction * (high + 30.0));
-    let normal = direction.left();
-    // What slides on it lies within it, a rod's end upon it.
-    let slider = !view.scene.bodies[at.body].turns;
-    let apart = if slider { 11.0 } else { 6.0 };
-    if one_sided {
-        board.hatch(from - normal * apart, to - normal * apart, -normal);
-        board.line(from - normal * apart, to - normal * apart, Role::Ground);
-    } else {
-        for side in [apart, -apart] {
-            board.line(from + normal * side, to + normal * side, Role::Ground);
+    /// A line of it, this far to its left: its ends, up to the corner with the other lines on which the same body slides.
+    fn ends(&self, side: f64, others: &[&Run]) -> (Vec2, Vec2) {
+        let (mut low, mut high) = (self.low, self.high);
+        for other in others.iter().filter(|o| o.body == self.body) {
+            if let Some(at) = self.meets(0.0, other, 0.0) {
+                (low, high) = (low.min(at), high.max(at));
+            }
+        }
+        (self.at(low - BEYOND, side), self.at(high + BEYOND, side))
+    }
+    fn at(&self, along: f64, side: f64) -> Vec2 {
+        self.through + self.direction * along + self.direction.left() * side
+    }
+    /// How far along it a line beside it meets a line beside another one; `None` where they are parallel.
+    fn meets(&self, side: f64, other: &Run, other_side: f64) -> Option<f64> {
+        let cross = self.direction.perp(&other.direction);
+        let gap = other.at(0.0, other_side) - self.at(0.0, side);
+        (cross.abs() > 1e-6).then(|| gap.perp(&other.direction) / cross)
+    }
+    /// Is a point within it: between its rails, or behind its surface?
+    fn covers(&self, point: Vec2) -> bool {
+        let off = (point - self.through).dot(&self.direction.left());
+        if self.one_sided { off < -self.apart - 0.1 } else { off.abs() < self.apart - 0.1 }
+    }
+    /// The pieces of a line beside it that no other one covers.
+    fn pieces(&self, side: f64, others: &[&Run]) -> Vec<(Vec2, Vec2)> {
+        let (from, to) = self.ends(side, others);
+        let along = |p: Vec2| (p - self.through).dot(&self.direction);
+        let (low, high) = (along(from), along(to));
+        let mut cuts = vec![low, high];
+        for other in others {
+            let sides = if other.one_sided { vec![-other.apart] } else { vec![-other.apart, other.apart] };
+            cuts.extend(sides.iter().filter_map(|s| self.meets(side, other, *s)));
+        }
+        cuts.retain(|x| (low..=high).contains(x));
+        cuts.sort_by(f64::total_cmp);
+        let pieces = cuts.windows(2).map(|w| (self.at(w[0], side), self.at(w[1], side)));
+        pieces.filter(|(a, b)| !others.iter().any(|o| o.covers(a.middle(*b)))).collect()
+    }
+}
+
+/// A line that guides a point: hatched where it only pushes, else two rails, open where two of them cross.
+fn guide(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run]) {
+    let normal = run.direction.left();
+    let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
+    for side in sides {
+        for (from, to) in run.pieces(side, others) {
+            if run.one_sided {
+                board.hatch(from, to, -normal);
+            }
+            board.line(from, to, Role::Ground);
         }
     }
-    if let JointKind::Guide { mu_k: Some(mu), .. } = joint.kind {
-        let middle = from.middle(to) - normal * apart;
+    if let Some(mu) = run.mu_k {
+        let (from, to) = run.ends(-run.apart, others);
+        let middle = from.middle(to);
         let label = crate::figure::view::joined(symbol::symbol(r"\mu_k"), view.value(mu, ""));
         let label = if view.symbol(mu).is_empty() { label } else { view.label(mu, "") };
+        let direction = run.direction;
         board.wish(label, vec![(middle, -normal), (to, direction), (from, -direction)], Role::Friction);
     }
 }
@@ -239,7 +314,11 @@ fn guide(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
 /// Pins, hinges and cords.
 fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
     match joint.kind {
-        JointKind::Guide { .. } => {}
+        JointKind::Guide { at, one_sided, .. } => {
+            if !one_sided && view.scene.bodies[at.body].turns {
+                board.circle(plane.spot(view, &plane.start, at), 3.6, Role::Inner);
+            }
+        }
         JointKind::Hinge { one, .. } => board.circle(plane.spot(view, &plane.start, one), 3.6, Role::Inner),
         JointKind::Pin { at, .. } => {
             let place = plane.spot(view, &plane.start, at);
@@ -336,21 +415,49 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
     }
 }
 
+/// The side of a body on which its length stands: away from the angle of the leading body, else from where it goes.
+fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
+    let axis = plane.start[body].axis;
+    let goes = plane.end.as_ref().map_or(0.0, |end| axis.perp(&end[body].axis));
+    let stands = match view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) {
+        Some(planar) => {
+            let [x, y] = planar.from.components();
+            axis.perp(&vec2(x, y))
+        }
+        None => 0.0,
+    };
+    let side = |turn: f64| if turn.abs() > 1e-6 { turn.signum() } else { 0.0 };
+    let taken = side(goes) + 2.0 * side(stands);
+    if taken > 0.0 { -axis.left() } else { axis.left() }
+}
+
+/// Coordinates of fixed places that are data, each as a length from the origin.
+fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
+    let springs = view.scene.struts.iter().filter_map(|s| match s.to {
+        StrutEnd::Ground(place) => Some(place),
+        StrutEnd::Spot(_) => None,
+    });
+    let mut seen: Vec<Num> = Vec::new();
+    for place in view.scene.joints.iter().filter_map(fixed_place).chain(springs) {
+        let at = ground(view, place) * plane.scale;
+        let [x, y] = place;
+        let lengths = [(x, vec2(0.0, at.y), Vec2::DOWN, 66.0), (y, vec2(at.x, 0.0), Vec2::RIGHT, 40.0)];
+        for (n, from, out, off) in lengths {
+            if matches!(n, Num::Datum(_)) && !seen.contains(&n) {
+                seen.push(n);
+                dimension(board, from, at, out, off, view.label(n, "m"));
+            }
+        }
+    }
+}
+
 /// Length, mass and radius of gyration of a body.
 fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
     let this = &view.scene.bodies[body];
     let Some(planar) = &this.planar else { return };
     let Laid { origin, axis } = plane.start[body];
     let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * plane.scale));
-    let lead = view.scene.lead() == Some(body);
-    // Away from where it goes and where its angle stands.
-    let out = match &plane.end {
-        Some(end) if end[body].axis.perp(&axis).abs() > 1e-6 => {
-            axis.left() * end[body].axis.perp(&axis).signum()
-        }
-        _ => axis.left(),
-    };
-    let out = if lead && plane.end.is_none() && planar.clockwise { -out } else { out };
+    let out = free_side(view, plane, body);
     let mut rows = Vec::new();
     if let Some((n, weight)) = view.mass(this) {
         rows.push(view.label(n, if weight { "N" } else { "kg" }));
@@ -376,7 +483,7 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
     let side = if this.turns { THICK } else { 12.0 };
     let spots = [-out, out, Vec2::UP, Vec2::DOWN].map(|d| (middle + d * side, d));
     let more = [0.25, -0.25].map(|s| (middle + (to - from) * s - out * side, -out));
-    board.label(rows, Role::Dot, (LabelTie::Loose, 6.0), spots.into_iter().chain(more).collect());
+    board.label(rows, Role::Dot, (LabelTie::Leader, 6.0), spots.into_iter().chain(more).collect());
 }
 
 /// Forces, couples and the spin at the start.

@@ -1,9 +1,9 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, Joint, JointKind,
-    Line, Mass, Num, Particle, Pin, PinSpring, Place, Planar, Push, Ray, Rest, RotaryInertia, Scene, Side,
-    Slope, Span, Spot, Start, Strut, StrutEnd, Tie, Zero,
+    Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, Joint,
+    JointKind, Line, Mass, Num, Particle, Pin, PinSpring, Place, Planar, Push, Ray, Rest, RotaryInertia,
+    Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Tie, Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;

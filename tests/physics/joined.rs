@@ -8,7 +8,7 @@ use slipstick::solve::outcome::Solved;
 use std::path::Path;
 
 fn bank() -> Bank {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/banks/rods-and-linkages.yaml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/rods-and-linkages.yaml");
     let text = std::fs::read_to_string(path).unwrap();
     load::scenes_only(&text, "rods-and-linkages.yaml").unwrap_or_else(|found| panic!("{found:?}"))
 }
