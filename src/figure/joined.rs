@@ -415,20 +415,22 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
     }
 }
 
-/// The side of a body on which its length stands: away from the angle of the leading body, else from where it goes.
+/// The side of a body on which its length stands: away from the angle of the leading body, then from where it goes; away from
+/// the other bodies for all that follow it.
 fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
-    let axis = plane.start[body].axis;
-    let goes = plane.end.as_ref().map_or(0.0, |end| axis.perp(&end[body].axis));
-    let stands = match view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) {
+    let across = plane.start[body].axis.left();
+    let middle = |laid: &[Laid], b: usize| plane.centre(view, laid, b);
+    let here = middle(&plane.start, body);
+    let away = match view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) {
         Some(planar) => {
             let [x, y] = planar.from.components();
-            axis.perp(&vec2(x, y))
+            let side = |off: f64| if off.abs() > 1e-6 { off.signum() } else { 0.0 };
+            let goes = plane.end.as_ref().map_or(Vec2::ZERO, |end| middle(end, body) - here);
+            side(goes.dot(&across)) + 2.0 * side(vec2(x, y).dot(&across))
         }
-        None => 0.0,
+        None => (0..plane.start.len()).map(|b| (middle(&plane.start, b) - here).dot(&across)).sum(),
     };
-    let side = |turn: f64| if turn.abs() > 1e-6 { turn.signum() } else { 0.0 };
-    let taken = side(goes) + 2.0 * side(stands);
-    if taken > 0.0 { -axis.left() } else { axis.left() }
+    if away > 0.0 { -across } else { across }
 }
 
 /// Coordinates of fixed places that are data, each as a length from the origin.
