@@ -4,6 +4,22 @@ use std::ops::{Deref, DerefMut};
 use std::slice;
 use std::vec;
 
+/// What a finding says, as `format!` makes it. A page tells no finding about a bank, for nothing was found in the bank that its sheet
+/// was made from: there the text is not made, which leaves out a tenth of the program.
+#[cfg(feature = "program")]
+macro_rules! told {
+    ($($text:tt)*) => { format!($($text)*) };
+}
+/// What a finding says; a page tells none about a bank.
+#[cfg(not(feature = "program"))]
+macro_rules! told {
+    ($($text:tt)*) => {{
+        let _untold = || format!($($text)*);
+        String::new()
+    }};
+}
+pub(crate) use told;
+
 /// One fault in a file that a person wrote. Faults are collected, never thrown one by one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {

@@ -243,6 +243,7 @@ const DOORS: &[(&str, &[&str])] = &[
         "export",
         &[
             "answer",
+            "num",
             "bank",
             "problem",
             "solution",

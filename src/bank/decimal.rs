@@ -1,5 +1,6 @@
 //! Decimal numbers as integers: no float, so that the printed value is the value used.
 use crate::bank::node::shorten;
+use crate::finding::told;
 use crate::units::TENS;
 
 /// Most decimals of a datum.
@@ -30,11 +31,11 @@ impl Decimal {
         let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
         let all = whole.bytes().chain(part.bytes());
         if whole.is_empty() || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.') {
-            return Err(format!("`{}` is not a decimal number", shorten(text)));
+            return Err(told!("`{}` is not a decimal number", shorten(text)));
         }
         let decimals = u8::try_from(part.len()).ok().filter(|d| *d <= MAX_DECIMALS);
         let (Some(decimals), true) = (decimals, whole.len() + part.len() <= MAX_DIGITS) else {
-            return Err(format!(
+            return Err(told!(
                 "`{}` has too many digits: {} in all and {} after the point, where at most {MAX_DIGITS} and {MAX_DECIMALS} are read",
                 shorten(text),
                 whole.len() + part.len(),

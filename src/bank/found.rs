@@ -2,6 +2,7 @@
 use crate::bank::node::{Faults, Node};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, measure, need::Need, review};
+use crate::finding::told;
 use crate::scene::{Found, Given, Num, Scene, admissible};
 
 /// The one datum that was measured, where one is unknown; anything else is told.
@@ -17,7 +18,7 @@ pub fn only<'n>(
         ([_], [one]) => Some(*one),
         ([symbol], []) => {
             let message =
-                format!("`{symbol}` is unknown, and nothing is measured from which it could be found");
+                told!("`{symbol}` is unknown, and nothing is measured from which it could be found");
             faults.hint(problem, message, "give a datum `measured:` and a quantity, such as `measured: t`");
             None
         }
@@ -55,7 +56,7 @@ pub fn put(
     let label = match review::label(scene, name) {
         Ok(label) if !label.quantity.is_word() => label,
         Ok(_) => {
-            faults.at(node, format!("`{name}` is a word: only a number is measured"));
+            faults.at(node, told!("`{name}` is a word: only a number is measured"));
             return Vec::new();
         }
         Err((message, hint)) => {
@@ -67,13 +68,13 @@ pub fn put(
     let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(label.quantity.unit()));
     if own != wanted {
         let (own, wanted) = (measure::powers_text(own), measure::powers_text(wanted));
-        faults.at(node, format!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
+        faults.at(node, told!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
         return Vec::new();
     }
     let mut used = false;
     admissible::rules(scene, |number, _| used |= scene.data_of(number).any(|datum| datum == i));
     if !used {
-        let message = format!("`{symbol}` is to be found, but the scene does not use it");
+        let message = told!("`{symbol}` is to be found, but the scene does not use it");
         faults.hint(
             problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node),
             message,
@@ -97,7 +98,7 @@ pub fn put(
         let place = problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node);
         faults.hint(
             place,
-            format!("`{symbol}` cannot have all values of this range"),
+            told!("`{symbol}` cannot have all values of this range"),
             "such as `unknown: 1 to 3 step 0.1`",
         );
         return Vec::new();

@@ -35,7 +35,11 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
     if old.is_none() {
         files::has_a_name(&args.out, "--out week-5")?;
         files::not_among_students(&args.out)?;
-        set::may_write(&args.out, args.force)?;
+        set::may_write(
+            &args.out,
+            args.force,
+            "give another --out, or --force to replace a set, or --add for late joiners",
+        )?;
     }
     let name = match (&args.name, &old) {
         (Some(name), _) => name.clone(),

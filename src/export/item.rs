@@ -13,6 +13,7 @@ use crate::sheet::texts::Texts;
 use crate::solution;
 use crate::units::Unit;
 use crate::words::Words;
+use std::sync::Arc;
 
 /// One variant of one problem.
 pub struct Item {
@@ -22,14 +23,26 @@ pub struct Item {
     pub code: String,
     /// Title of the problem.
     pub title: String,
-    /// Statement, figure, questions and how to answer them.
+    /// Statement, figure and questions.
     pub body: Body,
+    /// How to answer them.
+    pub below: Arc<Below>,
     /// Pictures of the statement, then of the solution.
     pub pictures: Vec<ItemPicture>,
     /// Its parts.
     pub parts: Vec<ItemPart>,
     /// The worked solution, if it is wanted; its pictures come behind those of the statement, of which there are so many.
     pub solution: Option<(Body, usize)>,
+}
+
+/// What stands below the questions, as XHTML with a place for the code.
+pub struct Below {
+    /// For all parts together.
+    whole: String,
+    /// For a part that is answered with a number.
+    number: String,
+    /// For one that is answered with a word.
+    word: String,
 }
 
 /// A picture of an item.
@@ -69,8 +82,8 @@ pub enum Right {
         right: &'static str,
         /// Those that are offered: as keys write them, and as the sheet says them.
         offered: Vec<(&'static str, String)>,
-        /// All that is read as the right one.
-        spellings: Vec<&'static str>,
+        /// All that is read as the right one, first as the sheet says it: a platform may show the first as the answer.
+        spellings: Vec<String>,
     },
 }
 
@@ -80,8 +93,8 @@ pub struct ItemMaker<'i> {
     problems: &'i [usize],
     texts: &'i Texts,
     sheets: &'i Sheets<'i>,
-    /// Below the questions of each problem, with a place for the code.
-    below: Vec<String>,
+    /// Below the questions of each problem.
+    below: Vec<Arc<Below>>,
     with_solutions: bool,
 }
 
@@ -103,23 +116,29 @@ impl<'i> ItemMaker<'i> {
         with_solutions: bool,
     ) -> Self {
         let words = &texts.words;
-        let below = problems.iter().filter_map(|p| bank.problems.get(*p)).map(|problem| {
-            let is_word = |q: &crate::bank::Question| q.label.quantity.is_word();
-            let mut rules = Vec::new();
-            if !problem.questions.iter().all(is_word) {
-                rules.push(words.get(rule));
-            }
-            if problem.questions.iter().any(is_word) {
-                rules.push(words.get(word_rule));
-            }
-            let (figures, tolerance) = sheets.asked_for();
+        let (figures, tolerance) = sheets.asked_for();
+        let say = |text: &str, rules: &[&str]| {
+            let rules: Vec<&str> = rules.iter().map(|rule| words.get(rule)).collect();
             let pieces = [
                 ("rules", rules.join(" ")),
                 ("figures", figures.to_string()),
-                ("tolerance", tolerance),
+                ("tolerance", tolerance.clone()),
                 ("code", CODE.to_owned()),
             ];
-            words.say("export.below", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())))
+            let said = words.say(text, &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
+            let body = BodyWriter::default().body(&Document::new(said, Vec::new()), &[]);
+            body.text(None, &mut |_| String::new(), &|_| String::new())
+        };
+        let below = problems.iter().filter_map(|p| bank.problems.get(*p)).map(|problem| {
+            let is_word = |q: &crate::bank::Question| q.label.quantity.is_word();
+            let number = say("export.below", &[rule]);
+            let word = say("export.below_word", &[word_rule]);
+            let whole = match (problem.questions.iter().all(is_word), problem.questions.iter().any(is_word)) {
+                (true, _) => word.clone(),
+                (false, true) => say("export.below", &[rule, word_rule]),
+                (false, false) => number.clone(),
+            };
+            Arc::new(Below { whole, number, word })
         });
         Self { bank, problems, texts, sheets, below: below.collect(), with_solutions }
     }
@@ -144,10 +163,7 @@ impl<'i> ItemMaker<'i> {
             return Err(Finding::new(field, format!("has no answer for the data of {code}")));
         }
         let names: Vec<String> = key.parts.iter().map(|p| format!("{}.{}", at + 1, p.part)).collect();
-        let mut document = self.sheets.problem_document(at, "", variant, &mut room.sheet)?;
-        document.markdown.push('\n');
-        document.markdown.push_str(&self.below[at].replace(CODE, code));
-        document.markdown.push('\n');
+        let document = self.sheets.problem_document(at, "", variant, &mut room.sheet)?;
         let body = room.bodies.body(&document, &names);
         let prefix = format!("p{}-{code}", at + 1);
         let mut pictures: Vec<ItemPicture> = pictures(&document, &prefix).collect();
@@ -170,6 +186,7 @@ impl<'i> ItemMaker<'i> {
             code: code.to_owned(),
             title: problem.title.clone(),
             body,
+            below: Arc::clone(&self.below[at]),
             pictures,
             parts: parts.collect(),
             solution,
@@ -201,12 +218,36 @@ fn right(answer: &Answer, unit: &Unit, words: &Words) -> Right {
         Answer::Word { right, offered } => Right::Word {
             right,
             offered: offered.iter().map(|w| (*w, statement::said(words, w).to_owned())).collect(),
-            spellings: word::spellings(right),
+            spellings: spellings(right, statement::said(words, right)),
         },
     }
 }
 
+/// All that is read as a word of a key, first as the sheet says it.
+fn spellings(right: &'static str, said: &str) -> Vec<String> {
+    let mut all = word::spellings(right);
+    all.retain(|word| *word != said);
+    std::iter::once(said).chain(all).map(str::to_owned).collect()
+}
+
 impl Item {
+    /// The text with what stands below it; with `only` for this part alone, which says no more than this part needs.
+    pub fn text(
+        &self,
+        only: Option<usize>,
+        answer: &mut dyn FnMut(usize) -> String,
+        address: &dyn Fn(&str) -> String,
+    ) -> String {
+        let mut out = self.body.text(only, answer, &|i| self.picture(i, address));
+        let below = match only.and_then(|i| self.parts.get(i)).map(|part| &part.right) {
+            None => &self.below.whole,
+            Some(Right::Number { .. }) => &self.below.number,
+            Some(Right::Word { .. }) => &self.below.word,
+        };
+        out.push_str(&below.replace(CODE, &self.code));
+        out
+    }
+
     /// The picture of this index in the text; `address` makes the address of its file.
     pub fn picture(&self, i: usize, address: &dyn Fn(&str) -> String) -> String {
         self.pictures.get(i).map_or_else(String::new, |picture| {

@@ -16,7 +16,7 @@ pub mod xml;
 
 use crate::bank::Problem;
 use crate::export::item::Item;
-use crate::finding::{Finding, Findings};
+use crate::finding::Findings;
 
 /// A platform's format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,15 +104,12 @@ impl Export<'_> {
     }
 
     /// An item in the format.
-    ///
-    /// # Errors
-    /// What the format cannot hold at all.
-    pub fn fragment(&self, item: &Item) -> Result<Fragment, Finding> {
+    pub fn fragment(&self, item: &Item) -> Fragment {
         match self.platform {
-            Platform::Moodle => Ok(moodle::fragment(self, item)),
-            Platform::Canvas => canvas::fragment(self, item),
-            Platform::Qti21 => Ok(qti::fragment(&qti21::DIALECT, self, item)),
-            Platform::Qti3 => Ok(qti::fragment(&qti3::DIALECT, self, item)),
+            Platform::Moodle => moodle::fragment(self, item),
+            Platform::Canvas => canvas::fragment(item),
+            Platform::Qti21 => qti::fragment(&qti21::DIALECT, self, item),
+            Platform::Qti3 => qti::fragment(&qti3::DIALECT, self, item),
         }
     }
 

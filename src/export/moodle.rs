@@ -90,7 +90,7 @@ fn cloze(item: &Item) -> String {
     let weights = weights(&item.parts.iter().map(|p| p.points).collect::<Vec<_>>());
     // A mark that no text holds, so that the fields alone keep their braces.
     let place = |i: usize| format!("\u{0}{i}\u{0}");
-    let whole = item.body.text(None, &mut |i| place(i), &|i| item.picture(i, &address));
+    let whole = item.text(None, &mut |i| place(i), &address);
     let mut xhtml = without_fields(&whole);
     for (i, (part, weight)) in item.parts.iter().zip(weights).enumerate() {
         xhtml = xhtml.replace(&place(i), &field(part, weight));
@@ -105,7 +105,7 @@ fn cloze(item: &Item) -> String {
 fn of_part(item: &Item, i: usize) -> String {
     let part = &item.parts[i];
     let name = format!("{} {}", item.code, part.id);
-    let xhtml = item.body.text(Some(i), &mut |_| String::new(), &|i| item.picture(i, &address));
+    let xhtml = item.text(Some(i), &mut |_| String::new(), &address);
     let mut x = Xml::piece();
     let kind = match part.right {
         Right::Number { .. } => "numerical",

@@ -1,6 +1,6 @@
 //! A stored set as one file for a learning platform, and a set that is made to be one.
 use crate::export::item::{ItemMaker, ItemRoom};
-use crate::export::{Export, Layout, Platform, losses};
+use crate::export::{Export, Layout, Platform, canvas, losses};
 use crate::finding::{Finding, Findings};
 use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{Progress, banks, deal, files, set};
@@ -14,6 +14,8 @@ use std::path::{Path, PathBuf};
 pub struct ExportJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
+    /// Name of the bank for messages, if it is not the copy in the set.
+    pub bank: Option<&'j str>,
     /// File to make.
     pub out: &'j Path,
     /// For which platform.
@@ -108,6 +110,11 @@ pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
         }
         None => (0..problems.len()).collect(),
     };
+    let in_set = job.set.join(&set.bank.file).display().to_string();
+    if job.platform == Platform::Canvas {
+        let faults = canvas::too_small(&replayed.keys, &chosen);
+        faults.in_file(job.bank.unwrap_or(&in_set)).into_result(())?;
+    }
     let sheets = Sheets::new(&texts.templates, &texts.words, &bank, &set.name, &problems)?;
     let rules = match (job.layout, job.platform) {
         (Layout::PartsWithUnits, _) => ("export.units", "export.word"),
@@ -135,7 +142,7 @@ pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
         let key = replayed.keys.get(i).unwrap_or(&dealt.key);
         let fragments = chosen.iter().map(|at| {
             let item = maker.item(*at, &dealt.variants[*at], &key.problems[*at], &mut room)?;
-            export.fragment(&item)
+            Ok(export.fragment(&item))
         });
         let fragments: Result<Vec<_>, Finding> = fragments.collect();
         job.progress.advance("questions", 1, set.students.len() as u64);

@@ -222,7 +222,7 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let (spooled, handed_in) = spool(job.submissions, input)?;
+    let (spooled, handed_in) = spool(job.submissions, &basis.set.name, input)?;
     let submitted = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     // Who says which column is which has no download of a quiz, nor have the files of a class.
     let alone = job.columns.is_empty() && handed_in.is_none();
@@ -231,13 +231,13 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
     options.quiz = quiz.is_some();
     let (basis, of_quiz) = match &quiz {
         Some(quiz) => {
-            let (basis, file, more) = of_quiz(job, quiz, basis, (&policy, &options))?;
-            told.push_str(&more);
-            (basis, Some(file))
+            let (basis, file, taken) = of_quiz(job, quiz, basis, (&policy, &options))?;
+            told.push_str(&taken.told);
+            (basis, Some((file, taken)))
         }
         None => (basis, None),
     };
-    let path = of_quiz.as_ref().map_or(submitted, NamedTempFile::path);
+    let path = of_quiz.as_ref().map_or(submitted, |(file, _)| file.path());
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text, .. } = basis;
     let table = table(&set, keys, &policy);
     let settings = courses
@@ -283,6 +283,8 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         submissions_bytes: fs::metadata(submitted).map_or(0, |m| m.len()),
         submissions_sha256: hash(submitted)?,
         quiz: quiz.is_some(),
+        canvas: of_quiz.as_ref().map(|(_, taken)| taken.canvas.clone()).unwrap_or_default(),
+        moodle: of_quiz.as_ref().and_then(|(_, taken)| taken.moodle.clone()),
         answers_sha256: hash(&staged.path().join(names::ANSWERS))?,
         gradebook_sha256: hash(&staged.path().join(names::GRADEBOOK))?,
         columns: job.columns.to_vec(),
@@ -332,16 +334,19 @@ fn of_quiz(
     quiz: &Quiz,
     basis: Basis,
     (policy, options): (&Policy, &Options),
-) -> Result<(Basis, NamedTempFile, String), Findings> {
+) -> Result<(Basis, NamedTempFile, Taken), Findings> {
     let file = job.submissions.display().to_string();
     let fault = |e: io::Error| files::trouble(job.submissions, "cannot be read", &e);
-    let (set, keys) = basis.asked.as_ref().map_or((&basis.set, &basis.keys), |(set, keys)| (set, keys));
-    let taken = Taken::new(quiz, (set, keys), &basis.set, policy).map_err(|f| f.in_file(&file))?;
+    let (set, keys, before) = match &basis.asked {
+        Some((set, keys)) => (set, keys, Some(&basis.set)),
+        None => (&basis.set, &basis.keys, None),
+    };
+    let taken = Taken::new(quiz, (set, keys), before, policy).map_err(|f| f.in_file(&file))?;
     let mut spooled = NamedTempFile::new().map_err(fault)?;
     spooled.write_all(&taken.text).map_err(fault)?;
     // Which variant counts was settled when it was first graded.
     if basis.asked.is_some() {
-        return Ok((basis, spooled, taken.told));
+        return Ok((basis, spooled, taken));
     }
     let points_of = |nth: usize| -> Result<BTreeMap<Place, f64>, Findings> {
         let (set, keys) = taken.set((set, keys), &|_, _, _, _| nth);
@@ -376,7 +381,7 @@ fn of_quiz(
         }
     });
     let (set_text, key_text) = (set.text(), String::from_utf8_lossy(&key_file::text(&keys)).into_owned());
-    Ok((Basis { set, keys, set_text, key_text, ..basis }, spooled, taken.told))
+    Ok((Basis { set, keys, set_text, key_text, ..basis }, spooled, taken))
 }
 
 /// Grades the file at `path` into the answers of a staged folder.
@@ -429,10 +434,14 @@ fn only_ours(out: &Path) -> Result<(), Finding> {
 }
 
 /// A pipe is read once, grading reads twice; many files become one. Standard input is the caller's, who holds its lock.
-fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
+fn spool(
+    path: &Path,
+    set: &str,
+    input: &mut dyn BufRead,
+) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
     let fault = |e: io::Error| files::trouble(path, "cannot be read", &e);
     if path != Path::new("-") && handed_in::is_many(path) {
-        let all = handed_in::joined(path)?;
+        let all = handed_in::joined(path, set)?;
         let mut file = NamedTempFile::new().map_err(fault)?;
         io::Write::write_all(file.as_file_mut(), &all.text).map_err(fault)?;
         return Ok((Some(file), Some(all)));

@@ -20,6 +20,8 @@ const DEEPEST: usize = 8;
 const COLUMNS: [&str; 4] = ["student", "problem", "part", "answer"];
 /// When it was saved, where the file says so.
 const SAVED: &str = "saved_at";
+/// Of which set the sheet is, where the file says so.
+const SET: &str = "set";
 /// Which file an answer is from, in what is kept.
 const FILE: &str = "file";
 /// What to give.
@@ -77,9 +79,11 @@ pub fn is_many(path: &Path) -> bool {
 /// Joins the files of answers in a folder or an archive: by the time at which each was saved, then by name, so that of two files
 /// of a student the later one is the later attempt.
 ///
+/// A file that says it is of another set is passed over.
+///
 /// # Errors
 /// It cannot be read, or no file of answers is in it.
-pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
+pub fn joined(path: &Path, set: &str) -> Result<HandedIn, Finding> {
     let mut found = Vec::new();
     if path.is_dir() {
         in_folder(path, "", 0, &mut found)?;
@@ -94,7 +98,7 @@ pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
     let mut all = HandedIn::default();
     let mut read: Vec<(String, String, Vec<[String; 4]>)> = Vec::new();
     for (name, bytes) in found {
-        match bytes.and_then(|bytes| answers(&bytes)) {
+        match bytes.and_then(|bytes| answers(&bytes, set)) {
             Ok((saved, rows)) => read.push((saved, name, rows)),
             Err(why) => all.passed_over.push((name, why)),
         }
@@ -213,7 +217,7 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
 }
 
 /// When a file of answers was saved, as far as it says, and its answers.
-fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
+fn answers(bytes: &[u8], set: &str) -> Result<(String, Vec<[String; 4]>), &'static str> {
     let text = submissions::text_of(bytes);
     let first = text.lines().next().unwrap_or_default();
     // A spreadsheet may tell its delimiter first.
@@ -227,7 +231,7 @@ fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
     let head = reader.headers().map_err(|_| "cannot be read as CSV")?.clone();
     let column = |name: &str| head.iter().position(|h| h.trim().eq_ignore_ascii_case(name));
     let [Some(student), Some(problem), Some(part), Some(answer)] = COLUMNS.map(column) else {
-        return Err("has not the columns student, problem, part, answer");
+        return Err("lacks the columns student, problem, part, answer");
     };
     let (mut saved, mut rows) = (String::new(), Vec::new());
     for record in reader.records() {
@@ -235,6 +239,10 @@ fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
         let field = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
         if let Some(at) = column(SAVED).and_then(|i| record.get(i)) {
             saved = saved.max(at.trim().to_owned());
+        }
+        let of_set = column(SET).map(|i| field(i).trim().to_owned()).unwrap_or_default();
+        if !of_set.is_empty() && of_set != set {
+            return Err("was saved from a sheet of another set");
         }
         rows.push([student, problem, part, answer].map(field));
     }

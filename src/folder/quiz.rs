@@ -5,7 +5,7 @@ use crate::answer::quiz::{Platform, Quiz, QuizAnswer, QuizAttempt, Written, code
 use crate::answer::roster;
 use crate::finding::Finding;
 use crate::grade::run::QUIZ_COLUMNS;
-use crate::key::SheetKey;
+use crate::key::{ProblemKey, SheetKey};
 use crate::policy::{Counts, Policy};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
@@ -34,6 +34,8 @@ struct Row {
     code: String,
     /// Index of the problem and the part, and the student of the set whose variant it is.
     of: Option<(usize, usize, usize)>,
+    /// Index of the problem, where it is known.
+    at: Option<usize>,
 }
 
 impl Variants {
@@ -97,8 +99,10 @@ impl Variants {
         let line = taken.line;
         let row = |problem: String, part: &str, answer: &str| {
             let (part, answer, code) = (part.to_owned(), answer.to_owned(), String::new());
-            Row { line, attempt, problem, part, answer, code, of: None }
+            Row { line, attempt, problem, part, answer, code, of: None, at: None }
         };
+        let placed =
+            |p: usize, part: &str, answer: &str| Row { at: Some(p), ..row(String::new(), part, answer) };
         for asked in &taken.answers {
             let found = self.code(&asked.question).or_else(|| self.code(&asked.header));
             let (code, rest) = match found {
@@ -112,7 +116,6 @@ impl Variants {
             };
             let (s, p) = self.by_code[&code];
             let parts = &self.parts[p];
-            let number = (p + 1).to_string();
             let alone = self.part(p, &asked.question, rest).or((parts.len() == 1).then_some(0));
             let answers = match (&asked.written, alone) {
                 (Written::Nothing, Some(part)) => vec![(part, "")],
@@ -129,20 +132,20 @@ impl Variants {
                 }
                 // To which part it is an answer cannot be told.
                 _ => {
-                    rows.push(Row { code, ..row(number, &short(&asked.header), &text(asked)) });
+                    rows.push(Row { code, ..placed(p, &short(&asked.header), &text(asked)) });
                     continue;
                 }
             };
             rows.extend(answers.into_iter().map(|(part, answer)| Row {
                 code: code.clone(),
                 of: Some((p, part, s)),
-                ..row(number.clone(), &parts[part], answer)
+                ..placed(p, &parts[part], answer)
             }));
         }
         // An attempt that was never begun is one at nothing.
         if rows.len() == before {
             for (p, parts) in self.parts.iter().enumerate() {
-                rows.extend(parts.iter().map(|part| row((p + 1).to_string(), part, "")));
+                rows.extend(parts.iter().map(|part| placed(p, part, "")));
             }
         }
     }
@@ -154,6 +157,15 @@ fn text(asked: &QuizAnswer) -> String {
         Written::Nothing => String::new(),
         Written::Parts(parts) => parts.join("; "),
         Written::Whole { text, .. } => text.clone(),
+    }
+}
+
+/// Was anything typed?
+fn is_typed(asked: &QuizAnswer) -> bool {
+    match &asked.written {
+        Written::Nothing => false,
+        Written::Parts(parts) => parts.iter().any(|part| !part.is_empty()),
+        Written::Whole { list, .. } => list.iter().any(|item| !item.is_empty()),
     }
 }
 
@@ -216,7 +228,31 @@ impl Takers {
         );
         Self { who, on_roster, strangers, by }
     }
+
+    /// Of each student SIS id, login and Canvas's own number; nothing of other platforms.
+    fn canvas(&self, quiz: &Quiz) -> BTreeMap<String, [String; 3]> {
+        let all = self.who.iter().zip(&quiz.attempts).filter(|_| quiz.platform == Platform::Canvas);
+        all.map(|((id, _), attempt)| (id.clone(), attempt.ids.each_ref().map(|id| clean(id)))).collect()
+    }
+
+    /// See [`Taken::moodle`].
+    fn moodle(&self, quiz: &Quiz) -> Option<&'static str> {
+        let listed = |id: &str| !self.on_roster || !self.strangers.contains(id);
+        let kind = |((id, _), attempt): (&(String, String), &QuizAttempt)| {
+            attempt.ids.iter().position(|own| clean(own).to_lowercase() == id.to_lowercase())
+        };
+        let all = self.who.iter().zip(&quiz.attempts).filter(|((id, _), _)| listed(id));
+        let kinds: BTreeSet<Option<usize>> = all.map(kind).collect();
+        match quiz.platform {
+            Platform::Moodle if kinds.contains(&None) => Some(MOODLE_NAMES),
+            Platform::Moodle if kinds == BTreeSet::from([Some(1)]) => Some("Username"),
+            _ => None,
+        }
+    }
 }
+
+/// Moodle's word for a name, by which it knows nobody when grades are imported.
+const MOODLE_NAMES: &str = "Full name";
 
 /// Of a student and a part, the variants in the order in which they were answered: students of the set whose they are.
 type Asked = HashMap<Place, Vec<usize>>;
@@ -234,19 +270,27 @@ pub struct Taken {
     /// Students and names.
     students: Vec<StoredStudent>,
     asked: Asked,
+    /// The problems that were asked: indices of the set.
+    problems: Vec<usize>,
+    /// Who they are on Canvas.
+    pub canvas: BTreeMap<String, [String; 3]>,
+    /// What stands in the first column of the gradebook for Moodle, where it is neither ID number nor e-mail address.
+    pub moodle: Option<String>,
 }
 
 impl Taken {
-    /// Finds the variants and who answered them. `set` says whose codes they are and `keys` their parts; `roster` has the students.
+    /// Finds the variants and who answered them. `set` says whose codes they are and `keys` their parts; `before` is the
+    /// set of the earlier grading, if a quiz is graded again: its students and problems stay.
     ///
     /// # Errors
     /// No question shows a code of the set.
     pub fn new(
         quiz: &Quiz,
         (set, keys): (&StoredSet, &[SheetKey]),
-        roster: &StoredSet,
+        before: Option<&StoredSet>,
         policy: &Policy,
     ) -> Result<Self, Finding> {
+        let roster = before.unwrap_or(set);
         let variants = Variants::new(set, keys)?;
         let mut rows = Vec::new();
         for (i, attempt) in quiz.attempts.iter().enumerate() {
@@ -254,8 +298,11 @@ impl Taken {
         }
         let unknown = unknown_codes(&rows);
         if !unknown.is_empty() && !rows.iter().any(|row| row.of.is_some()) {
-            return Err(no_code(quiz.platform, &variants, &unknown));
+            return Err(no_code(quiz, &variants, &unknown));
         }
+        let problems = problems(&rows, set, before);
+        number(&mut rows, set, &problems);
+        let unknown = unknown_codes(&rows);
         let takers = Takers::new(quiz, roster);
         let asked = asked(quiz, &rows, &takers, policy);
         let mut students: Vec<StoredStudent> = Vec::new();
@@ -270,8 +317,14 @@ impl Taken {
                 students.push(StoredStudent { student, name, folder, problems });
             }
         }
-        let told = told(quiz, &rows, &takers, &unknown);
-        Ok(Self { text: submissions(quiz, &rows, &takers), told, students, asked })
+        let mut told = told(quiz, &rows, &takers, &unknown);
+        told.push_str(&not_asked(set, &problems));
+        let text = submissions(quiz, &rows, &takers);
+        let (canvas, moodle) = (takers.canvas(quiz), takers.moodle(quiz));
+        if let Some(MOODLE_NAMES) = moodle {
+            told.push_str("\n  warning: Moodle cannot import grades by name: download the responses again, with ID number, user name or e-mail address");
+        }
+        Ok(Self { text, told, students, asked, problems, canvas, moodle: moodle.map(str::to_owned) })
     }
 
     /// How many variants of one part a student answered at most.
@@ -291,11 +344,13 @@ impl Taken {
         for student in &mut students {
             let id = student.student.clone();
             let of = own.get(id.as_str()).copied().or(keys.first());
-            let mut problems = of.map_or_else(Vec::new, |key| key.problems.clone());
-            for (p, key) in problems.iter_mut().enumerate() {
+            let keys_of = |key: &SheetKey| self.problems.iter().map(|p| key.problems[*p].clone()).collect();
+            let mut problems: Vec<ProblemKey> = of.map_or_else(Vec::new, keys_of);
+            student.problems = self.problems.iter().map(|p| student.problems[*p].clone()).collect();
+            for (nth, (key, p)) in problems.iter_mut().zip(self.problems.iter().copied()).enumerate() {
                 let chosen = (0..key.parts.len()).map(|part| {
-                    let all = self.asked.get(&(id.clone(), p, part))?;
-                    all.get(choose(&id, p, part, all.len()).min(all.len().saturating_sub(1))).copied()
+                    let all = self.asked.get(&(id.clone(), nth, part))?;
+                    all.get(choose(&id, nth, part, all.len()).min(all.len().saturating_sub(1))).copied()
                 });
                 let chosen: Vec<Option<usize>> = chosen.collect();
                 let count = |s: usize| chosen.iter().filter(|c| **c == Some(s)).count();
@@ -316,13 +371,65 @@ impl Taken {
                         stored.parts.insert(part, variant(other));
                     }
                 }
-                student.problems[p] = stored;
+                student.problems[nth] = stored;
             }
             sheets.push(SheetKey { student: id, problems });
         }
         // Who has the same is a matter of the quiz.
-        (StoredSet { students, coincidences: Vec::new(), ..set.clone() }, sheets)
+        let problems = self.problems.iter().map(|p| set.problems[*p].clone()).collect();
+        (StoredSet { students, problems, coincidences: Vec::new(), ..set.clone() }, sheets)
     }
+}
+
+/// The problems of the set that any attempt shows; all if none shows one, and those of the earlier grading where there is one.
+fn problems(rows: &[Row], set: &StoredSet, before: Option<&StoredSet>) -> Vec<usize> {
+    let all = 0..set.problems.len();
+    if let Some(before) = before {
+        return all.filter(|p| before.problems.contains(&set.problems[*p])).collect();
+    }
+    let shown: BTreeSet<usize> =
+        rows.iter().filter(|row| !row.code.is_empty()).filter_map(|row| row.at).collect();
+    if shown.is_empty() { all.collect() } else { shown.into_iter().collect() }
+}
+
+/// Numbers the problems of the rows as those that were asked are numbered.
+fn number(rows: &mut Vec<Row>, set: &StoredSet, problems: &[usize]) {
+    rows.retain_mut(|row| {
+        let Some(p) = row.at else { return true };
+        let Some(nth) = problems.iter().position(|asked| *asked == p) else {
+            // An answer to what was not asked when it was first graded is told of; an empty one is no row.
+            row.problem.clone_from(&set.problems[p]);
+            row.of = None;
+            return !row.code.is_empty();
+        };
+        row.problem = (nth + 1).to_string();
+        row.of = row.of.map(|(_, part, s)| (nth, part, s));
+        true
+    });
+}
+
+/// A line on the problems that were not asked.
+fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
+    let left: Vec<usize> = (0..set.problems.len()).filter(|p| !problems.contains(p)).collect();
+    let mut some: Vec<String> =
+        left.iter().take(LISTED).map(|p| format!("{} ({})", p + 1, set.problems[*p])).collect();
+    if left.len() > LISTED {
+        some.push(format!("and {} more", left.len() - LISTED));
+    }
+    if some.is_empty() {
+        return String::new();
+    }
+    let numbers = problems.iter().enumerate().filter(|(nth, p)| nth != *p);
+    let numbers: Vec<String> = numbers
+        .take(LISTED)
+        .map(|(nth, p)| format!("{} ({}) is problem {}", p + 1, set.problems[*p], nth + 1))
+        .collect();
+    let anew =
+        if numbers.is_empty() { String::new() } else { format!("; in the grades {}", numbers.join(", ")) };
+    format!(
+        "\n  Problems of the set that the quiz did not ask, and that do not count: {}{anew}",
+        some.join(", ")
+    )
 }
 
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
@@ -387,11 +494,15 @@ fn short(text: &str) -> String {
     if text.chars().nth(SHORT).is_some() { format!("{shown}…") } else { shown }
 }
 
-fn no_code(platform: Platform, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
+fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
     let what = format!("no question shows the code of a variant of this set: {}", listed(unknown));
+    let headers: BTreeSet<&str> =
+        quiz.attempts.iter().flat_map(|a| a.answers.iter().map(|asked| asked.header.as_str())).collect();
+    let has_codes = unknown.keys().any(|name| !headers.contains(name));
     let some: Vec<&str> = variants.by_code.keys().map(String::as_str).take(1).collect();
     let such = format!("a code looks like {}, key.csv has them all", some.join(""));
-    let hint = match platform {
+    let hint = match quiz.platform {
+        _ if has_codes => format!("the codes are of another set: give the set that was exported; {such}"),
         Platform::Moodle => format!(
             "tick `question text` above Moodle's report *Responses* and download it again, or give the set that was exported; {such}"
         ),
@@ -425,7 +536,8 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
     } else if !takers.strangers.is_empty() {
         add(format!("look at: not on the roster of the set: {}", some(&takers.strangers)));
     }
-    let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && !a.answers.is_empty()).count();
+    let typed = |a: &QuizAttempt| a.answers.iter().any(is_typed);
+    let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && typed(a)).count();
     if open > 0 {
         add(format!("never submitted, and judged all the same: {}", terminal::count(open, "attempt")));
     }

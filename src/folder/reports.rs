@@ -13,6 +13,7 @@ use crate::report::lms::GradebookLine;
 use crate::report::marks::{Marks, Student};
 use crate::report::study::ClassStudy;
 use crate::report::{lms, table};
+use crate::set::grading::StoredGrading;
 use crate::set::store::StoredSet;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
@@ -200,9 +201,9 @@ pub fn make(
     }
     folder(names::FEEDBACK)?;
     feedback(&graded, (&texts, &catalogue), &about.title, &marks, threads, &write)?;
-    let (item, most, lines) = book(&marks, &graded.grading.set, &texts.words);
+    let (item, most, lines) = book(&marks, &graded.grading, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
-    write(names::MOODLE, &lms::moodle(&item, &lines))?;
+    write(names::MOODLE, &lms::moodle(&item, graded.grading.moodle.as_deref(), &lines))?;
     let people = marks.class.students.iter().map(|s| (s.id.as_str(), s.name.as_str(), s.folder.as_str()));
     write(names::INDEX, &index::of_grades(&texts, &graded.set.name, beside, people)?)?;
     let english = Words::english();
@@ -267,7 +268,12 @@ fn feedback(
 /// Name of the grade item, the most that it gives, and the lines of the gradebooks; their short text names the verdict of each
 /// part. Where not all students can get the same number of points (another problem is dropped), points cannot be compared: the
 /// item is then in per cent.
-fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<GradebookLine<'m>>) {
+fn book<'m>(
+    marks: &'m Marks,
+    grading: &'m StoredGrading,
+    words: &Words,
+) -> (String, f64, Vec<GradebookLine<'m>>) {
+    let set = &grading.set;
     let most = marks.totals.iter().map(|t| t.1).fold(0.0, f64::max);
     let same = marks.totals.iter().all(|t| (t.1 - most).abs() <= 1e-9 * most);
     let told = |s: usize| -> String {
@@ -293,6 +299,7 @@ fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<Gra
         GradebookLine {
             id: &student.id,
             name: &student.name,
+            canvas: grading.canvas.get(&student.id),
             points: any.then(|| points(marks.totals[s])),
             feedback: if any { told(s) } else { String::new() },
         }

@@ -138,15 +138,15 @@ pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
 ///
 /// # Errors
 /// What is in the way.
-pub fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
-    const IN_THE_WAY: InTheWay = InTheWay {
+pub fn may_write(out: &Path, force: bool, taken: &'static str) -> Result<(), Findings> {
+    let in_the_way = InTheWay {
         file: "is a file; a set is a folder",
-        taken: "give another --out, or --force to replace a set, or --add for late joiners",
+        taken,
         other: "holds no set",
         only: "--force replaces only what generate made",
     };
     let is_set = || out.join(names::SET).is_file();
-    if !files::may_replace(out, force, &IN_THE_WAY, is_set)? {
+    if !files::may_replace(out, force, &in_the_way, is_set)? {
         return Ok(());
     }
     let set = open(out)?;

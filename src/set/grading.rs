@@ -2,6 +2,7 @@
 use crate::finding::Finding;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// Version of the layout of grading.json.
 pub const FORMAT: u32 = 1;
@@ -53,6 +54,12 @@ pub struct StoredGrading {
     /// They are the download of a quiz: the set in the basis has the variants that it asked.
     #[serde(default, skip_serializing_if = "is_no")]
     pub quiz: bool,
+    /// Who the students are on Canvas, where the quiz was taken there: SIS id, login, Canvas's own number.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub canvas: BTreeMap<String, [String; 3]>,
+    /// What the ids are on Moodle, where the quiz was taken there and they are neither ID numbers nor e-mail addresses.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moodle: Option<String>,
     /// SHA-256 of the submissions, hex; left out of large gradings, as the next two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub submissions_sha256: Option<String>,

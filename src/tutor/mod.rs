@@ -157,7 +157,10 @@ impl<'a, 'w> Tutor<'a, 'w> {
             let found = diagnose::diagnose(judgement.number, cell, part, &self.parts);
             let index = found.methods.iter().map(|m| usize::from(*m));
             told.methods = index.filter_map(|m| self.ids.get(m).cloned()).collect();
-            self.of_number(part, entry, told.verdict, &told.methods, found.slip, &mut hints);
+            // That a number of one or two figures is the right one rounded would give away the next figure of the key.
+            let rounded = |slip: &AnswerSlip| matches!(slip, AnswerSlip::FewerFigures(n) if *n < FIGURES);
+            let slip = found.slip.filter(|slip| !rounded(slip));
+            self.of_number(part, entry, told.verdict, &told.methods, slip, &mut hints);
         } else {
             hints.push((Step::Nudge, self.of_group("nudge", part)));
             self.of_place(part, &mut hints);
@@ -194,7 +197,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         };
         let slipped = slip_text.is_some();
         hints.extend(slip_text.map(|text| (Step::Slip, text)));
-        // Who has the right digits needs no hint about the method.
+        // Who has the right digits needs no hint about the method, nor does who has but the sign to mend.
         let digits = matches!(
             slip,
             Some(
@@ -205,7 +208,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
             )
         );
         let known: Vec<MethodWords> = methods.iter().filter_map(|id| (self.find)(id)).collect();
-        if digits && known.is_empty() {
+        if (digits || verdict == Verdict::WrongDirection) && known.is_empty() {
             return;
         }
         let single = match known.as_slice() {
@@ -215,7 +218,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
             }
             [] => {
                 if !slipped {
-                    hints.push((Step::Nudge, self.unknown(entry)));
+                    hints.push((Step::Nudge, self.unknown(part, entry)));
                 }
                 None
             }
@@ -272,9 +275,13 @@ impl<'a, 'w> Tutor<'a, 'w> {
     }
 
     /// That nothing known fits, and which check would show what is wrong.
-    fn unknown(&self, entry: &KeyEntry) -> String {
+    fn unknown(&self, part: usize, entry: &KeyEntry) -> String {
         let signed = matches!(entry.answer, Answer::Number { magnitude: false, .. });
-        let check = if signed { "tutor.check.sign" } else { "tutor.check.dimension" };
+        let check = match self.problem.questions.get(part).map(|q| group(q.label.quantity)) {
+            Some("centre") => "tutor.check.place",
+            _ if signed => "tutor.check.sign",
+            _ => "tutor.check.dimension",
+        };
         format!("{} {}", self.words.get("tutor.unknown"), self.words.get(check))
     }
 

@@ -290,6 +290,12 @@ impl Unit {
         }
         mine[..3] != [0; 3] || (self.scale.pi == 0 && other.scale.pi == 0)
     }
+    /// How many of the other it is, from the exact scales: 3.6 km/h to a m/s.
+    #[cfg(feature = "program")]
+    pub(crate) fn per(&self, other: &Unit) -> f64 {
+        let ratio = other.scale.inverse().and_then(|inverse| self.scale.times(inverse));
+        ratio.map_or_else(|| other.from_si(self.to_si(1.0)), |ratio| ratio.apply(false, 1, 0))
+    }
     /// Is it a power of ten of the other?
     pub(crate) fn by_tens(&self, other: &Unit) -> bool {
         let ratio = other.scale.inverse().and_then(|inverse| self.scale.times(inverse));
