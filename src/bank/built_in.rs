@@ -72,5 +72,10 @@ pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
             "templates/de/banks/rods-and-linkages.yaml",
             include_str!("../../templates/de/banks/rods-and-linkages.yaml"),
         ),
+        (
+            "more-wheels",
+            "templates/de/banks/more-wheels.yaml",
+            include_str!("../../templates/de/banks/more-wheels.yaml"),
+        ),
     ],
 )];
