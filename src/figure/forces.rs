@@ -22,6 +22,8 @@ use crate::words::Words;
 const RADIUS: f64 = 66.0;
 /// The same where it touches the ground within its outline, so that the forces there have room.
 const ON_RAIL: f64 = 84.0;
+/// Length to which a body in the plane is drawn.
+const LONG_BODY: f64 = 150.0;
 /// Length of the longest arrow.
 const LONGEST: f64 = 92.0;
 /// Length of the shortest arrow.
@@ -483,7 +485,7 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let plane = joined::Plane::new(view)?;
     // An end that is no angle is shown where it starts.
-    let laid = plane.end.clone().unwrap_or_else(|| plane.start.clone());
+    let mut laid = plane.end.clone().unwrap_or_else(|| plane.start.clone());
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let g = plane.centre(view, &laid, body);
@@ -559,7 +561,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         let a = found(view, quantity, body);
         ForceArrow { role: Role::Motion, ..ForceArrow::new(g, towards, mass * a, with_mass(symbol, a)) }
     };
-    let parts = vec![part(Quantity::AX, Vec2::RIGHT, "a_x"), part(Quantity::AY, Vec2::UP, "a_y")];
+    let mut parts = vec![part(Quantity::AX, Vec2::RIGHT, "a_x"), part(Quantity::AY, Vec2::UP, "a_y")];
     let alpha = found(view, Quantity::Alpha, body);
     let turn = this.turns.then(|| {
         let mut label = symbol::symbol(&names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]));
@@ -569,13 +571,20 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         Turning { value: alpha * view.inertia(this) * sense, label }
     });
     let couples = couples_on(view, body, planar.clockwise);
-    let scale = plane.scale;
+    // The mass centre stands at the origin, level with the sign between the diagrams.
+    let close = plane.close_up(view, body, LONG_BODY);
+    let ratio = close.scale / plane.scale;
+    for f in forces.iter_mut().chain(&mut parts) {
+        f.at = (f.at - g) * ratio;
+    }
+    laid[body].origin = (laid[body].origin - g) * ratio;
+    let scale = close.scale;
     let draw = move |board: &mut Board| {
-        plane.outline(board, view, &laid, body, Role::Body);
-        board.dot(g);
+        close.outline(board, view, &laid, body, Role::Body);
+        board.dot(Vec2::ZERO);
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
-    Some(Diagram { forces, couples, unknown: None, kinetic, centre: g, scale, body: Box::new(draw) })
+    Some(Diagram { forces, couples, unknown: None, kinetic, centre: Vec2::ZERO, scale, body: Box::new(draw) })
 }
 
 /// Both diagrams with the sign between them.

@@ -91,6 +91,12 @@ impl Plane {
         Some(plane)
     }
 
+    /// The same with a scale at which a body is so many pixels long.
+    pub fn close_up(&self, view: &SceneView, body: usize, pixels: f64) -> Self {
+        let [from, to] = view.scene.planar(body).map_or([0.0; 2], |p| span(view, body, p));
+        let scale = if to > from { pixels / (to - from) } else { self.scale };
+        Self { scale, ..self.clone() }
+    }
     /// A point of a body.
     pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
         let place = view.scene.planar(spot.body).and_then(|p| p.points.get(spot.point));
