@@ -484,8 +484,7 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 /// The diagrams of a body in the plane, at the position that is asked.
 fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let plane = joined::Plane::new(view)?;
-    // An end that is no angle is shown where it starts.
-    let mut laid = plane.end.clone().unwrap_or_else(|| plane.start.clone());
+    let mut laid = plane.at_end(view).unwrap_or_else(|| plane.start.clone());
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let g = plane.centre(view, &laid, body);
@@ -532,11 +531,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     }
     for (s, strut) in view.scene.struts.iter().enumerate() {
         let pull = view.solved(Quantity::SpringForce, Owner::Strut(s)).unwrap_or(0.0);
-        let near = plane.spot(view, &laid, strut.at);
-        let far = match strut.to {
-            StrutEnd::Ground([x, y]) => vec2(view.of(x), view.of(y)) * plane.scale,
-            StrutEnd::Spot(spot) => plane.spot(view, &laid, spot),
-        };
+        let (near, far) = plane.ends(view, &laid, strut);
         let label = || symbol::symbol(r"F_{\mathrm{s}}");
         if strut.at.body == body {
             forces.push(force(near, pull, (far - near).unit(), label()));

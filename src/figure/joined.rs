@@ -7,8 +7,8 @@ use crate::picture::board::{Board, LabelTie};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
 use crate::scene::{
-    Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Rest, RotaryInertia, Shape, Spot, StrutEnd,
-    pose,
+    Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia, Shape,
+    Spot, Strut, StrutEnd, pose,
 };
 
 /// Pixels of the height of all that moves, at most.
@@ -47,16 +47,9 @@ impl Plane {
     /// How the bodies of a view lie; `None` where the joints do not place them.
     pub fn new(view: &SceneView) -> Option<Self> {
         let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
-        let at = |angle: &Half<f64>, at_start: bool| {
-            let laid = pose::poses(view.scene, &numbers, angle, at_start)?;
-            let vector = |p: pose::Point<f64>| vec2(p[0].value, p[1].value);
-            let laid: Vec<Laid> =
-                laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
-            laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
-        };
-        let start = at(&view.scene.start_angle(&numbers), true)?;
+        let start = lay(view, &numbers, &view.scene.start_angle(&numbers), true)?;
         let lead = view.scene.lead()?;
-        let turned = |degrees: f64| at(&Half::of_degrees(degrees), false);
+        let turned = |degrees: f64| lay(view, &numbers, &Half::of_degrees(degrees), false);
         let end = match view.scene.end {
             End::Angle(c, n) if c.body == lead => turned(view.of(n)),
             _ => None,
@@ -96,6 +89,34 @@ impl Plane {
         let [from, to] = view.scene.planar(body).map_or([0.0; 2], |p| span(view, body, p));
         let scale = if to > from { pixels / (to - from) } else { self.scale };
         Self { scale, ..self.clone() }
+    }
+    /// The bodies at the end, also where only the solver knows where that is; `None` where nothing moves.
+    pub fn at_end(&self, view: &SceneView) -> Option<Vec<Laid>> {
+        if self.end.is_some() {
+            return self.end.clone();
+        }
+        let lead = view.scene.lead()?;
+        let start = view.of(view.scene.planar(lead)?.start_deg?);
+        let said = |quantity: Quantity| view.solved(quantity, Owner::Body(lead));
+        let (turned, rise) = (said(Quantity::Phi)?.to_degrees(), said(Quantity::Rise)?);
+        let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+        let before = self.centre(view, &self.start, lead).y;
+        // How far it turns is a magnitude: the sense is the one in which its mass centre rises as much as it is said to.
+        let tried = [1.0, -1.0].into_iter().filter_map(|sense| {
+            let mut laid = lay(view, &numbers, &Half::of_degrees(start + sense * turned), false)?;
+            laid.iter_mut().for_each(|l| l.origin *= self.scale);
+            let off = (self.centre(view, &laid, lead).y - before) / self.scale - rise;
+            Some((off.abs(), laid))
+        });
+        tried.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, laid)| laid)
+    }
+    /// Both ends of a spring, where the bodies lie so.
+    pub fn ends(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> (Vec2, Vec2) {
+        let far = match strut.to {
+            StrutEnd::Ground(place) => ground(view, place) * self.scale,
+            StrutEnd::Spot(spot) => self.spot(view, laid, spot),
+        };
+        (self.spot(view, laid, strut.at), far)
     }
     /// A point of a body.
     pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
@@ -140,6 +161,15 @@ impl Plane {
     }
 }
 
+/// The bodies at an angle of the leading one, m; `None` where the joints do not place them.
+fn lay(view: &SceneView, numbers: &Numbers<f64>, angle: &Half<f64>, at_start: bool) -> Option<Vec<Laid>> {
+    let laid = pose::poses(view.scene, numbers, angle, at_start)?;
+    let vector = |p: pose::Point<f64>| vec2(p[0].value, p[1].value);
+    let laid: Vec<Laid> =
+        laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
+    laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
+}
+
 /// A distance along the axis of a body, m.
 fn along(view: &SceneView, place: Place) -> f64 {
     match place {
@@ -179,7 +209,10 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     let runs: Vec<Run> = view.scene.joints.iter().filter_map(|j| Run::new(view, &plane, j)).collect();
     for (i, run) in runs.iter().enumerate() {
         let others: Vec<&Run> = runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, r)| r).collect();
-        guide(board, view, run, &others);
+        guide(board, run, &others);
+        // The same coefficient a second time is named, not told again.
+        let told = runs[..i].iter().any(|r| r.mu_k == run.mu_k);
+        rubs(board, view, run, &others, told);
     }
     if let Some(end) = &plane.end {
         for b in 0..view.scene.bodies.len() {
@@ -193,11 +226,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         held(board, view, &plane, joint);
     }
     for strut in &view.scene.struts {
-        let near = plane.spot(view, &plane.start, strut.at);
-        let far = match strut.to {
-            StrutEnd::Ground(place) => ground(view, place) * plane.scale,
-            StrutEnd::Spot(spot) => plane.spot(view, &plane.start, spot),
-        };
+        let (near, far) = plane.ends(view, &plane.start, strut);
         if (far - near).norm() > 14.0 {
             board.spring(far, near, 9, 6.0);
         } else {
@@ -296,7 +325,7 @@ impl Run {
 }
 
 /// A line that guides a point: hatched where it only pushes, else two rails, open where two of them cross.
-fn guide(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run]) {
+fn guide(board: &mut Board, run: &Run, others: &[&Run]) {
     let normal = run.direction.left();
     let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
     for side in sides {
@@ -307,11 +336,20 @@ fn guide(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run]) {
             board.line(from, to, Role::Ground);
         }
     }
+}
+
+/// The coefficient of friction of a guide.
+fn rubs(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run], told: bool) {
+    let normal = run.direction.left();
     if let Some(mu) = run.mu_k {
         let (from, to) = run.ends(-run.apart, others);
         let middle = from.middle(to);
         let label = crate::figure::view::joined(symbol::symbol(r"\mu_k"), view.value(mu, ""));
-        let label = if view.symbol(mu).is_empty() { label } else { view.label(mu, "") };
+        let label = match view.symbol(mu) {
+            symbol if symbol.is_empty() => label,
+            symbol if told => symbol,
+            _ => view.label(mu, ""),
+        };
         let direction = run.direction;
         board.wish(label, vec![(middle, -normal), (to, direction), (from, -direction)], Role::Friction);
     }

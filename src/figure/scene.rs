@@ -197,10 +197,10 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Clear, 4.0), around);
             }
             let mut list: Vec<Vec<TextRun>> = Vec::new();
-            if let Some((n, weight)) = view.mass(body)
-                && matches!(n, Num::Datum(_))
-            {
-                list.push(view.label(n, if weight { "N" } else { "kg" }));
+            for (n, weight) in view.masses(body) {
+                if matches!(n, Num::Datum(_)) {
+                    list.push(view.label(n, if weight { "N" } else { "kg" }));
+                }
             }
             match &body.inertia {
                 Some(RotaryInertia::Gyration(n @ Num::Datum(_))) => list.push(view.label(*n, "m")),
