@@ -170,13 +170,16 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
     let gravity = view.of(scene.gravity_m_s2);
     let (mut gained, mut work) = (0.0, 0.0);
     for (b, body) in scene.bodies.iter().enumerate() {
-        let said = |quantity: Quantity| view.solved(quantity, Owner::Body(b)).unwrap_or(0.0);
+        let square = |quantity: Quantity| {
+            let speed = view.solved(quantity, Owner::Body(b)).unwrap_or(0.0);
+            speed * speed
+        };
         let mass = view.kilograms(body);
         let rise = (plane.centre(view, &laid, b) - plane.centre(view, &plane.start, b)).y / plane.scale;
         gained += mass * gravity * rise;
-        end[0] += 0.5 * mass * said(Quantity::V).powi(2);
+        end[0] += 0.5 * mass * square(Quantity::V);
         if body.turns {
-            end[1] += 0.5 * view.inertia(body) * said(Quantity::Omega).powi(2);
+            end[1] += 0.5 * view.inertia(body) * square(Quantity::Omega);
         }
     }
     (start[3], end[3]) = if gained > 0.0 { (0.0, gained) } else { (-gained, 0.0) };
@@ -190,8 +193,9 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
             Rest::Stretch(x) => view.of(x),
             Rest::Length(l) => long(&plane.start) - view.of(l),
         };
-        start[2] += 0.5 * k * stretch.powi(2);
-        end[2] += 0.5 * k * (stretch + long(&laid) - long(&plane.start)).powi(2);
+        let after = stretch + long(&laid) - long(&plane.start);
+        start[2] += 0.5 * k * stretch * stretch;
+        end[2] += 0.5 * k * after * after;
     }
     for push in &scene.pushes {
         let path = plane.spot(view, &laid, push.at) - plane.spot(view, &plane.start, push.at);
