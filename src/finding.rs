@@ -36,6 +36,12 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// That a text is not the JSON that it should be: `what` (a set), and what is wrong with it where.
+    pub fn of_json(what: &str, error: &serde_json::Error) -> Self {
+        let words = error.to_string();
+        let words = words.split(" at line ").next().unwrap_or("cannot be read");
+        Self::new("", format!("is no {what}: {words}")).at(error.line().max(1), error.column().max(1))
+    }
     /// A finding about `field`, with no place in the file yet.
     pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
         Self { file: None, at: None, field: field.into(), message: message.into(), hint: None }

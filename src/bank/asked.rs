@@ -2,7 +2,7 @@
 use crate::bank::expression::{Expression, Name};
 use crate::bank::node::{Faults, Node, choice, named, shorten, text};
 use crate::bank::scene::DatumUse;
-use crate::bank::{Datum, measure, need::Need, review};
+use crate::bank::{Datum, checks, measure, need::Need};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term};
@@ -81,7 +81,7 @@ fn read(
     let condition = how.map_or_else(String::new, |how| told!(", if: {how}"));
     let Some(written) = value else {
         let name = quantity.and_then(Node::text).map_or(id, str::trim);
-        let label = review::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
+        let label = checks::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
         if label.quantity.is_word() {
             faults
                 .at(quantity.unwrap_or(key), told!("`{name}` is answered with a word; `if:` is for numbers"));
@@ -102,7 +102,7 @@ fn read(
     let written_text = text(written, "an expression such as `mu_s*normal`", faults)?;
     let lookup = |name: &str| match measure::datum(context.data, name) {
         Some(found) => Ok(found),
-        None => review::label(target, name).and_then(|label| measure::quantity(target, label, name)),
+        None => checks::label(target, name).and_then(|label| measure::quantity(target, label, name)),
     };
     let expression = match Expression::parse(&written_text, &lookup) {
         Ok(expression) => expression,
@@ -158,7 +158,7 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
         return None;
     }
     let own = Faults::default();
-    review::structure(&other, node, &own);
+    checks::structure(&other, node, &own);
     if let Some(why) = own.into_sorted("").iter().next() {
         let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
         faults.at(node, told!("as if it {so}, this scene is not solved: {}", why.message));

@@ -4,7 +4,7 @@ use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
-use crate::bank::{Datum, Follow, Mistake, Question, asked, found, measure, review};
+use crate::bank::{Datum, Follow, Mistake, Question, asked, checks, found, measure};
 use crate::finding::told;
 use crate::scene::{Label, Scene};
 use crate::units::spell;
@@ -161,7 +161,7 @@ fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Fault
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
     for CaseContext { scene, .. } in context.cases {
-        match review::label(scene, name) {
+        match checks::label(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
         }
@@ -224,7 +224,7 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         scene_read.set(!context.cases.is_empty());
         let mut trouble = (told!("`{}` is not known", shorten(name)), None);
         for CaseContext { scene, .. } in context.cases {
-            match review::label(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
+            match checks::label(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
                 Ok(found) => return Ok(found),
                 Err(fault) => trouble = fault,
             }

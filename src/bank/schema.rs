@@ -10,7 +10,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    any, asked, found, measure, mistake, review,
+    any, asked, checks, found, measure, mistake,
 };
 use crate::finding::told;
 #[cfg(not(feature = "program"))]
@@ -142,7 +142,7 @@ fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
 fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     let mut policy = base.clone();
     if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
-        fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
+        fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
         fields.close();
     }
     policy
@@ -190,42 +190,34 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
 
 /// A share such as `5 %` or `0.05`.
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
-    let text = node.text().unwrap_or("").trim();
-    let (digits, decimals) = match text.strip_suffix('%') {
-        Some(rest) => (rest.trim(), 2),
-        None => (text, 0),
-    };
-    let written = Decimal::read(digits);
-    let read = written.as_ref().ok().and_then(|d| {
-        let decimals = d.decimals.checked_add(decimals)?;
-        Decimal { value: d.value, decimals }.text().parse::<f64>().ok()
-    });
-    if read.is_none() {
-        faults.hint(node, expected("a share", node, written), "write `5 %` or `0.05`");
+    let read = Decimal::share(node.text().unwrap_or(""));
+    if let Err(why) = &read {
+        faults.hint(node, expected("a share", node, Some(why)), "write `5 %` or `0.05`");
     }
-    read
+    read.ok()
 }
 
 /// That something else was expected, or that there are too many digits.
-fn expected(what: &str, node: &Node, read: Result<Decimal, String>) -> String {
-    match read {
-        Err(why) if why.contains("too many digits") => told!("expected {what}: {why}"),
-        _ => told!("expected {what}, found {}", node.kind()),
+fn expected(what: &str, node: &Node, fault: Option<&String>) -> String {
+    match fault.filter(|why| why.contains("too many digits")) {
+        Some(why) => told!("expected {what}: {why}"),
+        None => told!("expected {what}, found {}", node.kind()),
     }
 }
 
 /// Limits of condition numbers: what they are, and from where to where.
 const COND_LIMITS: (&str, f64, f64) = ("a condition number", 1.0, 1000.0);
+/// Limits of points.
+const POINTS: (&str, f64, f64) = ("points", 0.0, 1000.0);
 /// Limits of input energies.
 const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0, 1000.0);
 
 /// A plain number, greatest value of something.
 fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
     let written = Decimal::read(node.text().unwrap_or("").trim());
-    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
-    let fine = read.filter(|x| (least..=most).contains(x));
+    let fine = written.as_ref().ok().map(|d| d.f64()).filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written));
+        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written.as_ref().err()));
     }
     fine
 }
@@ -389,7 +381,7 @@ fn problem(
     if let Some(variables) = variables {
         let names = data.iter().filter(|d| d.unknown.is_none());
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
-        review::templates(statement_node, questions_node, &names, variables, faults);
+        checks::templates(statement_node, questions_node, &names, variables, faults);
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
@@ -584,15 +576,15 @@ impl<'n> ProblemRead<'n> {
                     continue;
                 }
                 let draw = case.draws[i].as_ref();
-                review::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
+                checks::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
             }
             if let Some(scene) = &read.scene {
                 let node = case.scene_node.unwrap_or(case.node);
                 let symbols = self.data.iter().map(|d| d.datum.symbol.clone());
                 let draws: Vec<_> = symbols.zip(case.draws.iter().cloned()).collect();
-                review::structure(scene, node, self.faults);
-                review::instant(scene, &draws, node, self.faults);
-                review::inertia_where_slipping(scene, &draws, case.node, self.faults);
+                checks::structure(scene, node, self.faults);
+                checks::instant(scene, &draws, node, self.faults);
+                checks::inertia_where_slipping(scene, &draws, case.node, self.faults);
             }
         }
     }
@@ -914,7 +906,7 @@ fn question(
     let tolerance_node = fields.get("tolerance");
     let cond_node = fields.get("cond limit");
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
-    let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
+    let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
     let figures = fields
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
@@ -965,7 +957,7 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
     }
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
-        match review::label(scene, name) {
+        match checks::label(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
                 faults.hint(
@@ -1023,16 +1015,6 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
     }
 }
 
-fn points(node: &Node, faults: &Faults) -> Option<f64> {
-    let written = Decimal::read(node.text().unwrap_or("").trim());
-    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
-    let fine = read.filter(|p| (0.0..=1000.0).contains(p));
-    if fine.is_none() {
-        faults.at(node, expected("points from 0 to 1000", node, written));
-    }
-    fine
-}
-
 fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) -> Vec<String> {
     let Value::List(items) = &node.value else {
         faults.at(node, told!("expected a list of question ids, found {}", node.kind()));
@@ -1063,7 +1045,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             if let Some(found) = measure::datum(data, name) {
                 return Ok(found);
             }
-            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
+            let label = scene.map_or_else(|| unowned(name), |s| checks::label(s, name)).map_err(
                 |(message, hint)| {
                     let close = spell::did_you_mean(name, data.iter().map(|d| d.symbol.as_str()));
                     (message, close.or(hint))

@@ -1,13 +1,13 @@
 //! `slipstick export`: a set, or a pool drawn from a bank, to one file for a learning platform.
-use crate::cli::args::{AsArg, ExportArgs};
+use crate::cli::args::ExportArgs;
 use crate::cli::tell::{Exit, Io};
-use crate::export::{Layout, Platform};
+use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::deal::Plan;
 use crate::folder::export::{ExportJob, set_beside};
 use crate::folder::staged::{self, Staged};
-use crate::folder::{deal, export, files, names, set};
+use crate::folder::{deal, export, names, set};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::self_check::Hosting;
@@ -20,14 +20,14 @@ const MOST: u32 = 10_000;
 /// Runs it.
 pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let layout = match (args.format, args.layout) {
-        (Platform::Moodle, Some(AsArg::Numerical)) => Layout::PartsWithUnits,
-        (Platform::Canvas, None) => Layout::Parts,
-        (_, Some(_)) if args.format != Platform::Moodle => {
+        (ExportFormat::Moodle, Some(layout)) => layout,
+        (ExportFormat::Canvas, None) => QuestionLayout::Parts,
+        (_, Some(_)) => {
             return Err(
                 Finding::new("--as", format!("is for moodle, and not for {}", args.format.name())).into()
             );
         }
-        _ => Layout::Whole,
+        _ => QuestionLayout::Whole,
     };
     export::may_write(&args.out, args.force)?;
     let (set, pool) = match args.variants {
@@ -111,10 +111,14 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<Pool, Findings
     let out = set_beside(&args.out);
     staged::sweep_beside(&out);
     let (loaded, texts) = args.own.load(&args.source)?;
-    files::has_a_name(&out, "--out pool.xml")?;
-    set::may_write(&out, args.force, "give another --out, or --force to replace the set beside it")?;
+    set::may_write(
+        &out,
+        args.force,
+        "--out pool.xml",
+        "give another --out, or --force to replace the set beside it",
+    )?;
     let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
-    let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
+    let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
     if !tried.faults.is_empty() {
         return Err(tried.faults);
     }

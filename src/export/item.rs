@@ -1,14 +1,13 @@
 //! One variant of one problem as a question: its text, its figure, and what is right, in the units that are asked.
 use crate::answer::word;
 use crate::bank::Bank;
-use crate::export::body::{Body, BodyWriter};
+use crate::export::body::{BodyWriter, ItemText};
 use crate::finding::Finding;
 use crate::key::{Answer, ProblemKey};
 use crate::picture::svg;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Document;
-use crate::sheet::page::{Room, Sheets};
-use crate::sheet::statement;
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solution;
 use crate::units::Unit;
@@ -24,7 +23,7 @@ pub struct Item {
     /// Title of the problem.
     pub title: String,
     /// Statement, figure and questions.
-    pub body: Body,
+    pub body: ItemText,
     /// How to answer them.
     pub below: Arc<Below>,
     /// Pictures of the statement, then of the solution.
@@ -32,7 +31,7 @@ pub struct Item {
     /// Its parts.
     pub parts: Vec<ItemPart>,
     /// The worked solution, if it is wanted; its pictures come behind those of the statement, of which there are so many.
-    pub solution: Option<(Body, usize)>,
+    pub solution: Option<(ItemText, usize)>,
 }
 
 /// What stands below the questions, as XHTML with a place for the code.
@@ -100,8 +99,8 @@ pub struct ItemMaker<'i> {
 
 /// Room for making items, one for each thread.
 #[derive(Default)]
-pub struct ItemRoom {
-    sheet: Room,
+pub struct ItemScratch {
+    sheet: SheetScratch,
     bodies: BodyWriter,
 }
 
@@ -152,7 +151,7 @@ impl<'i> ItemMaker<'i> {
         at: usize,
         variant: &Variant,
         key: &ProblemKey,
-        room: &mut ItemRoom,
+        scratch: &mut ItemScratch,
     ) -> Result<Item, Finding> {
         let problem = &self.bank.problems[self.problems[at]];
         let (words, code) = (&self.texts.words, key.code.as_str());
@@ -163,8 +162,8 @@ impl<'i> ItemMaker<'i> {
             return Err(Finding::new(field, format!("has no answer for the data of {code}")));
         }
         let names: Vec<String> = key.parts.iter().map(|p| format!("{}.{}", at + 1, p.part)).collect();
-        let document = self.sheets.problem_document(at, "", variant, &mut room.sheet)?;
-        let body = room.bodies.body(&document, &names);
+        let document = self.sheets.problem_document(at, "", variant, &mut scratch.sheet)?;
+        let body = scratch.bodies.body(&document, &names);
         let prefix = format!("p{}-{code}", at + 1);
         let mut pictures: Vec<ItemPicture> = pictures(&document, &prefix).collect();
         let solution = match self.with_solutions {
@@ -172,7 +171,7 @@ impl<'i> ItemMaker<'i> {
                 let worked = solution::document(problem, variant, at + 1, words, &self.texts.templates)?;
                 let own = pictures.len();
                 pictures.extend(self::pictures(&worked, &format!("{prefix}-solution")));
-                Some((room.bodies.body(&worked, &[]), own))
+                Some((scratch.bodies.body(&worked, &[]), own))
             }
             false => None,
         };
@@ -217,8 +216,8 @@ fn right(answer: &Answer, unit: &Unit, words: &Words) -> Right {
         },
         Answer::Word { right, offered } => Right::Word {
             right,
-            offered: offered.iter().map(|w| (*w, statement::said(words, w).to_owned())).collect(),
-            spellings: spellings(right, statement::said(words, right)),
+            offered: offered.iter().map(|w| (*w, words.of_key(w).to_owned())).collect(),
+            spellings: spellings(right, words.of_key(right)),
         },
     }
 }

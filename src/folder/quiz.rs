@@ -1,7 +1,7 @@
 //! A quiz of a learning platform as answers to a set. Each question shows the code of its variant: what was written to it is an
 //! answer to those data, whoever of the set they were drawn for, and the mark goes to who wrote it. From the download come a file
 //! of submissions like any other, and a set in which each student has the variants that the quiz asked.
-use crate::answer::quiz::{Platform, Quiz, QuizAnswer, QuizAttempt, Written, code_words};
+use crate::answer::quiz::{Platform, Quiz, QuizAnswer, QuizAttempt, QuizText, code_words};
 use crate::answer::roster;
 use crate::finding::Finding;
 use crate::grade::run::QUIZ_COLUMNS;
@@ -9,10 +9,13 @@ use crate::key::{ProblemKey, SheetKey};
 use crate::policy::{Counts, Policy};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
+use crate::words::plain::beginning;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Codes, students and notes listed one by one before the rest is only counted.
 const LISTED: usize = 10;
+/// Letters of a text that are shown.
+const SHORT: usize = 40;
 /// Longest id, as in a roster.
 const LONGEST: usize = 100;
 
@@ -24,7 +27,7 @@ struct Variants {
 }
 
 /// One answer of the quiz.
-struct Row {
+struct QuizRow {
     line: u64,
     attempt: usize,
     /// Number of the problem, or what the question is called where its code is not known.
@@ -94,15 +97,15 @@ impl Variants {
     }
 
     /// The answers of an attempt, one for each part.
-    fn rows(&self, attempt: usize, taken: &QuizAttempt, platform: Platform, rows: &mut Vec<Row>) {
+    fn rows(&self, attempt: usize, taken: &QuizAttempt, platform: Platform, rows: &mut Vec<QuizRow>) {
         let before = rows.len();
         let line = taken.line;
         let row = |problem: String, part: &str, answer: &str| {
             let (part, answer, code) = (part.to_owned(), answer.to_owned(), String::new());
-            Row { line, attempt, problem, part, answer, code, of: None, at: None }
+            QuizRow { line, attempt, problem, part, answer, code, of: None, at: None }
         };
         let placed =
-            |p: usize, part: &str, answer: &str| Row { at: Some(p), ..row(String::new(), part, answer) };
+            |p: usize, part: &str, answer: &str| QuizRow { at: Some(p), ..row(String::new(), part, answer) };
         for asked in &taken.answers {
             let found = self.code(&asked.question).or_else(|| self.code(&asked.header));
             let (code, rest) = match found {
@@ -118,25 +121,25 @@ impl Variants {
             let parts = &self.parts[p];
             let alone = self.part(p, &asked.question, rest).or((parts.len() == 1).then_some(0));
             let answers = match (&asked.written, alone) {
-                (Written::Nothing, Some(part)) => vec![(part, "")],
-                (Written::Nothing, None) => (0..parts.len()).map(|part| (part, "")).collect(),
-                (Written::Parts(all), Some(part)) if all.len() == 1 => vec![(part, all[0].as_str())],
-                (Written::Parts(all), _) if all.len() == parts.len() => {
+                (QuizText::Nothing, Some(part)) => vec![(part, "")],
+                (QuizText::Nothing, None) => (0..parts.len()).map(|part| (part, "")).collect(),
+                (QuizText::Parts(all), Some(part)) if all.len() == 1 => vec![(part, all[0].as_str())],
+                (QuizText::Parts(all), _) if all.len() == parts.len() => {
                     all.iter().map(String::as_str).enumerate().collect()
                 }
-                (Written::Whole { text, .. }, Some(part)) => vec![(part, text.as_str())],
-                (Written::Whole { list, .. }, None)
+                (QuizText::Whole { text, .. }, Some(part)) => vec![(part, text.as_str())],
+                (QuizText::Whole { list, .. }, None)
                     if platform == Platform::Canvas && list.len() == parts.len() =>
                 {
                     list.iter().map(String::as_str).enumerate().collect()
                 }
                 // To which part it is an answer cannot be told.
                 _ => {
-                    rows.push(Row { code, ..placed(p, &short(&asked.header), &text(asked)) });
+                    rows.push(QuizRow { code, ..placed(p, &beginning(&asked.header, SHORT), &text(asked)) });
                     continue;
                 }
             };
-            rows.extend(answers.into_iter().map(|(part, answer)| Row {
+            rows.extend(answers.into_iter().map(|(part, answer)| QuizRow {
                 code: code.clone(),
                 of: Some((p, part, s)),
                 ..placed(p, &parts[part], answer)
@@ -154,18 +157,18 @@ impl Variants {
 /// An answer as one text.
 fn text(asked: &QuizAnswer) -> String {
     match &asked.written {
-        Written::Nothing => String::new(),
-        Written::Parts(parts) => parts.join("; "),
-        Written::Whole { text, .. } => text.clone(),
+        QuizText::Nothing => String::new(),
+        QuizText::Parts(parts) => parts.join("; "),
+        QuizText::Whole { text, .. } => text.clone(),
     }
 }
 
 /// Was anything typed?
 fn is_typed(asked: &QuizAnswer) -> bool {
     match &asked.written {
-        Written::Nothing => false,
-        Written::Parts(parts) => parts.iter().any(|part| !part.is_empty()),
-        Written::Whole { list, .. } => list.iter().any(|item| !item.is_empty()),
+        QuizText::Nothing => false,
+        QuizText::Parts(parts) => parts.iter().any(|part| !part.is_empty()),
+        QuizText::Whole { list, .. } => list.iter().any(|item| !item.is_empty()),
     }
 }
 
@@ -235,7 +238,7 @@ impl Takers {
         all.map(|((id, _), attempt)| (id.clone(), attempt.ids.each_ref().map(|id| clean(id)))).collect()
     }
 
-    /// See [`Taken::moodle`].
+    /// See [`MatchedQuiz::moodle`].
     fn moodle(&self, quiz: &Quiz) -> Option<&'static str> {
         let listed = |id: &str| !self.on_roster || !self.strangers.contains(id);
         let kind = |((id, _), attempt): (&(String, String), &QuizAttempt)| {
@@ -255,14 +258,14 @@ impl Takers {
 const MOODLE_NAMES: &str = "Full name";
 
 /// Of a student and a part, the variants in the order in which they were answered: students of the set whose they are.
-type Asked = HashMap<Place, Vec<usize>>;
+type Asked = HashMap<StudentPart, Vec<usize>>;
 /// A student, a problem and a part.
-pub type Place = (String, usize, usize);
+pub type StudentPart = (String, usize, usize);
 /// An attempt, whose variant it answered, and whether it did.
 type Answered = (usize, usize, bool);
 
 /// A quiz, held against its set.
-pub struct Taken {
+pub struct MatchedQuiz {
     /// The file of submissions.
     pub text: Vec<u8>,
     /// What is odd, for the summary.
@@ -278,7 +281,7 @@ pub struct Taken {
     pub moodle: Option<String>,
 }
 
-impl Taken {
+impl MatchedQuiz {
     /// Finds the variants and who answered them. `set` says whose codes they are and `keys` their parts; `before` is the
     /// set of the earlier grading, if a quiz is graded again: its students and problems stay.
     ///
@@ -382,7 +385,7 @@ impl Taken {
 }
 
 /// The problems of the set that any attempt shows; all if none shows one, and those of the earlier grading where there is one.
-fn problems(rows: &[Row], set: &StoredSet, before: Option<&StoredSet>) -> Vec<usize> {
+fn problems(rows: &[QuizRow], set: &StoredSet, before: Option<&StoredSet>) -> Vec<usize> {
     let all = 0..set.problems.len();
     if let Some(before) = before {
         return all.filter(|p| before.problems.contains(&set.problems[*p])).collect();
@@ -393,7 +396,7 @@ fn problems(rows: &[Row], set: &StoredSet, before: Option<&StoredSet>) -> Vec<us
 }
 
 /// Numbers the problems of the rows as those that were asked are numbered.
-fn number(rows: &mut Vec<Row>, set: &StoredSet, problems: &[usize]) {
+fn number(rows: &mut Vec<QuizRow>, set: &StoredSet, problems: &[usize]) {
     rows.retain_mut(|row| {
         let Some(p) = row.at else { return true };
         let Some(nth) = problems.iter().position(|asked| *asked == p) else {
@@ -433,14 +436,14 @@ fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
 }
 
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
-fn asked(quiz: &Quiz, rows: &[Row], takers: &Takers, policy: &Policy) -> Asked {
+fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Asked {
     let time = |attempt: usize| {
         let QuizAttempt { began, submitted, .. } = &quiz.attempts[attempt];
         let text = if submitted.is_empty() { began } else { submitted };
         policy.zone.read(text).map(|m| m.micros[usize::from(policy.day_first == Some(false))])
     };
     let times: Vec<Option<i64>> = (0..quiz.attempts.len()).map(time).collect();
-    let mut found: HashMap<Place, Vec<Answered>> = HashMap::new();
+    let mut found: HashMap<StudentPart, Vec<Answered>> = HashMap::new();
     for row in rows {
         let Some((p, part, s)) = row.of else { continue };
         let id = takers.who[row.attempt].0.clone();
@@ -448,7 +451,7 @@ fn asked(quiz: &Quiz, rows: &[Row], takers: &Takers, policy: &Policy) -> Asked {
         found.entry((id, p, part)).or_default().push((row.attempt, s, answered));
     }
     let most = policy.attempts.at_most.map_or(usize::MAX, |n| n as usize);
-    let in_order = |(key, mut all): (Place, Vec<Answered>)| {
+    let in_order = |(key, mut all): (StudentPart, Vec<Answered>)| {
         // As answers are ordered: by time if all times can be read, else as they stand.
         if all.iter().all(|(attempt, ..)| times[*attempt].is_some()) {
             all.sort_by_key(|(attempt, ..)| times[*attempt]);
@@ -471,7 +474,7 @@ fn asked(quiz: &Quiz, rows: &[Row], takers: &Takers, policy: &Policy) -> Asked {
 }
 
 /// Questions whose variant is not known, and how many answers they have.
-fn unknown_codes(rows: &[Row]) -> BTreeMap<&str, usize> {
+fn unknown_codes(rows: &[QuizRow]) -> BTreeMap<&str, usize> {
     let mut unknown: BTreeMap<&str, usize> = BTreeMap::new();
     for row in rows.iter().filter(|row| row.code.is_empty() && row.part.is_empty()) {
         *unknown.entry(&row.problem).or_default() += 1;
@@ -481,17 +484,11 @@ fn unknown_codes(rows: &[Row]) -> BTreeMap<&str, usize> {
 
 /// At most so many of them, by name.
 fn listed(unknown: &BTreeMap<&str, usize>) -> String {
-    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| short(code)).collect();
+    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| beginning(code, SHORT)).collect();
     if unknown.len() > LISTED {
         some.push(format!("and {} more", unknown.len() - LISTED));
     }
     some.join(", ")
-}
-
-fn short(text: &str) -> String {
-    const SHORT: usize = 40;
-    let shown: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(SHORT).collect();
-    if text.chars().nth(SHORT).is_some() { format!("{shown}…") } else { shown }
 }
 
 fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
@@ -512,7 +509,7 @@ fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) ->
 }
 
 /// What the summary says of the quiz.
-fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usize>) -> String {
+fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str, usize>) -> String {
     let people = takers.who.iter().map(|(id, _)| id).collect::<BTreeSet<_>>().len();
     let file = match quiz.platform {
         Platform::Moodle => "Moodle's responses",
@@ -525,7 +522,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
         text.push_str(&line);
     };
     let some = |ids: &BTreeSet<String>| {
-        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| short(id)).collect();
+        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| beginning(id, SHORT)).collect();
         format!("{}{}", shown.join(", "), if ids.len() > LISTED { ", ..." } else { "" })
     };
     if !takers.on_roster {
@@ -542,7 +539,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
         add(format!("never submitted, and judged all the same: {}", terminal::count(open, "attempt")));
     }
     if !unknown.is_empty() {
-        let answers = terminal::count(unknown.values().sum(), "answer");
+        let answers = terminal::count(unknown.values().sum::<usize>(), "answer");
         add(format!(
             "look at: questions whose code is none of this set, with {answers}: {}",
             listed(unknown)
@@ -571,7 +568,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
 }
 
 /// The file of submissions. Only grading reads it, so that nothing is guarded against spreadsheets.
-fn submissions(quiz: &Quiz, rows: &[Row], takers: &Takers) -> Vec<u8> {
+fn submissions(quiz: &Quiz, rows: &[QuizRow], takers: &Takers) -> Vec<u8> {
     let [line, code] = QUIZ_COLUMNS;
     let mut out = csv::Writer::from_writer(Vec::new());
     // To a vector nothing fails.

@@ -8,7 +8,7 @@ use crate::folder::{banks, class, files, graded, index, matches, names, staged};
 use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
-use crate::report::feedback::FeedbackDesk;
+use crate::report::feedback::FeedbackWriter;
 use crate::report::lms::GradebookLine;
 use crate::report::marks::{Marks, Student};
 use crate::report::study::ClassStudy;
@@ -173,7 +173,7 @@ pub fn make(
     let graded = graded::open(graded, None)?;
     let mut bank = graded.bank.clone();
     let texts = banks::texts(templates, language.unwrap_or(&graded.grading.language), &mut bank)?;
-    let catalogue = Catalogue::of(texts.words.language()).unwrap_or_else(Catalogue::built_in);
+    let catalogue = Catalogue::shared(texts.words.language());
     let marks = read_marks(&graded, &bank, &texts.words)?;
     let study = ClassStudy::of(&marks);
     let written =
@@ -186,13 +186,8 @@ pub fn make(
 
     let mut converter = Converter::new(&texts.words);
     let about = class::about(&graded, &bank, &texts.words);
-    let reporter = ClassReporter {
-        marks: &marks,
-        study: &study,
-        catalogue: &catalogue,
-        matches: &found,
-        words: &texts.words,
-    };
+    let reporter =
+        ClassReporter { marks: &marks, study: &study, catalogue, matches: &found, words: &texts.words };
     let told = reporter.report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))?;
     write(names::REPORT, &told.html)?;
     folder(names::TABLES)?;
@@ -200,7 +195,7 @@ pub fn make(
         write(&format!("{}/{}.csv", names::TABLES, table.name), &table.csv())?;
     }
     folder(names::FEEDBACK)?;
-    feedback(&graded, (&texts, &catalogue), &about.title, &marks, threads, &write)?;
+    feedback(&graded, (&texts, catalogue), &about.title, &marks, threads, &write)?;
     let (item, most, lines) = book(&marks, &graded.grading, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
     write(names::MOODLE, &lms::moodle(&item, graded.grading.moodle.as_deref(), &lines))?;
@@ -211,7 +206,7 @@ pub fn make(
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
         tables: told.tables.len(),
-        lines: ClassReporter { catalogue: &Catalogue::built_in(), words: &english, ..reporter }.in_brief(),
+        lines: ClassReporter { catalogue: Catalogue::shared("en"), words: &english, ..reporter }.in_brief(),
         matches: found.summary(&english),
     })
 }
@@ -237,7 +232,7 @@ fn feedback(
             corrections.push((i, correction.why.clone()));
         }
     }
-    let desk = FeedbackDesk {
+    let writer = FeedbackWriter {
         marks,
         title,
         set: &graded.set.name,
@@ -253,8 +248,8 @@ fn feedback(
     let of_some = |some: &[usize]| -> Result<(), Findings> {
         let mut converter = Converter::new(&texts.words);
         for student in some {
-            let (head, document) = desk.document(*student)?;
-            let body = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+            let (head, document) = writer.document(*student)?;
+            let body = converter.body(&document, &[], PlaceInPage::default());
             let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body, None)?;
             let name = format!("{}/{}", names::FEEDBACK, marks.class.students[*student].folder);
             write(&format!("{name}.html"), &page)?;
@@ -311,7 +306,7 @@ fn book<'m>(
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
     let document = Document::new(markdown.to_owned(), Vec::new());
-    let html = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+    let html = converter.body(&document, &[], PlaceInPage::default());
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()

@@ -1,6 +1,6 @@
 //! Gradebooks as Canvas and Moodle import them: one total for each student of the set.
+use crate::csv_field::push_text;
 use crate::grade::row::push_points;
-use crate::guard::push_text;
 
 /// A student's line of a gradebook.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,10 +7,6 @@ use std::collections::BTreeMap;
 /// Version of the layout of grading.json.
 pub const FORMAT: u32 = 1;
 
-/// Folder of a grading that holds copies of what it was made from: set.json, bank.yaml, key.csv and course.yaml, and
-/// the answers where they came in many files.
-pub const BASIS: &str = "basis";
-
 /// Answers that came in many files, joined: the lines that answers.csv tells are lines of this.
 pub const JOINED: &str = "basis/submissions.csv";
 
@@ -108,10 +104,7 @@ impl StoredGrading {
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         let grading: Self = serde_json::from_str(text).map_err(|e| {
-            let words = e.to_string();
-            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
-            Finding::new("", format!("is no grading: {words}"))
-                .at(e.line().max(1), e.column().max(1))
+            Finding::of_json("grading", &e)
                 .hint("grading.json is written by `slipstick grade` and not meant to be edited")
         })?;
         if grading.format == FORMAT {

@@ -217,7 +217,7 @@ impl Unit {
         self.scale
     }
     /// Is it an angle, and nothing else?
-    pub fn is_angle(&self) -> bool {
+    fn is_angle(&self) -> bool {
         self.dimension.0 == [0, 0, 0, 1]
     }
     /// Is it a pure number (`1`, `%`)?
