@@ -555,8 +555,12 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
         let of = Owner::Joint(j);
         match joint.kind {
             JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinX, Q::PinY, Q::PinForce]),
-            JointKind::Guide { mu_k: None, .. } => add(of, &[Q::Normal]),
-            JointKind::Guide { mu_k: Some(_), .. } => add(of, &[Q::Normal, Q::Friction]),
+            JointKind::Guide { mu_k: None, .. } | JointKind::Contact { rolls: false, .. } => {
+                add(of, &[Q::Normal]);
+            }
+            JointKind::Guide { mu_k: Some(_), .. } | JointKind::Contact { .. } => {
+                add(of, &[Q::Normal, Q::Friction]);
+            }
             JointKind::Cord { .. } => add(of, &[Q::Tension]),
         }
     }

@@ -8,8 +8,8 @@ use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    Heading, Joint, JointKind, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia, Scene,
-    Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
+    Heading, Joint, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia, Scene, Shape, Side,
+    Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -1305,9 +1305,7 @@ impl SceneReader<'_> {
         }
         if word == "leaves" {
             let text = value.text().unwrap_or("").trim();
-            let found = joints
-                .iter()
-                .position(|j| j.name == text && matches!(j.kind, JointKind::Guide { one_sided: true, .. }));
+            let found = joints.iter().position(|j| j.name == text && j.kind.only_pushes());
             if found.is_none() {
                 let hint = "a joint that can only push is written `wall: {guides: rod.B, along: vertical, pushes: right}`";
                 f.hint(value, format!("expected a joint that can only push, found {}", value.kind()), hint);

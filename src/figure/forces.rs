@@ -522,6 +522,16 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                         forces.push(ForceArrow { role: Role::Friction, ..friction });
                     }
                 }
+                JointKind::Contact { radius_m, surface, rolls, .. } => {
+                    let normal = plane.normal(view, surface, at);
+                    let foot = at - normal * (view.of(radius_m) * plane.scale);
+                    forces.push(force(foot, found(Quantity::Normal), normal, name(joint, "N")));
+                    if rolls {
+                        let rubs = found(Quantity::Friction);
+                        let friction = force(foot, rubs, normal.right(), name(joint, "F"));
+                        forces.push(ForceArrow { role: Role::Friction, ..friction });
+                    }
+                }
                 JointKind::Cord { place_m, .. } => {
                     let far = vec2(view.of(place_m[0]), view.of(place_m[1])) * plane.scale;
                     forces.push(force(at, found(Quantity::Tension), (far - at).unit(), name(joint, "T")));

@@ -8,7 +8,7 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
 use crate::scene::{
     Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia, Shape,
-    Spot, Strut, StrutEnd, pose,
+    Spot, Strut, StrutEnd, Surface, pose,
 };
 
 /// Pixels of the height of all that moves, at most.
@@ -63,6 +63,21 @@ impl Plane {
                     let p = laid[b].origin + laid[b].axis * along;
                     (low, high) = (low.inf(&p), high.sup(&p));
                 }
+            }
+        }
+        for joint in &view.scene.joints {
+            // Wheels, and the cylinders that they touch.
+            let JointKind::Contact { at, radius_m, surface, .. } = joint.kind else { continue };
+            let own = plane.spot(view, &plane.start, at);
+            let last = plane.end.as_ref().map(|end| plane.spot(view, end, at));
+            let mut round = vec![(own, view.of(radius_m))];
+            round.extend(last.map(|place| (place, view.of(radius_m))));
+            if let Surface::Arc { centre_m, radius_m, .. } = surface {
+                round.push((ground(view, centre_m), view.of(radius_m)));
+            }
+            for (place, radius) in round {
+                let corner = vec2(radius, radius);
+                (low, high) = (low.inf(&(place - corner)), high.sup(&(place + corner)));
             }
         }
         for place in view.scene.joints.iter().filter_map(fixed_place) {
@@ -250,6 +265,19 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     loads(board, view, &plane);
 }
 
+impl Plane {
+    /// From a surface to what touches it at a place.
+    pub fn normal(&self, view: &SceneView, surface: Surface, at: Vec2) -> Vec2 {
+        match surface {
+            Surface::Line { direction_deg, .. } => Vec2::at_degrees(view.of(direction_deg)).left(),
+            Surface::Arc { centre_m, inside, .. } => {
+                let out = (at - ground(view, centre_m) * self.scale).unit();
+                if inside { -out } else { out }
+            }
+        }
+    }
+}
+
 /// A line that guides a point, as far as it is drawn.
 struct Run {
     body: usize,
@@ -382,6 +410,30 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
             board.hatch(a, b, side);
             board.line(a, b, Role::Ground);
             board.circle(place, 3.6, Role::Inner);
+        }
+        JointKind::Contact { at, radius_m, surface, .. } => {
+            let place = plane.spot(view, &plane.start, at);
+            let radius = view.of(radius_m) * plane.scale;
+            if radius > 0.0 {
+                board.circle(place, radius, Role::Body);
+            }
+            match surface {
+                Surface::Line { direction_deg, .. } => {
+                    let direction = Vec2::at_degrees(view.of(direction_deg));
+                    let foot = place - direction.left() * radius;
+                    let reach =
+                        plane.end.iter().map(|laid| (plane.spot(view, laid, at) - place).dot(&direction));
+                    let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
+                    let margin = radius + 40.0;
+                    let (from, to) = (foot + direction * (low - margin), foot + direction * (high + margin));
+                    board.hatch(from, to, -direction.left());
+                    board.line(from, to, Role::Ground);
+                }
+                Surface::Arc { centre_m, radius_m, .. } => {
+                    let centre = ground(view, centre_m) * plane.scale;
+                    board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
+                }
+            }
         }
         JointKind::Cord { at, place_m } => {
             let (near, far) = (plane.spot(view, &plane.start, at), ground(view, place_m) * plane.scale);
@@ -633,6 +685,21 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 let line = say(name, &[("angle", &angle)]);
                 let what = if one_sided { "touches" } else { "guide" };
                 say(what, &[("point", &called(at)), ("line", &line)])
+            }
+            JointKind::Contact { at, radius_m, surface, rolls } => {
+                let what = if rolls { "rolls" } else { "slides" };
+                let on = match surface {
+                    Surface::Line { direction_deg, .. } => {
+                        let line = say("sloped", &[("angle", &say::text(view, direction_deg, "°"))]);
+                        say("surface", &[("line", &line)])
+                    }
+                    Surface::Arc { radius_m, inside, .. } => {
+                        let name = if inside { "within" } else { "outside" };
+                        say(name, &[("radius", &say::text(view, radius_m, "m"))])
+                    }
+                };
+                let radius = say::text(view, radius_m, "m");
+                say(what, &[("point", &called(at)), ("radius", &radius), ("on", &on)])
             }
             JointKind::Cord { at, place_m } => {
                 say("cord", &[("point", &called(at)), ("place", &place(place_m))])

@@ -2,7 +2,7 @@
 use crate::num::{Dd, Real, trig};
 use crate::scene::{
     Arm, Attach, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Slope, Start,
-    StrutEnd, Tie, Zero,
+    StrutEnd, Surface, Tie, Zero,
 };
 
 /// What a datum must satisfy to be part of a scene.
@@ -170,6 +170,19 @@ fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
             JointKind::Hinge { .. } => {}
             JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
                 place_m.iter().for_each(|x| tell(*x, Rule::Finite));
+            }
+            JointKind::Contact { radius_m, surface, .. } => {
+                tell(radius_m, Rule::NotNegative);
+                match surface {
+                    Surface::Line { through_m, direction_deg } => {
+                        through_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                        tell(direction_deg, Rule::Angle);
+                    }
+                    Surface::Arc { centre_m, radius_m: arc, .. } => {
+                        centre_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                        tell(arc, Rule::Positive);
+                    }
+                }
             }
             JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
                 through_m.iter().for_each(|x| tell(*x, Rule::Finite));

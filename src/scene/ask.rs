@@ -2,7 +2,7 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Coordinate, Cord, Degree, End, Far, JointKind, Num, Numbers, Pin, Planar, Scene, Spot, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, JointKind, Num, Numbers, Pin, Planar, Scene, Spot, Surface, Tie,
 };
 
 /// What a quantity belongs to.
@@ -235,9 +235,14 @@ impl Scene {
         let (point, _) = self.planar(spot.body)?.points.get(spot.point)?;
         Some((self.bodies[spot.body].name.as_str(), point.as_str()))
     }
-    /// The body that leads the others in the plane: the first that turns and whose angle at the start is given.
+    /// The body that leads the others in the plane: the first that turns, or moves on a cylinder, and whose angle at the start is
+    /// given.
     pub fn lead(&self) -> Option<usize> {
-        self.bodies.iter().position(|b| b.turns && b.planar.as_ref().is_some_and(|p| p.start_deg.is_some()))
+        let on_arc = |body: usize| {
+            self.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { at, surface: Surface::Arc { .. }, .. } if at.body == body))
+        };
+        let starts = |b: &Body| b.planar.as_ref().is_some_and(|p| p.start_deg.is_some());
+        self.bodies.iter().enumerate().position(|(i, b)| starts(b) && (b.turns || on_arc(i)))
     }
     /// Angle of the leading body at the start.
     pub fn start_angle<T: Real>(&self, n: &Numbers<T>) -> Half<T> {
@@ -254,9 +259,15 @@ impl Scene {
                 continue;
             }
             match (found, joint.kind) {
-                (None, JointKind::Guide { direction_deg: Num::Fixed(d), mu_k: None, .. })
-                    if d % 180.0 == 0.0 =>
-                {
+                (
+                    None,
+                    JointKind::Guide { direction_deg: Num::Fixed(d), mu_k: None, .. }
+                    | JointKind::Contact {
+                        surface: Surface::Line { direction_deg: Num::Fixed(d), .. },
+                        rolls: false,
+                        ..
+                    },
+                ) if d % 180.0 == 0.0 => {
                     found = Some(Num::Fixed(d));
                 }
                 _ => return None,

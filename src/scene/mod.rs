@@ -29,7 +29,7 @@ pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
-pub use planar::{Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd};
+pub use planar::{Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
 pub use scales::Scales;
 
 /// Where a number of the scene comes from: a datum of the problem (by index), a constant of the bank, or a formula of data.

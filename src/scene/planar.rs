@@ -118,6 +118,17 @@ pub enum JointKind {
         /// Kinetic friction coefficient; `None` if it is smooth.
         mu_k: Option<Num>,
     },
+    /// A surface on which a wheel rolls, or on which a wheel or a point slides. It only pushes.
+    Contact {
+        /// The centre of the wheel, or the point.
+        at: Spot,
+        /// Radius of the wheel, m; 0 for a point.
+        radius_m: Num,
+        /// What it rolls or slides on.
+        surface: Surface,
+        /// Does it roll without slipping?
+        rolls: bool,
+    },
     /// A cord of constant length from the point to a fixed place, m.
     Cord {
         /// The point.
@@ -127,12 +138,47 @@ pub enum JointKind {
     },
 }
 
+/// A fixed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surface {
+    /// A line, whose left side is free.
+    Line {
+        /// A place on it, m.
+        through_m: [Num; 2],
+        /// Its direction, degrees counter-clockwise from the right.
+        direction_deg: Num,
+    },
+    /// A cylinder. The angle of a body that leads on it is that of the line from the axis of the cylinder to its centre.
+    Arc {
+        /// Its axis, m.
+        centre_m: [Num; 2],
+        /// Its radius, m.
+        radius_m: Num,
+        /// Is the body within it, or the cylinder within the body (a hoop on a peg)?
+        inside: bool,
+    },
+}
+
 impl JointKind {
+    /// How many forces it has.
+    pub const fn forces(&self) -> usize {
+        match self {
+            Self::Pin { .. } | Self::Hinge { .. } | Self::Contact { rolls: true, .. } => 2,
+            Self::Guide { .. } | Self::Contact { .. } | Self::Cord { .. } => 1,
+        }
+    }
+    /// Can it only push, so that its point can leave it?
+    pub const fn only_pushes(&self) -> bool {
+        matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { .. })
+    }
     /// The points that it holds.
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
             Self::Hinge { one, other } => (one, Some(other)),
-            Self::Pin { at, .. } | Self::Guide { at, .. } | Self::Cord { at, .. } => (at, None),
+            Self::Pin { at, .. }
+            | Self::Guide { at, .. }
+            | Self::Contact { at, .. }
+            | Self::Cord { at, .. } => (at, None),
         };
         std::iter::once(one).chain(other)
     }

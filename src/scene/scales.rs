@@ -5,7 +5,7 @@
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
     Arm, Attach, Body, CordEnd, Degree, End, Far, JointKind, Label, Mass, Num, Owner, Pin, Place, Rest,
-    RotaryInertia, Scene, Slope, Start, StrutEnd, Tie,
+    RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -189,6 +189,19 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
             JointKind::Hinge { .. } => {}
             JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
                 place_m.iter_mut().for_each(|x| tell(x, "m"));
+            }
+            JointKind::Contact { radius_m, surface, .. } => {
+                tell(radius_m, "m");
+                match surface {
+                    Surface::Line { through_m, direction_deg } => {
+                        through_m.iter_mut().for_each(|x| tell(x, "m"));
+                        tell(direction_deg, "1");
+                    }
+                    Surface::Arc { centre_m, radius_m, .. } => {
+                        centre_m.iter_mut().for_each(|x| tell(x, "m"));
+                        tell(radius_m, "m");
+                    }
+                }
             }
             JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
                 through_m.iter_mut().for_each(|x| tell(x, "m"));

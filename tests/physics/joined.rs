@@ -1,6 +1,6 @@
 //! Bodies that are joined in the plane: closed forms, a pendulum in disguise, and a judge in full coordinates that knows no poses.
 use crate::support;
-use slipstick::bank::{Bank, load, review};
+use slipstick::bank::{Bank, checks, load};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{End, Scene};
 use slipstick::solve::agree;
@@ -25,7 +25,7 @@ fn data(symbols: &[String], values: &[(&str, f64)]) -> Vec<f64> {
 }
 
 fn value(scene: &Scene, solved: &Solved, name: &str) -> f64 {
-    let label = review::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+    let label = checks::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
     let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
     assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
     entry.value()
@@ -104,6 +104,102 @@ problems:
     for (a, b) in slots.into_iter().zip(pendulum) {
         near(a, b, 1e-14);
     }
+}
+
+/// A body of 3 kg on a surface: its shape, how it touches, its start and its end.
+fn touching(body: &str, joint: &str, start: &str, end: &str) -> Bank {
+    let text = format!(
+        "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {{m: {{name: m, unit: kg, draw: always 3}}}}
+    scene:
+      bodies: {{body: {{mass: m, moves: in the plane, {body}}}}}
+      joints: {{surface: {{{joint}}}}}
+      start: {{body: {{{start}}}}}
+      end: {end}
+    questions: {{v: {{ask: v}}}}
+"
+    );
+    load::scenes_only(&text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"))
+}
+
+/// Rolling off a cylinder from its top, a body leaves it where `cos = (cos0) 2 / (3 + k^2/c^2)`: disc 4/7, sphere 10/17, hoop 1/2;
+/// sliding on a smooth one 2/3.
+#[test]
+fn bodies_leave_a_cylinder_where_the_books_say() {
+    let start = f64::to_radians(1.0).cos();
+    for (body, joint, share) in [
+        (
+            "shape: {disc: 0.2 m}, angle: from vertical",
+            "rolls: body, radius: 0.2 m, outside: 0.7 m",
+            4.0 / 7.0,
+        ),
+        (
+            "shape: {sphere: 0.2 m}, angle: from vertical",
+            "rolls: body, radius: 0.2 m, outside: 0.7 m",
+            10.0 / 17.0,
+        ),
+        ("shape: {hoop: 0.2 m}, angle: from vertical", "rolls: body, radius: 0.2 m, outside: 0.7 m", 0.5),
+        ("angle: from vertical", "slides: body, outside: 0.7 m", 2.0 / 3.0),
+    ] {
+        let bank = touching(body, joint, "angle: 1 deg", "{leaves: surface}");
+        let (scene, _) = scene(&bank, "p");
+        let solved = agree::solve(scene, &[3.0]).unwrap_or_else(|e| panic!("{body}: {e:?}"));
+        let turned = f64::to_radians(1.0) + value(scene, &solved, "phi");
+        near(turned.cos(), share * start, 1e-13);
+        let apart = if body.contains("shape") { 0.9 } else { 0.7 };
+        near(value(scene, &solved, "v").powi(2), 9.81 * apart * share * start, 1e-13);
+        let friction = if body.contains("disc") { 3.0 * 9.81 * turned.sin() / 3.0 } else { continue };
+        near(value(scene, &solved, "surface.friction").abs(), friction, 1e-12);
+    }
+}
+
+/// Inside a cylinder and on a peg: speeds by energy at the lowest place, and what the surface then carries.
+#[test]
+fn rolling_inside_a_cylinder_and_on_a_peg() {
+    for (body, joint, apart, beta) in [
+        (
+            "shape: {sphere: 0.2 m}, angle: from hanging",
+            "rolls: body, radius: 0.2 m, inside: 0.7 m",
+            0.5,
+            0.4,
+        ),
+        ("shape: {hoop: 0.7 m}, angle: from hanging", "rolls: body, radius: 0.7 m, inside: 0.2 m", 0.5, 1.0),
+    ] {
+        let bank = touching(body, joint, "angle: 60 deg", "{angle: {of: body, reaches: 0 deg}}");
+        let (scene, _) = scene(&bank, "p");
+        let solved = agree::solve(scene, &[3.0]).unwrap_or_else(|e| panic!("{body}: {e:?}"));
+        let square = 2.0 * 9.81 * apart * 0.5 / (1.0 + beta);
+        near(value(scene, &solved, "v").powi(2), square, 1e-13);
+        near(value(scene, &solved, "surface.normal"), 3.0 * (9.81 + square / apart), 1e-13);
+        let radius = if body.contains("hoop") { 0.7 } else { 0.2 };
+        near(value(scene, &solved, "omega"), square.sqrt() / radius, 1e-13);
+    }
+}
+
+/// A wheel whose mass centre is off its axle, from its speed at the lowest place to the highest: `T = m v_G^2 / 2 + I_G w^2 / 2` with
+/// `v_G = (c -+ e) w`, and the normal force from `a_y` of G.
+#[test]
+fn an_eccentric_wheel_rolls() {
+    let body = "radius of gyration: 0.13 m, mass centre: 0.06 m, angle: from hanging";
+    let bank = touching(
+        body,
+        "rolls: body, radius: 0.2 m, along: horizontal",
+        "angle: 0 deg, spin: 9 rad/s",
+        "{angle: {of: body, reaches: 180 deg}}",
+    );
+    let (scene, _) = scene(&bank, "p");
+    let solved = agree::solve(scene, &[3.0]).unwrap();
+    let (c, e, k, w): (f64, f64, f64, f64) = (0.2, 0.06, 0.13, 9.0);
+    let low = (c - e).powi(2) + k * k;
+    let high = (c + e).powi(2) + k * k;
+    let square = (w * w * low - 4.0 * 9.81 * e) / high;
+    near(value(scene, &solved, "omega").powi(2), square, 1e-13);
+    near(value(scene, &solved, "surface.normal"), 3.0 * (9.81 - e * square), 1e-13);
 }
 
 /// A rod of the judge: mass, length; its state is place of the centre and angle counter-clockwise from the right.

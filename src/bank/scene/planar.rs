@@ -4,7 +4,7 @@ use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, Value, named, shorten};
 use crate::scene::{
     Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot, Strut,
-    StrutEnd,
+    StrutEnd, Surface,
 };
 use crate::units::spell;
 
@@ -12,11 +12,13 @@ use crate::units::spell;
 pub const IN_THE_PLANE: &str = "in the plane";
 
 /// Kinds of joints: field that names what is held, and what it is.
-const JOINTS: [(&str, &str); 4] = [
+const JOINTS: [(&str, &str); 6] = [
     ("pins", "a point that stays in its place"),
     ("hinges", "two points that stay together"),
     ("guides", "a point that stays on a line"),
     ("ties", "a point at the end of a cord"),
+    ("rolls", "a wheel that rolls, by its centre"),
+    ("slides", "a wheel or a point on a smooth surface"),
 ];
 
 /// From where angles count, and whether clockwise.
@@ -119,11 +121,27 @@ impl SceneReader<'_> {
                 let message = format!("`{}` is no name for a joint", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
-            let Some(mut fields) = Fields::open(value, "a joint (pins, hinges, guides or ties)", f) else {
+            let Some(mut fields) =
+                Fields::open(value, "a joint (pins, hinges, guides, ties, rolls or slides)", f)
+            else {
                 continue;
             };
-            let [pins, hinges, guides, ties] = fields.each(JOINTS.map(|(word, _)| word));
+            let [pins, hinges, guides, ties, rolls, slides] = fields.each(JOINTS.map(|(word, _)| word));
+            let touching = match (rolls, slides) {
+                (Some(n), None) => Some((n, true)),
+                (None, Some(n)) => Some((n, false)),
+                _ => None,
+            };
+            let count = [pins, hinges, guides, ties, rolls, slides].iter().flatten().count();
             let kind = match (pins, hinges, guides, ties) {
+                _ if count == 1 && touching.is_some() => {
+                    touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
+                }
+                _ if count != 1 => {
+                    let words = JOINTS.map(|(word, what)| format!("`{word}` ({what})"));
+                    f.hint(value, format!("`{name}` has to say what it holds"), words.join(", "));
+                    None
+                }
                 (Some(n), None, None, None) => {
                     let at = self.spot(n, bodies);
                     at.zip(self.ground(fields.get("at"))).map(|(at, place_m)| JointKind::Pin { at, place_m })
@@ -135,11 +153,7 @@ impl SceneReader<'_> {
                     let at = self.spot(n, bodies);
                     at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m })
                 }
-                _ => {
-                    let words = JOINTS.map(|(word, what)| format!("`{word}` ({what})"));
-                    f.hint(value, format!("`{name}` has to say what it holds"), words.join(", "));
-                    None
-                }
+                _ => None,
             };
             fields.close();
             list.extend(kind.map(|kind| Joint { name: name.to_owned(), kind }));
@@ -172,6 +186,48 @@ impl SceneReader<'_> {
                 None
             }
         }
+    }
+
+    /// A wheel that rolls, or a wheel or a point that slides, on a line or a cylinder; inside a smaller one it is a hoop on a peg.
+    fn surface(&self, node: &Node, rolls: bool, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+        let f = self.faults;
+        let at = self.spot(node, bodies);
+        let radius = match fields.get("radius") {
+            Some(n) => self.number(n, if rolls { Need::RADIUS } else { Need::LENGTH }),
+            None if rolls => {
+                f.hint(node, "a wheel that rolls has a radius", "write `radius: r` beside it");
+                None
+            }
+            None => Some(Num::Fixed(0.0)),
+        };
+        let [outside, inside, along] = fields.each(["outside", "inside", "along"]);
+        let surface = match (outside, inside, along) {
+            (Some(n), None, None) | (None, Some(n), None) => {
+                let centre = self.ground(fields.get("axis"));
+                let arc = self.number(n, Need::RADIUS);
+                centre.zip(arc).map(|(centre_m, radius_m)| {
+                    let inside = inside.is_some();
+                    Surface::Arc { centre_m, radius_m, inside }
+                })
+            }
+            (None, None, Some(n)) => {
+                let through = self.ground(fields.get("through"));
+                let along = match n.text().map(str::trim) {
+                    Some("horizontal") => Some(Num::Fixed(0.0)),
+                    _ => self.number(n, Need::ANGLE),
+                };
+                through
+                    .zip(along)
+                    .map(|(through_m, direction_deg)| Surface::Line { through_m, direction_deg })
+            }
+            _ => {
+                let hint =
+                    "`along: horizontal` or an angle for a plane, `outside: R` or `inside: R` for a cylinder";
+                f.hint(node, "it has to say on what it rolls or slides", hint);
+                None
+            }
+        };
+        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls })
     }
 
     fn guide(&self, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {

@@ -9,11 +9,9 @@
 //! Source: Routh, *Dynamics of a System of Rigid Bodies*, elementary part, article 33 (equimomental bodies).
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::{self, PerNode, Unsettled};
-use crate::num::half::Half;
-use crate::num::linear::Linear;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
-use crate::scene::pose::{self, Poses};
+use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
     End, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Start, StrutEnd,
 };
@@ -24,17 +22,19 @@ use smallvec::{SmallVec, smallvec};
 const TURNS: f64 = 2.0;
 /// Step in which events are looked for, radians.
 const STEP: f64 = 0.0625;
+/// Turns of an iteration after which a panel is too long.
+const TURNS_OF_ITERATION: u32 = 40;
 /// Coefficients of a panel of the collocation that are below this share are rounding of the answer.
-const SMOOTH: f64 = 1e-20;
+const SMOOTH: f64 = 1e-18;
 
 type Vector<T> = [T; 2];
 
 /// Bodies, forces and joints as an account of work.
-struct Account<'a, 'n, T: Real> {
+struct Account<'a, T: Real> {
     scene: &'a Scene,
-    n: &'n Numbers<'a, T>,
+    n: &'a Numbers<'a, T>,
     lead: usize,
-    start: Half<T>,
+    layout: Layout<'a, T>,
     /// Distance of the mass centre of each body along its axis, and its radius of gyration.
     centres: SmallVec<[(T, T); 2]>,
     /// Natural length of each spring.
@@ -71,7 +71,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         Start::Speed(c, w) if c.body == account.lead => Some(n.get(*w)),
         _ => None,
     });
-    let spin = spin.unwrap_or_else(T::zero);
+    let spin = spin.map_or_else(T::zero, |w| w / account.layout.ratio());
     let mut road = Road::new();
     if matches!(scene.end, End::AtOnce) {
         account.instant(spin, &mut road)?;
@@ -101,8 +101,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     Ok(road)
 }
 
-impl<'a, 'n, T: Real> Account<'a, 'n, T> {
-    fn new(scene: &'a Scene, n: &'n Numbers<'a, T>) -> Result<Self, Refusal> {
+impl<'a, T: Real> Account<'a, T> {
+    fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Result<Self, Refusal> {
         let lead = scene.lead().ok_or(Refusal::Freedoms(0))?;
         let centres = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
             let centre = body.planar.as_ref().map_or(Place::At(crate::scene::Num::Fixed(0.0)), |p| p.centre);
@@ -113,13 +113,13 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
             scene,
             n,
             lead,
-            start: scene.start_angle(n),
+            layout: Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?,
             centres: centres.collect(),
             natural: SmallVec::new(),
             sense: 1.0,
             sliding: scene.joints.iter().map(|_| 0.0).collect(),
         };
-        let poses = pose::poses(scene, n, &account.start, true).ok_or(Refusal::Freedoms(2))?;
+        let poses = account.placed()?;
         for strut in &scene.struts {
             account.natural.push(match strut.rest {
                 Rest::Length(l) => n.get(l),
@@ -130,8 +130,11 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
     }
 
     fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
-        let angle = self.start.plus(Half::of_radians(way.signed(self.sense)));
-        pose::poses(self.scene, self.n, &angle, false).ok_or(Refusal::Freedoms(2))
+        self.layout.poses(way.signed(self.sense), false).ok_or(Refusal::Freedoms(2))
+    }
+    /// Where everything is at the start.
+    fn placed(&self) -> Result<Poses<T>, Refusal> {
+        self.layout.poses(T::zero(), true).ok_or(Refusal::Freedoms(2))
     }
     fn point(&self, poses: &Poses<T>, spot: Spot) -> pose::Point<T> {
         poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
@@ -171,8 +174,8 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
     /// Notes in which sense points slide in guides that rub, by a motion.
     fn slide(&mut self, poses: &Poses<T>, motion: &Motion<T>) {
         for (j, joint) in self.scene.joints.iter().enumerate() {
-            if let JointKind::Guide { at, direction_deg, mu_k: Some(_), .. } = joint.kind {
-                let u = pose::direction(self.n, direction_deg);
+            if let JointKind::Guide { at, mu_k: Some(_), .. } = joint.kind {
+                let u = self.layout.lines[j];
                 let v = self.of_spot(poses, motion, at);
                 self.sliding[j] = (v[0] * u[0]).balance(v[1] * u[1]).sign();
             }
@@ -190,13 +193,26 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         let mut rows = Equations::new(columns);
         let mut of_joint: SmallVec<[SmallVec<[usize; 2]>; 4]> = SmallVec::new();
         let mut count = 0;
-        for (joint, sliding) in self.scene.joints.iter().zip(&self.sliding) {
+        for (j, (joint, sliding)) in self.scene.joints.iter().zip(&self.sliding).enumerate() {
+            let mut rim = T::zero();
             let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
                 JointKind::Pin { at, .. } => {
                     Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
                 }
-                JointKind::Guide { at, direction_deg, mu_k, .. } => {
-                    let [c, s] = pose::direction(self.n, direction_deg);
+                JointKind::Contact { at, rolls, .. } => {
+                    let centre = self.point(poses, at).map(|x| x.value);
+                    self.layout.touch(j, centre).map(|touch| {
+                        rim = plant!("energy: radius of a rolling wheel", touch.radius);
+                        let along: SmallVec<[Vector<T>; 2]> = if rolls {
+                            smallvec![touch.normal, touch.along]
+                        } else {
+                            smallvec![touch.normal]
+                        };
+                        (at, along)
+                    })
+                }
+                JointKind::Guide { at, mu_k, .. } => {
+                    let [c, s] = self.layout.lines[j];
                     let rub = match mu_k {
                         Some(mu) if virtually && *sliding != 0.0 => {
                             plant!("energy: friction in a guide", self.n.get(mu)).signed(*sliding)
@@ -214,7 +230,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
                 JointKind::Hinge { .. } => None,
             };
             let mut own: SmallVec<[usize; 2]> = SmallVec::new();
-            let mut add = |ends: &[(Spot, Vector<T>)]| {
+            let mut add = |ends: &[(Spot, Vector<T>)], rim: T| {
                 let row = rows.row();
                 for (spot, u) in ends {
                     // Velocities of the point by those of the origin and the turn.
@@ -224,16 +240,23 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
                     row[at] = row[at] + u[0];
                     row[at + 1] = row[at + 1] + u[1];
                     row[at + 2] = row[at + 2]
-                        + plant!("energy: turn about the origin of the axis", r * (u[1] * c - u[0] * s));
+                        + plant!("energy: turn about the origin of the axis", r * (u[1] * c - u[0] * s))
+                        + rim;
                 }
                 own.push(count);
                 count += 1;
             };
             match (ground, joint.kind) {
-                (Some((at, directions)), _) => directions.iter().for_each(|u| add(&[(at, *u)])),
+                // The second condition of a wheel is that its rim does not slip.
+                (Some((at, directions)), kind) => {
+                    let wheel = matches!(kind, JointKind::Contact { .. });
+                    for (i, u) in directions.iter().enumerate() {
+                        add(&[(at, *u)], if wheel && i == 1 { rim } else { T::zero() });
+                    }
+                }
                 (None, JointKind::Hinge { one, other }) => {
                     for u in [[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]] {
-                        add(&[(one, u), (other, u.map(|x| -x))]);
+                        add(&[(one, u), (other, u.map(|x| -x))], T::zero());
                     }
                 }
                 _ => {}
@@ -259,6 +282,29 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         }
     }
 
+    /// Adds what the leading angle moves, at this rate: the turn of the body, or its centre about the axis of a cylinder.
+    fn leading(&self, poses: &Poses<T>, rows: &mut Equations<T>, rate: T) {
+        let (columns, at) = (3 * self.scene.bodies.len(), 3 * self.lead);
+        let (mut along, mut turn) = ([T::zero(); 2], T::of(1.0));
+        if let Some(arc) = self.layout.arc()
+            && let Some(spot) = self.scene.joints[arc.joint].kind.spots().next()
+        {
+            let place = self.point(poses, spot).map(|x| x.value);
+            along = [arc.axis[1] - place[1], place[0] - arc.axis[0]];
+            let [c, s] = poses[self.lead].axis.map(|x| x.value);
+            turn = pose::of_spot(self.scene, self.n, spot) * (along[1] * c - along[0] * s);
+        }
+        let row = rows.row();
+        (row[at], row[at + 1], row[at + 2], row[columns]) = (along[0], along[1], turn, rate);
+    }
+    /// The rate of what [`Self::leading`] tells in the motion of unit rate of the leading angle.
+    fn unit(&self, poses: &Poses<T>) -> T {
+        match self.layout.arc() {
+            Some(arc) => arc.apart.square().signed(self.counts(self.lead)),
+            None => poses[self.lead].turn().0,
+        }
+    }
+
     fn motion(&self, reduced: &Reduced<T>) -> Motion<T> {
         (0..self.scene.bodies.len()).map(|b| [0, 1, 2].map(|i| reduced.at_zero(3 * b + i))).collect()
     }
@@ -270,9 +316,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         }
         let (mut rows, _) = self.conditions(poses, true);
         self.no_drift(poses, &mut rows);
-        let row = rows.row();
-        row[3 * self.lead + 2] = T::of(1.0);
-        row[3 * self.scene.bodies.len()] = poses[self.lead].turn().0;
+        self.leading(poses, &mut rows, self.unit(poses));
         let reduced = rows.reduce(&[]);
         if reduced.open().is_empty() { Ok(self.motion(&reduced)) } else { Err(Refusal::Freedoms(2)) }
     }
@@ -312,8 +356,8 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
                 numbers.mass * self.n.gravity * up
             ));
         }
-        for push in &self.scene.pushes {
-            let u = self.push(poses, push);
+        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes) {
+            let u = Self::push(poses, push, *direction);
             let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
             powers.push(p * dot(u, self.of_spot(poses, motion, push.at)));
         }
@@ -343,8 +387,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
     }
 
     /// Direction of a force.
-    fn push(&self, poses: &Poses<T>, push: &crate::scene::Push) -> Vector<T> {
-        let [c, s] = pose::direction(self.n, push.direction_deg);
+    fn push(poses: &Poses<T>, push: &crate::scene::Push, [c, s]: Vector<T>) -> Vector<T> {
         let axis = poses[push.at.body].axis.map(|x| x.value);
         if push.turns { [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s] } else { [c, s] }
     }
@@ -365,22 +408,22 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
             let fallen = self.centre(from, b)[1].value - self.centre(to, b)[1].value;
             add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
         }
-        for push in &self.scene.pushes {
+        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes) {
             let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
             if push.turns {
                 let power = |at: T| {
                     let poses = self.poses(at)?;
                     let v = self.point(&poses, push.at).map(|x| x.first.signed(self.sense));
-                    Ok::<_, Refusal>(dot(self.push(&poses, push), v))
+                    Ok::<_, Refusal>(dot(Self::push(&poses, push, *direction), v))
                 };
                 add(p * gauss::integral(power, T::zero(), way)?);
             } else {
                 let (a, b) = (self.point(from, push.at), self.point(to, push.at));
-                add(p * dot(self.push(from, push), [0, 1].map(|i| b[i].value - a[i].value)));
+                add(p * dot(Self::push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
             }
         }
         for c in &self.scene.couples {
-            let turned = if c.body == self.lead {
+            let turned = if c.body == self.lead && self.layout.arc().is_none() {
                 way.signed(self.sense)
             } else {
                 let rate = |at: T| Ok::<_, Refusal>(self.poses(at)?[c.body].turn().0.signed(self.sense));
@@ -456,23 +499,20 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         {
             return Ok(None);
         }
-        let driven = gauss::running(&forces);
-        let mut rows = Linear::new(gauss::NODES, 1);
-        for (j, force) in driven.iter().enumerate() {
-            rows.term(j, j, T::of(1.0));
-            rows.right(j, 0, from + *force);
-        }
-        for k in 0..gauss::NODES {
-            let unit: PerNode<T> =
-                (0..gauss::NODES).map(|i| if i == k { bends[k] } else { T::zero() }).collect();
-            for (j, share) in gauss::running(&unit).into_iter().enumerate() {
-                rows.term(j, k, share);
+        // Each turn of the iteration gains a power of the length of the panel over its factorial.
+        let mut squares: PerNode<T> = vec![from; gauss::NODES];
+        for _ in 0..TURNS_OF_ITERATION {
+            let gained = forces.iter().zip(&bends).zip(&squares).map(|((f, b), y)| *f - *b * *y);
+            let gained: PerNode<T> = gained.collect();
+            let next: PerNode<T> = gauss::running(&gained).into_iter().map(|g| from + g).collect();
+            let size = next.iter().map(|y| y.size()).fold(0.0, f64::max);
+            let change = next.iter().zip(&squares).map(|(a, b)| (*a - *b).size()).fold(0.0, f64::max);
+            squares = next;
+            if change <= T::SETTLED * size {
+                return Ok(Some(from + gauss::mean(&gained)));
             }
         }
-        let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
-        let gained: PerNode<T> =
-            (0..gauss::NODES).map(|j| forces[j] - bends[j] * solution.get(j, 0)).collect();
-        Ok(Some(from + gauss::mean(&gained)))
+        Ok(None)
     }
 
     /// Second derivative of the leading angle at this square of its rate, and the sum of the magnitudes of its terms.
@@ -496,8 +536,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
         for own in of_joint.get(joint)? {
             let mut rows = rows.clone();
             rows.right_of(*own)[columns] = T::of(1.0);
-            let row = rows.row();
-            row[3 * self.lead + 2] = T::of(1.0);
+            self.leading(poses, &mut rows, T::zero());
             self.no_drift(poses, &mut rows);
             let reduced = rows.reduce(&[]);
             if !reduced.repeats() {
@@ -593,7 +632,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
                 far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
                 Some(apart.signed(self.sense))
             }
-            End::Speed(_, w) => Some(self.n.get(w).abs()),
+            End::Speed(_, w) => Some((self.n.get(w) / self.layout.ratio()).abs()),
             End::Time(_, t) => Some(self.n.get(t)),
             _ => None,
         };
@@ -606,7 +645,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
             End::Angle(..) => turning.is_none().then_some(far),
             End::TurningPoint(_) => turning,
             End::Speed(_, w) => {
-                let level = self.n.get(w).square().scale2(-1);
+                let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
                 self.first(limit, &|way| Ok(self.half_square(way, from)? - level))?
             }
             End::Leaves(joint) => self.first(limit, &|way| {
@@ -698,7 +737,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
 
     /// An instant: of one freedom with any rate, of several from rest.
     fn instant(&mut self, spin: T, road: &mut Road<T>) -> Result<(), Refusal> {
-        let poses = pose::poses(self.scene, self.n, &self.start, true).ok_or(Refusal::Freedoms(2))?;
+        let poses = self.placed()?;
         if !spin.is_zero() {
             let poses = self.poses(T::zero())?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
@@ -802,7 +841,8 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
             let of = Owner::Joint(j);
             let quantities: &[Quantity] = match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
-                JointKind::Guide { .. } => &[Quantity::Normal],
+                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &[Quantity::Normal],
+                JointKind::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
                 JointKind::Cord { .. } => &[Quantity::Tension],
             };
             let Some(forces) = self.reaction(poses, j, moves) else {
@@ -819,7 +859,7 @@ impl<'a, 'n, T: Real> Account<'a, 'n, T> {
                 let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
                 self.say(road, Quantity::Friction, of, -most.signed(self.sliding[j]).signed(up));
             }
-            if let [(x, _), (y, _)] = forces.as_slice() {
+            if let ([(x, _), (y, _)], [_, Quantity::PinY]) = (forces.as_slice(), quantities) {
                 self.say(road, Quantity::PinForce, of, (x.square() + y.square()).root());
             }
         }

@@ -6,7 +6,6 @@
 //! as the way back from there.
 use crate::num::dd::pow2;
 use crate::num::gauss::{self, PerNode, Unsettled};
-use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
@@ -20,13 +19,14 @@ const TURNS: f64 = 2.0;
 /// Angle after which a panel ends at the latest, radians.
 const STRIDE: f64 = 0.5;
 /// Legendre coefficients below this share are rounding of the answer: see [`gauss::smooth`].
-const SMOOTH: f64 = 1e-20;
+const SMOOTH: f64 = 1e-18;
 
 /// The motion of a mechanism in one sense from a place where half the square of the rate is known.
 #[derive(Clone)]
 struct Motion<'m, 'a, T: Real> {
     mechanism: &'m Mechanism<'a, T>,
-    start: Half<T>,
+    /// Leading angle where it starts, from the start of the scene.
+    start: T,
     /// 1 if the leading angle grows, -1 if it shrinks.
     sense: f64,
     /// Half the square of the rate at the start.
@@ -83,15 +83,14 @@ enum Why {
 pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> {
     let mechanism = Mechanism::new(scene, n)?;
     let mut teller = Teller { scene, n, mechanism: &mechanism, road: Road::new() };
-    let start = scene.start_angle(n);
     let given = scene.start.iter().find_map(|s| match s {
         Start::Speed(c, w) if c.body == mechanism.lead => Some(n.get(*w)),
         _ => None,
     });
-    let spin = given.unwrap_or_else(T::zero);
+    let spin = given.map_or_else(T::zero, |w| w / mechanism.ratio());
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
-        let state = mechanism.state(&start, !spin.is_zero())?;
+        let state = mechanism.state(T::zero(), !spin.is_zero())?;
         let smooth = mechanism.respond(&state, &nothing)?;
         // What starts from rest slides as it would without friction.
         let senses = if spin.is_zero() {
@@ -100,21 +99,26 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
             sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v * spin))
         };
         let response = mechanism.respond(&state, &senses)?;
-        let lead = mechanism.turning(&response, mechanism.lead);
+        let lead = mechanism.leading(&response);
         teller.tell(&state, &response, (spin, lead), &senses)?;
         return Ok(teller.road);
     }
-    let state = mechanism.state(&start, true)?;
+    let state = mechanism.state(T::zero(), true)?;
     let free = mechanism.respond(&state, &nothing)?;
-    let (a, b) = mechanism.turning(&free, mechanism.lead);
+    let (a, b) = mechanism.leading(&free);
     let first = a.balance(b * spin.square());
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
     let sliding = sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
-    let motion =
-        Motion { mechanism: &mechanism, start, sense, half_square: spin.square().scale2(-1), sliding };
+    let motion = Motion {
+        mechanism: &mechanism,
+        start: T::zero(),
+        sense,
+        half_square: spin.square().scale2(-1),
+        sliding,
+    };
     // Friction may hold what would set off without it.
     let rubbed = mechanism.respond(&state, &motion.sliding)?;
-    let (a, b) = mechanism.turning(&rubbed, mechanism.lead);
+    let (a, b) = mechanism.leading(&rubbed);
     let sets_off = a.balance(b * spin.square()).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
@@ -138,8 +142,8 @@ fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: impl Fn(Spot) -> [T; 2]) ->
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
-    fn angle(&self, way: T) -> Half<T> {
-        self.start.plus(Half::of_radians(way.signed(self.sense)))
+    fn angle(&self, way: T) -> T {
+        self.start + way.signed(self.sense)
     }
     fn from_rest(&self) -> bool {
         self.half_square.is_zero()
@@ -153,7 +157,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if self.from_rest() { way.root() } else { way }
     }
     fn at(&self, way: T) -> Result<(State<T>, Response<T>), Refusal> {
-        let state = self.mechanism.state(&self.angle(way), true)?;
+        let state = self.mechanism.state(self.angle(way), true)?;
         let response = self.mechanism.respond(&state, &self.sliding)?;
         Ok((state, response))
     }
@@ -174,7 +178,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     }
                 }
             }
-            let (a, b) = self.mechanism.turning(&response, self.mechanism.lead);
+            let (a, b) = self.mechanism.leading(&response);
             drives.push(plant!("eom: acceleration over the angle", a.signed(self.sense)) * slope);
             growths.push(
                 plant!("eom: centripetal share over the angle", b.signed(self.sense)).scale2(1) * slope,
@@ -354,8 +358,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 far = apart / degrees();
             }
             End::Speed(_, w) => {
-                asked = Some(n.get(w).abs());
-                level = Some(n.get(w).square().scale2(-1));
+                let w = n.get(w) / self.mechanism.ratio();
+                asked = Some(w.abs());
+                level = Some(w.square().scale2(-1));
             }
             End::Time(_, t) => asked = Some(n.get(t)),
             _ => {}
@@ -405,7 +410,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let drive = (T::zero(), T::zero());
         teller.road.course = Some(Course { sense: self.sense, drive, asked, farthest, reached });
         for (joint, least, most) in least {
-            let one_sided = matches!(scene.joints[joint].kind, JointKind::Guide { one_sided: true, .. });
+            let one_sided = scene.joints[joint].kind.only_pushes();
             if one_sided && least.is_finite() && leaving != Some(joint) {
                 teller.road.held.push(Held::Touching(joint, least, most));
             }
@@ -436,7 +441,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
         }
         let speed = stop.half_square.scale2(1).root().signed(self.sense);
-        let lead = self.mechanism.turning(&response, self.mechanism.lead);
+        let lead = self.mechanism.leading(&response);
         teller.tell(&state, &response, (speed, lead), &self.sliding)
     }
 
@@ -538,7 +543,8 @@ impl<T: Real> Teller<'_, '_, T> {
             let of = Owner::Joint(j);
             let quantities: &[Quantity] = match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
-                JointKind::Guide { .. } => &[Quantity::Normal],
+                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &[Quantity::Normal],
+                JointKind::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
                 JointKind::Cord { .. } => &[Quantity::Tension],
             };
             let Some(force) = mechanism.reaction(response, j, square) else {
@@ -556,7 +562,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 let friction = -most.signed(sliding[j]).signed(up);
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + weights);
             }
-            if let [x, y] = force.as_slice() {
+            if let ([x, y], [_, Quantity::PinY]) = (force.as_slice(), quantities) {
                 self.say(Quantity::PinForce, of, (x.square() + y.square()).root());
             }
         }
