@@ -50,11 +50,12 @@ impl Energies {
     }
 }
 
-/// The energies of a variant; `None` where the solver does not say enough of them, or where there is no motion.
+/// The energies of a variant; `None` where the solver does not say enough of them, where there is no motion, or where a datum is
+/// looked for.
 pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
     let view = SceneView::new(problem, variant, words, FigureLabels::Values)?;
     let scene = view.scene;
-    if scene.end == End::AtOnce {
+    if scene.end == End::AtOnce || scene.formulas.found.is_some() {
         return None;
     }
     if scene.bodies.iter().any(|b| b.planar.is_some()) {

@@ -136,7 +136,7 @@ fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     }
 }
 
-/// Can the diagrams of this body be drawn? Its acceleration must have been found.
+/// Can the diagrams of this body be drawn? Its acceleration must have been found, and no datum be the one that is looked for.
 pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
     let Some(scene) = problem.cases.get(variant.case).map(|c| &c.scene) else { return false };
     let found = |q: Quantity| {
@@ -148,6 +148,7 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
     scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
+        && scene.formulas.found.is_none()
         && (found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
 }
 
