@@ -4,6 +4,22 @@ use std::ops::{Deref, DerefMut};
 use std::slice;
 use std::vec;
 
+/// What a finding says, as `format!` makes it. A page tells no finding about a bank, for nothing was found in the bank that its sheet
+/// was made from: there the text is not made, which leaves out a tenth of the program.
+#[cfg(feature = "program")]
+macro_rules! told {
+    ($($text:tt)*) => { format!($($text)*) };
+}
+/// What a finding says; a page tells none about a bank.
+#[cfg(not(feature = "program"))]
+macro_rules! told {
+    ($($text:tt)*) => {{
+        let _untold = || format!($($text)*);
+        String::new()
+    }};
+}
+pub(crate) use told;
+
 /// One fault in a file that a person wrote. Faults are collected, never thrown one by one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
@@ -20,6 +36,12 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// That a text is not the JSON that it should be: `what` (a set), and what is wrong with it where.
+    pub fn of_json(what: &str, error: &serde_json::Error) -> Self {
+        let words = error.to_string();
+        let words = words.split(" at line ").next().unwrap_or("cannot be read");
+        Self::new("", format!("is no {what}: {words}")).at(error.line().max(1), error.column().max(1))
+    }
     /// A finding about `field`, with no place in the file yet.
     pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
         Self { file: None, at: None, field: field.into(), message: message.into(), hint: None }

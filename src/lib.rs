@@ -1,33 +1,46 @@
 //! slipstick makes and grades homework in rigid-body dynamics, and proves its own key.
 //!
 //! # Words
-//! - A **bank** is what an instructor writes; a **problem** of it has **data**, a **scene** and **questions**.
+//! - A **bank** is what an instructor writes; a **problem** of it has **data**, a **scene** and **questions**; of its **cases** a
+//!   student gets one. A question is a **part** of a student's sheet (`1.omega`), and a **column** of the class's table.
 //! - A **scene** is pure data in SI: bodies, ties (rolling, slipping and sliding contacts, cords), couples, a start, an end.
 //! - A **draw** gives each datum a value on a decimal grid; a draw that holds every rule is a **variant**, one student's own.
-//! - A **road** is one way to the answers: `eom`, the equations of motion, or `energy`, work and energy.
+//!   What one student was **dealt** is variants and key, problem by problem; a **set** is what a class was dealt, with the bank.
+//! - A variant has a **code** of eight digits, by which a learning platform knows it; a sheet has one of six letters, which says
+//!   on paper whose it is. The **seal** of a set is the SHA-256 of its key.
+//! - A **road** is one of the two ways in which the program finds an answer: `eom`, the equations of motion, or `energy`, work
+//!   and energy.
 //! - A **rung** is a method with its setting (closed form, quadrature, steps); the **ladder** takes the cheapest that a scene needs.
 //! - The **regime** is what really happens (`moves_up`, `up ok slips`); a **check** is one condition of validity, with numbers.
 //! - The **key** holds the answers on which both roads agree, with their gap and condition number.
-//! - A student's cell becomes a **reading**; key and reading give a **verdict** with points and a reason.
-//! - A **wrong method** is a road that students take: its value comes from a changed scene, changed data or a change of the value;
-//!   the **catalogue** holds its words. A **slip** is another thing that a wrong number fits. Neither makes it right.
+//! - A student's cell becomes a **reading**; key and reading give a **verdict** with points and a reason. Of several **attempts**
+//!   at a part one counts, the others are superseded.
+//! - A **wrong method** is what students do instead of a right one, listed under `mistakes:` in the bank: its value comes from a
+//!   changed scene, changed data or a change of the value; the **catalogue** holds its words. A **slip** is another thing that a
+//!   wrong number fits. Neither makes it right.
 //! - A **policy** is what bears on marks (attempts, lateness, credit, corrections, totals); a **grading** is a folder with every
-//!   answer's verdict and with copies of all that it was made from.
+//!   answer's verdict and its **basis**, copies of all that it was made from.
 //! - A **document** is Markdown with formulas and pictures, the one source of every format; a **template** and the **phrases** of
 //!   a language make it, the program puts in finished texts.
 //! - A **finding** is a fault in somebody's file: where, what value, what would be right.
 //!
 //! # Flow
 //! ```text
-//! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, figure, solution, set
+//! bank -> draw -> problem (scene -> solve: eom | energy, agree) -> key -> sheet, figure, solution, set
 //!                          document -> Markdown, HTML, LaTeX, Typst -> PDF; export -> questions of a learning platform
 //!                          misconception (wrong values, beside the key)
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
+//!              one sheet -> page: answer -> grade -> tutor (hints), in the browser and for `check`
 //!              set, habits -> simulate -> submissions, truth
 //! ```
 //! [`problem::maker::Maker::variant`] goes from a bank to solved data and [`problem::make_key::key`] on to the key;
-//! [`grade::run::grade`] goes from submissions to verdicts. [`folder`] reads and writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`inspect`] at one problem with given data,
-//! [`manual`] explains all of it to people, and [`cli`] tells results: a verb is a file of its own that knows no other verb.
+//! [`grade::run::grade`] goes from submissions to verdicts. [`folder`] reads and writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`inspect`] at one problem
+//! with given data, [`manual`] explains all of it to people, and [`cli`] tells results: a verb is a file of its own that knows no
+//! other verb. [`units`] reads and converts units for all of them, [`csv_field`] writes a field of CSV that no spreadsheet runs.
+//!
+//! The feature `program` is the command line with all that it writes. Without it the crate is what a sheet needs that checks
+//! itself: [`page`] solves the scene of one sheet and judges its answers, [`tutor`] finds hints, and the package in
+//! `src/page/door` makes of both the WebAssembly that pages carry (`.ci/page`).
 //!
 //! # In Rust
 //! A bank is read from its text; what is wrong with it comes as findings, all at once:
@@ -78,7 +91,8 @@
 //! - The printed datum is the datum used; a variant depends on seed, set name, problem and student id alone.
 //! - The same seed gives the same bytes on every machine: own words from ChaCha20, functions from libm, no fused operations.
 //! - Every answer cell comes out exactly once; a student's odd cell is a verdict, never an error.
-//! - Files are written whole or not at all.
+//! - A file is written whole or not at all, and so is a new folder. Late joiners come into a set file by file, `set.json` last;
+//!   what a kill leaves of that the next `--add` repairs.
 //!
 //! Who may import whom, and who keeps which crate, stands as a table in `tests/architecture.rs` and is checked there.
 //!
@@ -90,7 +104,9 @@
 //! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
-//! [`policy`], a line in `bank/course.rs`, its effect in `grade/credit.rs` or `grade/attempt.rs`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
+//! [`policy`], a line in `bank/course.rs`, its effect in `grade/attempt.rs`, `grade/credit.rs`, `grade/rules.rs` or `grade/award.rs`,
+//! its words in `report/settings.rs`, `report/explain.rs` and `report/changes.rs`, and its reason for a changed mark in
+//! [`regrade::changes`]. A new quantity: a line in [`scene::ask`] with what its sign means, and a `say` on each road.
 //!
 //! # Limits
 //! Rigid bodies in a plane, velocity ratios that do not change with position (or one body that swings about a pin), cords without mass that run parallel to the
@@ -99,6 +115,7 @@ pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]
 pub mod cli;
+pub mod csv_field;
 pub mod draw;
 #[cfg(feature = "program")]
 pub mod export;
@@ -108,7 +125,6 @@ pub mod finding;
 #[cfg(feature = "program")]
 pub mod folder;
 pub mod grade;
-pub mod guard;
 #[cfg(feature = "program")]
 pub mod inspect;
 pub mod key;

@@ -69,8 +69,7 @@ pub fn book(version: &str, verbs: &[(String, String)]) -> Result<String, Finding
     let mut view = View::new();
     view.text("version", version);
     view.value("chapters", template::list(chapters));
-    let mut page = Vec::new();
-    Templates::english().render("manual.html", &view, &mut page)?;
+    let page = Templates::english().made("manual.html", &view)?;
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 

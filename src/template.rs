@@ -292,6 +292,22 @@ impl Templates {
 
     /// Appends the text of a template to `out`; its name says which format it is.
     ///
+    /// What a template comes to.
+    ///
+    /// # Errors
+    /// As [`Templates::render`].
+    pub fn made(&self, name: &str, view: &View) -> Result<Vec<u8>, Finding> {
+        let mut out = Vec::new();
+        self.render(name, view, &mut out)?;
+        Ok(out)
+    }
+    /// What a template of Markdown comes to, with one line end at its end.
+    ///
+    /// # Errors
+    /// As [`Templates::render`].
+    pub fn markdown(&self, name: &str, view: &View) -> Result<String, Finding> {
+        Ok(String::from_utf8_lossy(&self.made(name, view)?).trim_end().to_owned() + "\n")
+    }
     /// # Errors
     /// A name that the view does not hold, with file, line and column.
     pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {

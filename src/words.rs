@@ -68,6 +68,19 @@ impl Phrases {
 }
 
 impl Words {
+    /// A word of a key (`up`, `yes`) as the sheet says it.
+    pub fn of_key<'w>(&'w self, word: &'w str) -> &'w str {
+        match word {
+            "up" => self.get("sheet.up"),
+            "down" => self.get("sheet.down"),
+            "forward" => self.get("sheet.forward"),
+            "back" => self.get("sheet.back"),
+            "stays" => self.get("sheet.stays"),
+            "yes" => self.get("sheet.yes"),
+            "no" => self.get("sheet.no"),
+            other => other,
+        }
+    }
     /// Phrases that are handed in, as [`Words::phrases`] gives them.
     pub fn given(phrases: Phrases) -> Self {
         let Phrases { language, decimal, phrases } = phrases;

@@ -5,7 +5,7 @@ use std::path::Path;
 /// Room (or one file of it) and the rooms that it may use besides itself. The most specific name wins.
 const DOORS: &[(&str, &[&str])] = &[
     ("finding", &[]),
-    ("guard", &[]),
+    ("csv_field", &[]),
     ("num", &[]),
     ("units", &["num"]),
     ("scene", &["num"]),
@@ -123,7 +123,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "set",
         &[
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "draw",
@@ -137,8 +137,8 @@ const DOORS: &[(&str, &[&str])] = &[
             "finding",
         ],
     ),
-    ("answer", &["guard", "units", "num", "finding"]),
-    ("grade", &["guard", "key", "answer", "units", "num", "words", "policy", "finding"]),
+    ("answer", &["csv_field", "units", "num", "finding"]),
+    ("grade", &["csv_field", "key", "answer", "units", "num", "words", "policy", "finding"]),
     (
         "tutor",
         &[
@@ -159,7 +159,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "report",
         &[
-            "guard",
+            "csv_field",
             "grade",
             "matches",
             "policy",
@@ -198,7 +198,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "inspect",
         &[
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "draw",
@@ -243,6 +243,7 @@ const DOORS: &[(&str, &[&str])] = &[
         "export",
         &[
             "answer",
+            "num",
             "bank",
             "problem",
             "solution",
@@ -261,12 +262,13 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "page",
             "export",
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "draw",
             "inspect",
             "review",
+            "simulate",
             "sheet",
             "sheet::document",
             "sheet::terminal",
@@ -290,7 +292,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "simulate",
         &[
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "scene",
@@ -310,7 +312,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("sheet::terminal", &["num"]),
     ("plot", &["picture", "num"]),
     ("matches", &["num"]),
-    ("regrade", &["guard", "grade", "answer", "key", "policy"]),
+    ("regrade", &["csv_field", "grade", "answer", "key", "policy"]),
     ("cli", &["*"]),
     ("main", &["cli"]),
     ("lib", &[]),
@@ -340,7 +342,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_layout", &["sheet::pdf"]),
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
-    ("jiff", &["policy"]),
+    ("jiff", &["policy", "simulate"]),
     ("strsim", &["units"]),
 ];
 
@@ -456,7 +458,7 @@ fn planted_imports_are_caught() {
         ("grade::compare", "let x = crate::solve::agree::solve(s, d);"),
         ("num::dd", "use crate::scene::Num;"),
         ("scene::mod", "use libm::sin;"),
-        ("sheet::page", "let r = rand::rng();"),
+        ("sheet::sheets", "let r = rand::rng();"),
         ("solve::eom", "use super::energy;"),
         ("folder::set", "use crate::cli::tell::Io;"),
         ("folder::grading", "use clap::Parser;"),

@@ -4,8 +4,8 @@
 //! Read from the platforms' own sources: moodle, `mod/quiz/report/responses` and `question/type/multianswer/question.php`;
 //! instructure/canvas-lms, `app/models/quizzes/quiz_statistics/student_analysis.rb`.
 use crate::answer::submissions::{Batch, Header, RecordScratch, RecordSource};
+use crate::csv_field::unguarded;
 use crate::finding::Finding;
-use crate::guard::unguarded;
 use std::io;
 use std::io::Read;
 
@@ -53,12 +53,12 @@ pub struct QuizAnswer {
     /// The text of the question, as far as the file tells it.
     pub question: String,
     /// The answer, or answers.
-    pub written: Written,
+    pub written: QuizText,
 }
 
 /// An answer as a platform tells it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Written {
+pub enum QuizText {
     /// None was given.
     Nothing,
     /// One for each part, in their order.
@@ -74,7 +74,7 @@ pub enum Written {
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
+enum ColumnRole {
     Id(usize),
     GivenName,
     FamilyName,
@@ -91,24 +91,24 @@ enum Role {
 }
 
 /// Columns of Moodle, English and German; those of earlier versions too.
-const MOODLE: [(Role, &[&str]); 8] = [
-    (Role::Id(0), &["id number", "idnumber", "id-nummer", "matrikelnummer"]),
-    (Role::Id(1), &["username", "anmeldename", "benutzername"]),
-    (Role::Id(2), &["email address", "email", "e-mail-adresse", "e-mail"]),
-    (Role::GivenName, &["first name", "vorname"]),
-    (Role::FamilyName, &["last name", "surname", "nachname"]),
-    (Role::FullName, &["full name", "vollständiger name"]),
-    (Role::Began, &["started on", "started", "begonnen am", "begonnen", "gestartet"]),
-    (Role::Submitted, &["completed", "completed on", "beendet", "beendet am", "abgeschlossen"]),
+const MOODLE: [(ColumnRole, &[&str]); 8] = [
+    (ColumnRole::Id(0), &["id number", "idnumber", "id-nummer", "matrikelnummer"]),
+    (ColumnRole::Id(1), &["username", "anmeldename", "benutzername"]),
+    (ColumnRole::Id(2), &["email address", "email", "e-mail-adresse", "e-mail"]),
+    (ColumnRole::GivenName, &["first name", "vorname"]),
+    (ColumnRole::FamilyName, &["last name", "surname", "nachname"]),
+    (ColumnRole::FullName, &["full name", "vollständiger name"]),
+    (ColumnRole::Began, &["started on", "started", "begonnen am", "begonnen", "gestartet"]),
+    (ColumnRole::Submitted, &["completed", "completed on", "beendet", "beendet am", "abgeschlossen"]),
 ];
 
 /// Columns of Canvas.
-const CANVAS: [(Role, &[&str]); 5] = [
-    (Role::Id(0), &["sis id", "sis user id"]),
-    (Role::Id(1), &["login", "login id", "sis login id"]),
-    (Role::Id(2), &["id"]),
-    (Role::FullName, &["name"]),
-    (Role::Submitted, &["submitted"]),
+const CANVAS: [(ColumnRole, &[&str]); 5] = [
+    (ColumnRole::Id(0), &["sis id", "sis user id"]),
+    (ColumnRole::Id(1), &["login", "login id", "sis login id"]),
+    (ColumnRole::Id(2), &["id"]),
+    (ColumnRole::FullName, &["name"]),
+    (ColumnRole::Submitted, &["submitted"]),
 ];
 
 /// `Response 3`: the 3.
@@ -126,10 +126,10 @@ fn plain(header: &str) -> String {
     header.trim().to_lowercase().replace(['_', '\u{a0}'], " ")
 }
 
-fn roles(platform: Platform, header: &Header) -> Vec<Role> {
+fn roles(platform: Platform, header: &Header) -> Vec<ColumnRole> {
     let role = |text: &String| {
         let plain = plain(text);
-        let named: &[(Role, &[&str])] = match platform {
+        let named: &[(ColumnRole, &[&str])] = match platform {
             Platform::Moodle => &MOODLE,
             Platform::Canvas => &CANVAS,
         };
@@ -137,12 +137,12 @@ fn roles(platform: Platform, header: &Header) -> Vec<Role> {
             return *role;
         }
         match platform {
-            Platform::Canvas if is_asked(text) => Role::Asked,
-            Platform::Canvas => Role::Other,
+            Platform::Canvas if is_asked(text) => ColumnRole::Asked,
+            Platform::Canvas => ColumnRole::Other,
             Platform::Moodle => numbered(&plain, &["response", "antwort"])
-                .map(Role::Response)
-                .or_else(|| numbered(&plain, &["question", "frage"]).map(Role::Question))
-                .unwrap_or(Role::Other),
+                .map(ColumnRole::Response)
+                .or_else(|| numbered(&plain, &["question", "frage"]).map(ColumnRole::Question))
+                .unwrap_or(ColumnRole::Other),
         }
     };
     header.fields.iter().map(role).collect()
@@ -151,13 +151,17 @@ fn roles(platform: Platform, header: &Header) -> Vec<Role> {
 /// Which platform wrote a file with this header.
 fn platform(header: &Header) -> Option<Platform> {
     let moodle = roles(Platform::Moodle, header);
-    let person =
-        |role: &Role| matches!(role, Role::Id(_) | Role::GivenName | Role::FamilyName | Role::FullName);
-    if moodle.iter().any(|role| matches!(role, Role::Response(_))) && moodle.iter().any(person) {
+    let person = |role: &ColumnRole| {
+        matches!(
+            role,
+            ColumnRole::Id(_) | ColumnRole::GivenName | ColumnRole::FamilyName | ColumnRole::FullName
+        )
+    };
+    if moodle.iter().any(|role| matches!(role, ColumnRole::Response(_))) && moodle.iter().any(person) {
         return Some(Platform::Moodle);
     }
     let canvas = roles(Platform::Canvas, header);
-    let is_canvas = canvas.contains(&Role::Asked) && canvas.contains(&Role::Submitted);
+    let is_canvas = canvas.contains(&ColumnRole::Asked) && canvas.contains(&ColumnRole::Submitted);
     is_canvas.then_some(Platform::Canvas)
 }
 
@@ -169,7 +173,7 @@ fn is_marks(header: &Header) -> bool {
         let rest = text.strip_prefix("q.").or_else(|| text.strip_prefix("f ")).unwrap_or_default();
         rest.split_once('/').is_some_and(|(number, _)| number.trim().parse::<u32>().is_ok())
     };
-    moodle.contains(&Role::Began) && header.fields.iter().any(marks)
+    moodle.contains(&ColumnRole::Began) && header.fields.iter().any(marks)
 }
 
 /// Reads the download of a quiz; `None` where the file is none.
@@ -201,7 +205,7 @@ pub fn read(inner: Box<dyn Read + Send>) -> io::Result<Result<Option<Quiz>, Find
 
 struct QuizReader {
     platform: Platform,
-    roles: Vec<Role>,
+    roles: Vec<ColumnRole>,
     header: Header,
 }
 
@@ -218,14 +222,16 @@ impl QuizReader {
             empty &= raw.trim().is_empty();
             let text = || said(&raw);
             match role {
-                Role::Id(kind) => attempt.ids[*kind] = text(),
-                Role::GivenName => given = text(),
-                Role::FamilyName => family = text(),
-                Role::FullName => attempt.name = text(),
-                Role::Began => attempt.began = text(),
-                Role::Submitted => attempt.submitted = text(),
-                Role::Response(_) | Role::Asked => attempt.answers.extend(self.answer(i, &raw, field)),
-                Role::Question(_) | Role::Other => {}
+                ColumnRole::Id(kind) => attempt.ids[*kind] = text(),
+                ColumnRole::GivenName => given = text(),
+                ColumnRole::FamilyName => family = text(),
+                ColumnRole::FullName => attempt.name = text(),
+                ColumnRole::Began => attempt.began = text(),
+                ColumnRole::Submitted => attempt.submitted = text(),
+                ColumnRole::Response(_) | ColumnRole::Asked => {
+                    attempt.answers.extend(self.answer(i, &raw, field))
+                }
+                ColumnRole::Question(_) | ColumnRole::Other => {}
             }
         }
         if !(given.is_empty() && family.is_empty()) {
@@ -240,8 +246,8 @@ impl QuizReader {
     fn answer(&self, i: usize, raw: &str, field: &dyn Fn(usize) -> String) -> Option<QuizAnswer> {
         let header = self.header.fields[i].clone();
         let (question, written) = match (self.platform, self.roles[i]) {
-            (Platform::Moodle, Role::Response(n)) => {
-                let question = self.roles.iter().position(|role| *role == Role::Question(n));
+            (Platform::Moodle, ColumnRole::Response(n)) => {
+                let question = self.roles.iter().position(|role| *role == ColumnRole::Question(n));
                 (question.map(|at| said(&field(at))).unwrap_or_default(), moodle(raw))
             }
             // No answer and no points: the question is of another variant.
@@ -249,7 +255,7 @@ impl QuizReader {
             _ => (header.clone(), canvas(raw)),
         };
         // An attempt that was never begun has a dash everywhere.
-        let asked = !(question.is_empty() && written == Written::Nothing);
+        let asked = !(question.is_empty() && written == QuizText::Nothing);
         asked.then_some(QuizAnswer { header, question, written })
     }
 }
@@ -261,14 +267,14 @@ fn said(raw: &str) -> String {
 }
 
 /// An answer of Moodle: of a cloze question `part 1: 12.3; part 2: right`.
-fn moodle(raw: &str) -> Written {
+fn moodle(raw: &str) -> QuizText {
     let text = raw.trim();
     if text.is_empty() || text == "-" {
-        return Written::Nothing;
+        return QuizText::Nothing;
     }
     match cloze(text) {
-        Some(parts) => Written::Parts(parts),
-        None => Written::Whole { text: text.to_owned(), list: vec![text.to_owned()] },
+        Some(parts) => QuizText::Parts(parts),
+        None => QuizText::Whole { text: text.to_owned(), list: vec![text.to_owned()] },
     }
 }
 
@@ -296,10 +302,10 @@ fn cloze(text: &str) -> Option<Vec<String>> {
 }
 
 /// An answer of Canvas: of a question with several blanks a list, where `\,` is a comma of an answer.
-fn canvas(raw: &str) -> Written {
+fn canvas(raw: &str) -> QuizText {
     let text = unguarded(raw.trim()).trim();
     if text.is_empty() {
-        return Written::Nothing;
+        return QuizText::Nothing;
     }
     let (mut list, mut item) = (Vec::new(), String::new());
     let mut letters = text.chars().peekable();
@@ -311,7 +317,7 @@ fn canvas(raw: &str) -> Written {
         }
     }
     list.push(said(&item));
-    Written::Whole { text: text.replace("\\,", ","), list }
+    QuizText::Whole { text: text.replace("\\,", ","), list }
 }
 
 /// A word that may be the code of a variant.
@@ -365,7 +371,7 @@ mod tests {
     #[test]
     fn cloze_answers_come_apart() {
         let parts = |text: &str| match moodle(text) {
-            Written::Parts(parts) => parts.join("|"),
+            QuizText::Parts(parts) => parts.join("|"),
             other => format!("{other:?}"),
         };
         assert_eq!(parts("part 1: 12.3; part 2: up"), "12.3|up");
@@ -373,21 +379,21 @@ mod tests {
         assert_eq!(parts("partie 1 : 1; partie 2 : 2"), "1|2");
         assert_eq!(parts("part 1: "), "");
         assert_eq!(parts("part 1: a; part 3: b; part 2: c"), "a; part 3: b|c");
-        assert_eq!(moodle(" - "), Written::Nothing);
+        assert_eq!(moodle(" - "), QuizText::Nothing);
         for whole in ["12.3 rad/s", "1: 2", "1,5", "part 2: 5", "up 1 m: 3"] {
-            assert!(matches!(moodle(whole), Written::Whole { .. }), "{whole}");
+            assert!(matches!(moodle(whole), QuizText::Whole { .. }), "{whole}");
         }
     }
 
     #[test]
     fn lists_of_canvas_come_apart() {
         let list = |text: &str| match canvas(text) {
-            Written::Whole { list, .. } => list.join("|"),
+            QuizText::Whole { list, .. } => list.join("|"),
             other => format!("{other:?}"),
         };
         assert_eq!(list("12\\,3 rad/s,up,"), "12,3 rad/s|up|");
         assert_eq!(list("a\\b,-"), "a\\b|");
-        assert_eq!(canvas(" "), Written::Nothing);
+        assert_eq!(canvas(" "), QuizText::Nothing);
     }
 
     #[test]
@@ -443,9 +449,9 @@ mod tests {
             let text: Vec<String> =
                 (1..).zip(&typed).map(|(i, answer)| format!("{word} {i}: {answer}")).collect();
             let trimmed: Vec<String> = typed.iter().map(|answer| said(answer)).collect();
-            prop_assert_eq!(moodle(&text.join("; ")), Written::Parts(trimmed.clone()));
+            prop_assert_eq!(moodle(&text.join("; ")), QuizText::Parts(trimmed.clone()));
             let list: Vec<String> = typed.iter().map(|answer| answer.replace(',', "\\,")).collect();
-            if let Written::Whole { list, .. } = canvas(&format!("{},x", list.join(","))) {
+            if let QuizText::Whole { list, .. } = canvas(&format!("{},x", list.join(","))) {
                 prop_assert_eq!(&list[..typed.len()], &trimmed[..]);
             }
         }

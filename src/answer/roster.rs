@@ -1,7 +1,7 @@
 //! Rosters, and student ids as names of folders.
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
+use crate::csv_field::unguarded;
 use crate::finding::{Finding, Findings};
-use crate::guard::unguarded;
 use rustc_hash::FxHashMap;
 use std::io::Cursor;
 

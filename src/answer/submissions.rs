@@ -12,9 +12,9 @@ use std::io::Read;
 use std::ops::Range;
 
 /// A field longer than this cannot be read.
-pub const FIELD_CAP: usize = 64 * 1024;
+const FIELD_CAP: usize = 64 * 1024;
 /// A quoted field with more lines than this was not meant as one.
-pub const LINE_CAP: u64 = 100;
+const LINE_CAP: u64 = 100;
 /// A record must be decided within this many bytes.
 const LOOKAHEAD: usize = 2 * FIELD_CAP;
 /// Bytes of an overlong record that are kept to show it.
@@ -456,19 +456,6 @@ impl Batch {
     /// Bytes held, for progress.
     pub fn size(&self) -> usize {
         self.bytes.len()
-    }
-}
-
-/// The text of a small file, by its byte order mark; without one UTF-8, or else Windows-1252.
-pub fn text_of(raw: &[u8]) -> Cow<'_, str> {
-    match Encoding::for_bom(raw) {
-        Some((encoding, length)) => {
-            encoding.decode_without_bom_handling(raw.get(length..).unwrap_or_default()).0
-        }
-        None => match std::str::from_utf8(raw) {
-            Ok(text) => Cow::Borrowed(text),
-            Err(_) => WINDOWS_1252.decode_without_bom_handling(raw).0,
-        },
     }
 }
 

@@ -85,6 +85,28 @@ const WORDS: [(AnswerWord, &str); 9] = [
 const NO_MOTION: [&str; 5] =
     ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"];
 
+/// What people write of a direction in more than one word, as far as [`phrase`] reads it.
+#[cfg(feature = "program")]
+const DIRECTIONS: [&str; 17] = [
+    "up the incline",
+    "down the incline",
+    "up the slope",
+    "down the slope",
+    "to the right",
+    "to the left",
+    "nach oben",
+    "nach unten",
+    "nach vorn",
+    "nach vorne",
+    "nach hinten",
+    "nach rechts",
+    "nach links",
+    "die Ebene hinauf",
+    "die Ebene hinab",
+    "die schiefe Ebene hinauf",
+    "die schiefe Ebene hinab",
+];
+
 /// All that is read as this word of a key where nothing stands beside it.
 #[cfg(feature = "program")]
 pub fn spellings(word: &str) -> Vec<&'static str> {
@@ -96,7 +118,9 @@ pub fn spellings(word: &str) -> Vec<&'static str> {
     };
     let read_so = WORDS.iter().filter(|(w, _)| [word, also].contains(&w.as_str()));
     let phrases = NO_MOTION.into_iter().filter(|_| word == "stays");
-    read_so.flat_map(|(_, all)| all.split_ascii_whitespace()).chain(phrases).collect()
+    let reads = |said: &&str| matches!(phrase(said), Some(Ok(w)) if [word, also].contains(&w.as_str()));
+    let directions = DIRECTIONS.into_iter().filter(reads);
+    read_so.flat_map(|(_, all)| all.split_ascii_whitespace()).chain(phrases).chain(directions).collect()
 }
 
 /// Words that say nothing more beside them.

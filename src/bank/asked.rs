@@ -2,7 +2,8 @@
 use crate::bank::expression::{Expression, Name};
 use crate::bank::node::{Faults, Node, choice, named, shorten, text};
 use crate::bank::scene::DatumUse;
-use crate::bank::{Datum, measure, need::Need, review};
+use crate::bank::{Datum, checks, measure, need::Need};
+use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term};
 use crate::units::Unit;
@@ -33,7 +34,7 @@ pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: 
         }
         if Quantity::from_name(id).is_some() {
             let hint = "give it a name of its own, such as `largest`, and name the quantity by `quantity:`";
-            faults.hint(key, format!("`{id}` is a quantity itself; this question asks another thing"), hint);
+            faults.hint(key, told!("`{id}` is a quantity itself; this question asks another thing"), hint);
         }
         let asked = read(id, key, node, scene, context, faults).unwrap_or_else(|| nothing(id));
         let terms = asked.formula.names().filter_map(|term| match term {
@@ -69,24 +70,21 @@ fn read(
     };
     let target = other.map_or(&*scene, |at| &scene.formulas.others[at].1);
     let told = |n: &Node, (message, hint): (String, Option<String>)| {
-        let case =
-            if context.case.is_empty() { String::new() } else { format!(" (case `{}`)", context.case) };
-        faults.maybe(n, format!("{message}{case}"), hint);
+        let case = if context.case.is_empty() { String::new() } else { told!(" (case `{}`)", context.case) };
+        faults.maybe(n, told!("{message}{case}"), hint);
     };
     let term = |label: Label| match other {
         None => Term::Said(label),
         Some(at) => Term::Other(at, label),
     };
     let how = how.and_then(Node::text).map(str::trim);
-    let condition = how.map_or_else(String::new, |how| format!(", if: {how}"));
+    let condition = how.map_or_else(String::new, |how| told!(", if: {how}"));
     let Some(written) = value else {
         let name = quantity.and_then(Node::text).map_or(id, str::trim);
-        let label = review::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
+        let label = checks::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
         if label.quantity.is_word() {
-            faults.at(
-                quantity.unwrap_or(key),
-                format!("`{name}` is answered with a word; `if:` is for numbers"),
-            );
+            faults
+                .at(quantity.unwrap_or(key), told!("`{name}` is answered with a word; `if:` is for numbers"));
             return None;
         }
         let powers = measure::own_powers(label.quantity.unit()).map(|p| p / 4);
@@ -104,13 +102,13 @@ fn read(
     let written_text = text(written, "an expression such as `mu_s*normal`", faults)?;
     let lookup = |name: &str| match measure::datum(context.data, name) {
         Some(found) => Ok(found),
-        None => review::label(target, name).and_then(|label| measure::quantity(target, label, name)),
+        None => checks::label(target, name).and_then(|label| measure::quantity(target, label, name)),
     };
     let expression = match Expression::parse(&written_text, &lookup) {
         Ok(expression) => expression,
         Err(mut fault) => {
             if !context.case.is_empty() {
-                fault.message.push_str(&format!(" (case `{}`)", context.case));
+                fault.message.push_str(&told!(" (case `{}`)", context.case));
             }
             fault.tell(written, &written_text, faults);
             return None;
@@ -119,16 +117,16 @@ fn read(
     let powers = expression.powers.map(|p| p / 4);
     let dimension = measure::powers_text(expression.powers);
     let Some(unit) = unit else {
-        let hint = format!("write its unit; the expression has the dimension {dimension}");
-        faults.hint(node, format!("`{id}` asks for an expression, and `unit` is missing"), hint);
+        let hint = told!("write its unit; the expression has the dimension {dimension}");
+        faults.hint(node, told!("`{id}` asks for an expression, and `unit` is missing"), hint);
         return None;
     };
     // A unit that is none is told where questions are read.
     let read = Unit::parse(unit.text().unwrap_or("").trim()).ok()?;
     if measure::powers(&read) != expression.powers {
         let found = measure::powers_text(measure::powers(&read));
-        let message = format!("`{}` has the dimension {dimension}, its unit {found}", shorten(&written_text));
-        faults.hint(unit, message, format!("a unit such as {dimension}"));
+        let message = told!("`{}` has the dimension {dimension}, its unit {found}", shorten(&written_text));
+        faults.hint(unit, message, told!("a unit such as {dimension}"));
         return None;
     }
     let formula = expression.formula().map(&mut |name| match name {
@@ -160,10 +158,10 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
         return None;
     }
     let own = Faults::default();
-    review::structure(&other, node, &own);
+    checks::structure(&other, node, &own);
     if let Some(why) = own.into_sorted("").iter().next() {
         let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
-        faults.at(node, format!("as if it {so}, this scene is not solved: {}", why.message));
+        faults.at(node, told!("as if it {so}, this scene is not solved: {}", why.message));
         return None;
     }
     scene.formulas.others.push((how, other));

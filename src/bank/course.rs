@@ -12,13 +12,6 @@ use crate::policy::{
 pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");
 
 const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
-const COUNTS: [(&str, Counts); 3] =
-    [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
-const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
-const UNREAD: [(&str, Unread); 2] = [("in time", Unread::InTime), ("late", Unread::Late)];
-const WAYS: [(&str, RoundingWay); 3] =
-    [("nearest", RoundingWay::Nearest), ("up", RoundingWay::Up), ("down", RoundingWay::Down)];
-const FOR: [(&str, For); 2] = [("all", For::All), ("answered", For::Answered)];
 
 /// Most points of a part.
 const MOST_POINTS: f64 = 1e6;
@@ -60,7 +53,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     if let Some(n) = fields.get("credit") {
         credit(n, &mut policy, faults);
     }
-    fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
+    fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
     fields.set("points", &mut policy.points, |n, f| Some(points_by_part(n, f)));
     fields.set("drop lowest", &mut policy.drop_lowest, |n, f| whole(n, 0, 100, f).map(|n| n as usize));
     fields.set("round", &mut policy.rounding, |n, f| Some(rounding(n, f)));
@@ -104,12 +97,12 @@ fn points_by_part(node: &Node, faults: &Faults) -> Vec<(PolicyPart, f64)> {
 fn attempts(node: &Node, policy: &mut Policy, faults: &Faults) {
     let attempts = &mut policy.attempts;
     if node.text().is_some() {
-        attempts.counts = choice(node, &COUNTS, faults).unwrap_or(attempts.counts);
+        attempts.counts = choice(node, Counts::WORDS, faults).unwrap_or(attempts.counts);
         return;
     }
     let what = "`last`, `best`, `first` or fields (count, at most, penalty, least)";
     let Some(mut fields) = Fields::open(node, what, faults) else { return };
-    fields.set("count", &mut attempts.counts, |n, f| choice(n, &COUNTS, f));
+    fields.set("count", &mut attempts.counts, |n, f| choice(n, Counts::WORDS, f));
     fields.set("at most", &mut attempts.at_most, |n, f| whole(n, 1, 100, f).map(Some));
     fields.set("penalty", &mut attempts.penalty, share);
     fields.set("least", &mut attempts.least, share);
@@ -121,11 +114,11 @@ fn late(node: &Node, policy: &mut Policy, dates: &Dates, faults: &Faults) {
     let Some(mut fields) = Fields::open(node, what, faults) else { return };
     let late = &mut policy.late;
     fields.set("penalty", &mut late.penalty, share);
-    fields.set("per", &mut late.per, |n, f| choice(n, &PER, f));
+    fields.set("per", &mut late.per, |n, f| choice(n, Per::WORDS, f));
     fields.set("at most", &mut late.most, share);
     fields.set("grace", &mut late.grace, duration);
     fields.set("closes", &mut late.closes, |n, f| moment(n, dates, f).map(Some));
-    fields.set("unread", &mut late.unread, |n, f| choice(n, &UNREAD, f).map(Some));
+    fields.set("unread", &mut late.unread, |n, f| choice(n, Unread::WORDS, f).map(Some));
     if let Some(n) = node.field("penalty")
         && late.penalty > 0.0
         && policy.due.is_none()
@@ -169,7 +162,7 @@ fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
     }
     let mut fields = Fields::open(node, "a step such as 0.5, or fields (to, way)", faults)?;
     let to = fields.need("to", "0.5").and_then(step);
-    let way = fields.read("way", |n, f| choice(n, &WAYS, f)).unwrap_or(RoundingWay::Nearest);
+    let way = fields.read("way", |n, f| choice(n, RoundingWay::WORDS, f)).unwrap_or(RoundingWay::Nearest);
     fields.close();
     Some(Rounding { to: to?, way })
 }
@@ -187,7 +180,7 @@ fn correction(node: &Node, faults: &Faults) -> Option<Correction> {
     let mut fields = Fields::open(node, "a correction (part, give, to, why)", faults)?;
     let part = fields.need("part", "2.v");
     let give = fields.get("give");
-    let to = fields.read("to", |n, f| choice(n, &FOR, f));
+    let to = fields.read("to", |n, f| choice(n, For::WORDS, f));
     let why = fields.need("why", "part 2 was ambiguous").and_then(|n| text(n, "a reason", faults));
     fields.close();
     let share = match give {
@@ -270,18 +263,12 @@ fn duration(node: &Node, faults: &Faults) -> Option<i64> {
 }
 
 fn number(node: &Node) -> Option<f64> {
-    Decimal::parse(node.text()?.trim()).and_then(|d| d.text().parse().ok())
+    Decimal::parse(node.text()?.trim()).map(|d| d.f64())
 }
 
 /// `25 %` or `0.25`: 0 to 1.
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
-    let text = node.text().unwrap_or("").trim();
-    let read = |t: &str| Decimal::parse(t.trim()).and_then(|d| d.text().parse::<f64>().ok());
-    let found = match text.strip_suffix('%') {
-        Some(percent) => read(percent).map(|x| x / 100.0),
-        None => read(text),
-    };
-    let found = found.filter(|x| (0.0..=1.0).contains(x));
+    let found = Decimal::share(node.text().unwrap_or("")).ok().filter(|x| (0.0..=1.0).contains(x));
     if found.is_none() {
         let hint = "from `0 %` to `100 %`";
         faults.hint(node, format!("expected a share of the points, found {}", node.kind()), hint);

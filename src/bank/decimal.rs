@@ -1,9 +1,11 @@
 //! Decimal numbers as integers: no float, so that the printed value is the value used.
 use crate::bank::node::shorten;
+use crate::finding::told;
 use crate::units::TENS;
+use std::fmt::Write as _;
 
 /// Most decimals of a datum.
-pub const MAX_DECIMALS: u8 = 12;
+const MAX_DECIMALS: u8 = 12;
 /// Most digits of a datum: they fit a double exactly.
 pub const MAX_DIGITS: usize = 15;
 
@@ -21,7 +23,13 @@ impl Decimal {
     pub fn parse(text: &str) -> Option<Self> {
         Self::read(text).ok()
     }
-    /// The same; errors: what is wrong with it, in words.
+    /// Reads a share, `5 %` or `0.05`; errors: what is wrong with its number, in words.
+    pub fn share(text: &str) -> Result<f64, String> {
+        let text = text.trim();
+        let (digits, more) = text.strip_suffix('%').map_or((text, 0), |rest| (rest.trim(), 2));
+        Self::read(digits).map(|d| Self { decimals: d.decimals + more, ..d }.f64())
+    }
+    /// The same as [`Decimal::parse`]; errors: what is wrong with it, in words.
     pub fn read(text: &str) -> Result<Self, String> {
         let (negative, digits) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),
@@ -30,11 +38,11 @@ impl Decimal {
         let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
         let all = whole.bytes().chain(part.bytes());
         if whole.is_empty() || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.') {
-            return Err(format!("`{}` is not a decimal number", shorten(text)));
+            return Err(told!("`{}` is not a decimal number", shorten(text)));
         }
         let decimals = u8::try_from(part.len()).ok().filter(|d| *d <= MAX_DECIMALS);
         let (Some(decimals), true) = (decimals, whole.len() + part.len() <= MAX_DIGITS) else {
-            return Err(format!(
+            return Err(told!(
                 "`{}` has too many digits: {} in all and {} after the point, where at most {MAX_DIGITS} and {MAX_DECIMALS} are read",
                 shorten(text),
                 whole.len() + part.len(),
@@ -67,19 +75,24 @@ impl Decimal {
     /// The nearest double: digits and power of ten are doubles themselves, so that one quotient is all rounding there is.
     #[expect(clippy::cast_precision_loss, reason = "at most 15 digits")]
     pub fn f64(self) -> f64 {
-        self.value as f64 / TENS[usize::from(self.decimals.min(MAX_DECIMALS))]
+        self.value as f64 / TENS[usize::from(self.decimals)]
     }
     /// As it is printed: `-0.30`.
     pub fn text(self) -> String {
-        let digits = self.value.unsigned_abs().to_string();
+        let mut text = String::new();
+        self.push(&mut text);
+        text
+    }
+    /// Appends it as it is printed.
+    pub fn push(self, out: &mut String) {
+        let digits = self.value.unsigned_abs();
         let sign = if self.value < 0 { "-" } else { "" };
-        let decimals = usize::from(self.decimals);
-        if decimals == 0 {
-            return format!("{sign}{digits}");
-        }
-        let digits = format!("{digits:0>width$}", width = decimals + 1);
-        let (whole, part) = digits.split_at(digits.len() - decimals);
-        format!("{sign}{whole}.{part}")
+        let width = usize::from(self.decimals);
+        let ten = 10u64.saturating_pow(u32::from(self.decimals));
+        let _ = match width {
+            0 => write!(out, "{sign}{digits}"),
+            _ => write!(out, "{sign}{}.{:0width$}", digits / ten, digits % ten),
+        };
     }
 }
 

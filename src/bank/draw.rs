@@ -2,6 +2,7 @@
 use crate::bank::Draw;
 use crate::bank::decimal::{Decimal, MAX_DIGITS};
 use crate::bank::node::shorten;
+use crate::finding::told;
 
 /// The forms of a draw, for hints.
 pub const FORMS: &str = "write `25 to 50 step 1`, `one of 10, 20, 45` or `always 30`";
@@ -21,19 +22,19 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
         if let Some((i, v)) = values.iter().enumerate().find(|(i, v)| values[..*i].contains(v)) {
             let shown = Decimal { value: *v, decimals }.text();
             return Err((
-                format!("{shown} stands twice (again as number {})", i + 1),
+                told!("{shown} stands twice (again as number {})", i + 1),
                 "list each value once".into(),
             ));
         }
         return Ok(Draw::OneOf { values, decimals });
     }
     let Some((low, rest)) = text.split_once(" to ") else {
-        return Err((format!("`{}` is no draw", shorten(text)), FORMS.to_owned()));
+        return Err((told!("`{}` is no draw", shorten(text)), FORMS.to_owned()));
     };
     let Some((high, step)) = rest.split_once(" step ") else {
         return Err((
-            format!("`{}` has no step", shorten(text)),
-            format!("write `{} to {} step ...`: values are drawn on a grid", low.trim(), rest.trim()),
+            told!("`{}` has no step", shorten(text)),
+            told!("write `{} to {} step ...`: values are drawn on a grid", low.trim(), rest.trim()),
         ));
     };
     let (low, high, step) = (number(low.trim())?, number(high.trim())?, number(step.trim())?);
@@ -41,23 +42,20 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
     let all = |d: Decimal| d.widened(decimals).ok_or_else(too_long);
     let (min, max, size) = (all(low)?, all(high)?, all(step)?);
     if size <= 0 {
-        return Err((
-            format!("the step {} is not above 0", step.text()),
-            "a step is a positive number".into(),
-        ));
+        return Err((told!("the step {} is not above 0", step.text()), "a step is a positive number".into()));
     }
     if min > max {
         return Err((
-            format!("{} is above {}", low.text(), high.text()),
-            format!("write `{} to {} step {}`", high.text(), low.text(), step.text()),
+            told!("{} is above {}", low.text(), high.text()),
+            told!("write `{} to {} step {}`", high.text(), low.text(), step.text()),
         ));
     }
     let left = (max - min) % size;
     if left != 0 {
         let last = Decimal { value: max - left, decimals }.text();
         return Err((
-            format!("the step {} does not lead from {} to {}", step.text(), low.text(), high.text()),
-            format!("the last value would be {last}: write `{} to {last} step {}`", low.text(), step.text()),
+            told!("the step {} does not lead from {} to {}", step.text(), low.text(), high.text()),
+            told!("the last value would be {last}: write `{} to {last} step {}`", low.text(), step.text()),
         ));
     }
     Ok(Draw::Grid { min, max, step: size, decimals })
@@ -66,7 +64,7 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
 fn too_long() -> (String, String) {
     (
         "these numbers have too many digits".to_owned(),
-        format!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
+        told!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
     )
 }
 

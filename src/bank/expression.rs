@@ -5,6 +5,7 @@
 use crate::bank::Datum;
 use crate::bank::measure;
 use crate::bank::node::{Faults, Node, shorten};
+use crate::finding::told;
 use crate::num::formula;
 use crate::num::formula::Formula;
 use crate::num::trig;
@@ -49,7 +50,7 @@ pub struct ExpressionFault {
 impl ExpressionFault {
     /// Tells it of the text at a node.
     pub fn tell(self, node: &Node, text: &str, faults: &Faults) {
-        let message = format!("`{}`, character {}: {}", shorten(text), self.column, self.message);
+        let message = told!("`{}`, character {}: {}", shorten(text), self.column, self.message);
         faults.maybe(node, message, self.hint);
     }
 }
@@ -70,13 +71,13 @@ impl Expression {
         let chars: Vec<char> = text.chars().collect();
         let mut parser = Parser { chars: &chars, at: 0, steps: Vec::new(), depth: 0, strict, lookup };
         if chars.len() > LENGTH {
-            return Err(parser.trouble(format!("longer than {LENGTH} characters")));
+            return Err(parser.trouble(told!("longer than {LENGTH} characters")));
         }
         let powers = parser.sum()?;
         parser.blanks();
         if parser.at < chars.len() {
             let rest = chars[parser.at];
-            let mut fault = parser.trouble(format!("`{rest}` is not expected here"));
+            let mut fault = parser.trouble(told!("`{rest}` is not expected here"));
             if rest.is_alphabetic() || rest == '(' {
                 let hint = "factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has";
                 fault.hint = Some(hint.to_owned());
@@ -223,7 +224,7 @@ impl Parser<'_> {
                 self.at = start;
                 let (one, other) = (measure::powers_text(first), measure::powers_text(next));
                 return Err(
-                    self.trouble(format!("the terms of a sum have different dimensions, {one} and {other}"))
+                    self.trouble(told!("the terms of a sum have different dimensions, {one} and {other}"))
                 );
             }
             self.steps.push(step);
@@ -309,7 +310,7 @@ impl Parser<'_> {
                 }
                 _ => {
                     self.at = start;
-                    Err(self.trouble(format!("`{digits}` is not a number")))
+                    Err(self.trouble(told!("`{digits}` is not a number")))
                 }
             };
         }
@@ -339,7 +340,7 @@ impl Parser<'_> {
                     "abs" => self.steps.push(formula::Step::Abs),
                     _ if self.strict && powers != [0; 3] => {
                         self.at = start;
-                        return Err(self.trouble(format!("`{name}` takes an angle")));
+                        return Err(self.trouble(told!("`{name}` takes an angle")));
                     }
                     "sin" => self.steps.push(formula::Step::Sin),
                     _ => self.steps.push(formula::Step::Cos),
@@ -358,7 +359,7 @@ impl Parser<'_> {
                 Err((message, hint)) => Err(ExpressionFault { column: start + 1, message, hint }),
             };
         }
-        Err(self.trouble(format!("`{c}` is not expected here")))
+        Err(self.trouble(told!("`{c}` is not expected here")))
     }
 }
 
@@ -370,7 +371,7 @@ mod tests {
         Expression::parse(text, &|name| match name {
             "k" => Ok((Name::Datum(0, false), [4, 0, 0])),
             "r" => Ok((Name::Datum(1, false), [4, 0, 0])),
-            _ => Err((format!("`{name}` is not known"), None)),
+            _ => Err((told!("`{name}` is not known"), None)),
         })
     }
 

@@ -1,7 +1,8 @@
 //! The inverse question: a datum that is `unknown:` is found from another one that was `measured:`.
 use crate::bank::node::{Faults, Node};
 use crate::bank::scene::DatumUse;
-use crate::bank::{Datum, measure, need::Need, review};
+use crate::bank::{Datum, checks, measure, need::Need};
+use crate::finding::told;
 use crate::scene::{Found, Given, Num, Scene, admissible};
 
 /// The one datum that was measured, where one is unknown; anything else is told.
@@ -17,7 +18,7 @@ pub fn only<'n>(
         ([_], [one]) => Some(*one),
         ([symbol], []) => {
             let message =
-                format!("`{symbol}` is unknown, and nothing is measured from which it could be found");
+                told!("`{symbol}` is unknown, and nothing is measured from which it could be found");
             faults.hint(problem, message, "give a datum `measured:` and a quantity, such as `measured: t`");
             None
         }
@@ -52,10 +53,10 @@ pub fn put(
     let unknown = data.iter().enumerate().find_map(|(i, d)| Some((i, d.unknown.as_ref()?)));
     let (Some((i, draw)), Some((at, node))) = (unknown, measured) else { return Vec::new() };
     let name = node.text().unwrap_or("").trim();
-    let label = match review::label(scene, name) {
+    let label = match checks::label(scene, name) {
         Ok(label) if !label.quantity.is_word() => label,
         Ok(_) => {
-            faults.at(node, format!("`{name}` is a word: only a number is measured"));
+            faults.at(node, told!("`{name}` is a word: only a number is measured"));
             return Vec::new();
         }
         Err((message, hint)) => {
@@ -67,13 +68,13 @@ pub fn put(
     let (own, wanted) = (measure::powers(&data[at].unit), measure::own_powers(label.quantity.unit()));
     if own != wanted {
         let (own, wanted) = (measure::powers_text(own), measure::powers_text(wanted));
-        faults.at(node, format!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
+        faults.at(node, told!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
         return Vec::new();
     }
     let mut used = false;
     admissible::rules(scene, |number, _| used |= scene.data_of(number).any(|datum| datum == i));
     if !used {
-        let message = format!("`{symbol}` is to be found, but the scene does not use it");
+        let message = told!("`{symbol}` is to be found, but the scene does not use it");
         faults.hint(
             problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node),
             message,
@@ -97,7 +98,7 @@ pub fn put(
         let place = problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node);
         faults.hint(
             place,
-            format!("`{symbol}` cannot have all values of this range"),
+            told!("`{symbol}` cannot have all values of this range"),
             "such as `unknown: 1 to 3 step 0.1`",
         );
         return Vec::new();

@@ -3,12 +3,13 @@ use crate::bank::Datum;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Name};
 use crate::bank::node::shorten;
+use crate::finding::told;
 use crate::scene::{Label, Owner, Scene};
 use crate::units::{Unit, parse_quantity};
 
 /// A unit from its spelling, or what is wrong with it.
 pub fn unit(text: &str) -> Result<Unit, String> {
-    Unit::parse(text.trim()).map_err(|fault| format!("`{}`: {fault}", shorten(text)))
+    Unit::parse(text.trim()).map_err(|fault| told!("`{}`: {fault}", shorten(text)))
 }
 
 /// One of the program's own spellings.
@@ -32,9 +33,9 @@ pub fn mismatch(unit: &Unit, wanted: &str) -> String {
 
 /// A constant of a scene such as `20 kg`: SI, a slope in degrees. A plain number has no dimension.
 pub fn constant(text: &str, wanted: &str) -> Result<f64, String> {
-    let read = parse_quantity(text, &Unit::one()).map_err(|fault| format!("`{}`: {fault}", shorten(text)))?;
+    let read = parse_quantity(text, &Unit::one()).map_err(|fault| told!("`{}`: {fault}", shorten(text)))?;
     if !fits(&read.unit, wanted) {
-        return Err(format!("`{}`: {}", shorten(text), mismatch(&read.unit, wanted)));
+        return Err(told!("`{}`: {}", shorten(text), mismatch(&read.unit, wanted)));
     }
     Ok(if wanted == "deg" { read.value_scene } else { read.value_si })
 }
@@ -46,7 +47,7 @@ pub fn decimal_constant(text: &str) -> Result<(Decimal, Unit), String> {
         text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(text.len());
     let (digits, rest) = text.split_at(end);
     let number = Decimal::read(digits.trim()).map_err(|why| match digits.is_empty() {
-        true => format!("`{}` does not begin with a decimal number", shorten(text)),
+        true => told!("`{}` does not begin with a decimal number", shorten(text)),
         false => why,
     })?;
     let unit = if rest.trim().is_empty() { Unit::one() } else { unit(rest)? };
@@ -108,7 +109,7 @@ pub fn quantity(
 /// Those of [`quantity`].
 pub fn own_quantity(label: Label, name: &str) -> Result<(Name, Exponents), (String, Option<String>)> {
     if label.quantity.is_word() {
-        return Err((format!("`{name}` is a word, not a number"), None));
+        return Err((told!("`{name}` is a word, not a number"), None));
     }
     Ok((Name::Quantity(label), own_powers(label.quantity.unit())))
 }

@@ -4,7 +4,8 @@ use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
-use crate::bank::{Datum, Follow, Mistake, Question, asked, found, measure, review};
+use crate::bank::{Datum, Follow, Mistake, Question, asked, checks, found, measure};
+use crate::finding::told;
 use crate::scene::{Label, Scene};
 use crate::units::spell;
 use std::cell::Cell;
@@ -48,7 +49,7 @@ pub fn mistakes(node: &Node, context: &Context, faults: &Faults) -> Vec<Mistake>
 fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults) -> Option<Mistake> {
     if !is_id(id) {
         let hint = "letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`";
-        faults.hint(key, format!("`{}` is no id of a wrong method", shorten(id)), hint);
+        faults.hint(key, told!("`{}` is no id of a wrong method", shorten(id)), hint);
     }
     let mut fields = Fields::open(node, "a wrong method (data, scene, values, of, cases)", faults)?;
     let (data_node, scene_node) = (fields.get("data"), fields.get("scene"));
@@ -77,7 +78,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
                 let names = context.data.iter().map(|d| d.symbol.as_str());
                 faults.maybe(
                     key,
-                    format!("`{}` is no symbol of the data", shorten(symbol)),
+                    told!("`{}` is no symbol of the data", shorten(symbol)),
                     spell::did_you_mean(symbol, names),
                 );
             }
@@ -96,7 +97,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
             items.iter().filter_map(|i| label(i.text().unwrap_or(""), i, context, faults)).collect()
         }
         _ => {
-            faults.at(n, format!("expected a list of quantities, found {}", n.kind()));
+            faults.at(n, told!("expected a list of quantities, found {}", n.kind()));
             Vec::new()
         }
     });
@@ -110,7 +111,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
 /// The cases in which a method is taken.
 fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
     let Value::List(items) = &node.value else {
-        faults.at(node, format!("expected a list of cases, found {}", node.kind()));
+        faults.at(node, told!("expected a list of cases, found {}", node.kind()));
         return Vec::new();
     };
     let mut found = Vec::new();
@@ -120,7 +121,7 @@ fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
             Some(index) => found.push(index),
             None => {
                 let hint = spell::did_you_mean(name, context.cases.iter().map(|case| case.name));
-                faults.maybe(item, format!("`{}` is no case of this problem", shorten(name)), hint);
+                faults.maybe(item, told!("`{}` is no case of this problem", shorten(name)), hint);
             }
         }
     }
@@ -136,7 +137,7 @@ fn is_id(text: &str) -> bool {
 /// The scene with some of its fields replaced, read by the reader of scenes.
 fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
     let (Value::Map(old), Value::Map(new)) = (&case.node.value, &changes.value) else {
-        faults.at(changes, format!("expected fields of a scene, found {}", changes.kind()));
+        faults.at(changes, told!("expected fields of a scene, found {}", changes.kind()));
         return None;
     };
     let mut fields = old.clone();
@@ -160,7 +161,7 @@ fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Fault
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
     for CaseContext { scene, .. } in context.cases {
-        match review::label(scene, name) {
+        match checks::label(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
         }
@@ -184,7 +185,7 @@ pub fn follows(
         let Some(index) = questions.iter().position(|q| q.id == id) else {
             if whole {
                 let hint = spell::hint(id, "questions", questions.iter().map(|q| q.id.as_str()));
-                faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
+                faults.hint(key, told!("`{}` is no question that is asked", shorten(id)), hint);
             }
             continue;
         };
@@ -192,15 +193,15 @@ pub fn follows(
         let wanted = measure::powers(&questions[index].unit);
         if by.powers != wanted {
             let (found, wanted) = (measure::powers_text(by.powers), measure::powers_text(wanted));
-            faults.at(value, format!("this has the dimension {found}, `{id}` {wanted}"));
+            faults.at(value, told!("this has the dimension {found}, `{id}` {wanted}"));
         }
         let from: Vec<usize> =
             (0..index).filter(|q| by.quantities().any(|l| l == questions[*q].label)).collect();
         if from.is_empty() && whole {
             let earlier: Vec<&str> = questions[..index].iter().map(|q| q.id.as_str()).collect();
             let hint = match earlier.is_empty() {
-                true => format!("`{id}` is asked first: ask before it what it follows from"),
-                false => format!("name one of: {}", earlier.join(", ")),
+                true => told!("`{id}` is asked first: ask before it what it follows from"),
+                false => told!("name one of: {}", earlier.join(", ")),
             };
             faults.hint(value, "this follows from no part that is asked before", hint);
         }
@@ -221,9 +222,9 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         }
         // Without a scene there is no quantity, and why there is none is a finding already.
         scene_read.set(!context.cases.is_empty());
-        let mut trouble = (format!("`{}` is not known", shorten(name)), None);
+        let mut trouble = (told!("`{}` is not known", shorten(name)), None);
         for CaseContext { scene, .. } in context.cases {
-            match review::label(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
+            match checks::label(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
                 Ok(found) => return Ok(found),
                 Err(fault) => trouble = fault,
             }

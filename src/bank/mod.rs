@@ -1,10 +1,11 @@
 //! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
+use crate::bank::decimal::Decimal;
 use crate::bank::expression::Expression;
 use crate::finding::Findings;
 use crate::policy::Policy;
 use crate::scene::{Label, Num, Scene};
 use crate::solve::outcome::CheckKind;
-use crate::units::Unit;
+use crate::units::{Unit, WrittenQuantity};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -91,6 +92,21 @@ pub struct Datum {
     pub degrees: bool,
     /// It is not given but found, from a measurement: the draw that is its range.
     pub unknown: Option<Draw>,
+}
+
+impl Datum {
+    /// The number of a printed value, as the scene takes it: SI, slopes in degrees. It is the nearest double.
+    pub fn number(&self, value: Decimal) -> f64 {
+        if self.degrees {
+            self.unit.decimal_to_scene(value.value, value.decimals)
+        } else {
+            self.unit.decimal_to_si(value.value, value.decimals)
+        }
+    }
+    /// The number of a quantity that was typed, as the scene takes it.
+    pub fn typed(&self, quantity: &WrittenQuantity) -> f64 {
+        if self.degrees { quantity.value_scene } else { quantity.value_si }
+    }
 }
 
 /// How a datum is drawn. All numbers are integers in units of 10^-decimals of the printed unit: no float in the draw.
@@ -278,6 +294,7 @@ pub mod any;
 pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;
+pub mod checks;
 #[cfg(feature = "program")]
 pub mod course;
 pub mod decimal;
@@ -291,7 +308,6 @@ pub mod need;
 pub mod node;
 #[cfg(feature = "program")]
 pub mod overlay;
-pub mod review;
 pub mod scene;
 pub mod schema;
 #[cfg(feature = "program")]

@@ -1,5 +1,7 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
 
+use crate::finding::told;
+
 /// What a number is used for: it decides unit and admissible values.
 #[derive(Debug, Clone, Copy)]
 pub struct Need {
@@ -64,6 +66,6 @@ impl Need {
     /// The rule that it breaks, in words.
     pub fn admits(self, value: f64) -> Result<(), String> {
         let (admits, rule) = self.range;
-        if admits(value) { Ok(()) } else { Err(format!("{} is {rule}", self.words)) }
+        if admits(value) { Ok(()) } else { Err(told!("{} is {rule}", self.words)) }
     }
 }

@@ -1,5 +1,5 @@
 //! A bank as a tree of texts with places; what the texts mean is read elsewhere.
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, told};
 use crate::units::spell;
 use std::cell::RefCell;
 
@@ -96,23 +96,31 @@ pub struct Faults {
 impl Faults {
     /// Adds a finding at a node.
     pub fn at(&self, node: &Node, message: impl Into<String>) {
-        self.push(node, Finding::new(node.path.clone(), message));
+        self.push(node, || Finding::new(node.path.clone(), message));
     }
     /// Adds a finding at a node, with what would be right.
     pub fn hint(&self, node: &Node, message: impl Into<String>, hint: impl Into<String>) {
-        self.push(node, Finding::new(node.path.clone(), message).hint(hint));
+        self.push(node, || Finding::new(node.path.clone(), message).hint(hint));
     }
     /// Adds a finding at a node, with a hint if there is one.
     pub fn maybe(&self, node: &Node, message: impl Into<String>, hint: Option<String>) {
-        let finding = Finding::new(node.path.clone(), message);
-        self.push(node, if let Some(h) = hint { finding.hint(h) } else { finding });
+        self.push(node, || {
+            let finding = Finding::new(node.path.clone(), message);
+            if let Some(h) = hint { finding.hint(h) } else { finding }
+        });
     }
-    fn push(&self, node: &Node, finding: Finding) {
-        let finding = if node.line > 0 { finding.at(node.line, node.column) } else { finding };
+    #[cfg(feature = "program")]
+    fn push(&self, node: &Node, finding: impl FnOnce() -> Finding) {
+        let finding = if node.line > 0 { finding().at(node.line, node.column) } else { finding() };
         let mut list = self.list.borrow_mut();
         if !list.contains(&finding) {
             list.push(finding);
         }
+    }
+    /// That there is a finding; its text is left out ([`told`]).
+    #[cfg(not(feature = "program"))]
+    fn push(&self, _: &Node, _: impl FnOnce() -> Finding) {
+        self.list.borrow_mut().push(Finding::new("", ""));
     }
     /// Has anything been found?
     pub fn is_empty(&self) -> bool {
@@ -142,14 +150,14 @@ impl<'n> Fields<'n> {
     /// Opens a map; anything else is a finding.
     pub fn open(node: &'n Node, what: &str, faults: &'n Faults) -> Option<Self> {
         let Value::Map(entries) = &node.value else {
-            faults.at(node, format!("expected {what}, found {}", node.kind()));
+            faults.at(node, told!("expected {what}, found {}", node.kind()));
             return None;
         };
         for (i, (key, _)) in entries.iter().enumerate() {
             if let Some(text) = key.text()
                 && entries[..i].iter().any(|(k, _)| k.text() == Some(text))
             {
-                faults.hint(key, format!("`{}` stands twice", shorten(text)), "remove one of them");
+                faults.hint(key, told!("`{}` stands twice", shorten(text)), "remove one of them");
             }
         }
         Some(Self { node, faults, asked: Vec::new() })
@@ -167,8 +175,8 @@ impl<'n> Fields<'n> {
     pub fn need(&mut self, name: &'static str, example: &str) -> Option<&'n Node> {
         let found = self.get(name);
         if found.is_none() {
-            let hint = format!("for example `{name}: {example}`");
-            self.faults.hint(self.node, format!("`{name}` is missing"), hint);
+            let hint = told!("for example `{name}: {example}`");
+            self.faults.hint(self.node, told!("`{name}` is missing"), hint);
         }
         found
     }
@@ -199,7 +207,7 @@ impl<'n> Fields<'n> {
                 Some(text) if self.asked.contains(&text) => {}
                 Some(text) => {
                     let hint = spell::hint(text, "fields known here", self.asked.iter().copied());
-                    self.faults.hint(key, format!("unknown field `{}`", shorten(text)), hint);
+                    self.faults.hint(key, told!("unknown field `{}`", shorten(text)), hint);
                 }
                 None => self.faults.at(key, "a field name must be a text"),
             }
@@ -211,7 +219,7 @@ impl<'n> Fields<'n> {
 pub fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     let found = node.text().map(str::trim).filter(|t| !t.is_empty());
     if found.is_none() {
-        faults.at(node, format!("expected {what}, found {}", node.kind()));
+        faults.at(node, told!("expected {what}, found {}", node.kind()));
     }
     found.map(str::to_owned)
 }
@@ -220,8 +228,8 @@ pub fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
 pub fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
     let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));
     if found.is_none() {
-        let known: Vec<String> = words.iter().map(|(w, _)| format!("`{w}`")).collect();
-        faults.at(node, format!("expected {}, found {}", known.join(" or "), node.kind()));
+        let known: Vec<String> = words.iter().map(|(w, _)| told!("`{w}`")).collect();
+        faults.at(node, told!("expected {}, found {}", known.join(" or "), node.kind()));
     }
     found.map(|(_, meaning)| *meaning)
 }
@@ -230,7 +238,7 @@ pub fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Opt
 pub fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32> {
     let found = node.text().and_then(|t| t.trim().parse::<u32>().ok()).filter(|n| (least..=most).contains(n));
     if found.is_none() {
-        faults.at(node, format!("expected a whole number from {least} to {most}, found {}", node.kind()));
+        faults.at(node, told!("expected a whole number from {least} to {most}, found {}", node.kind()));
     }
     found
 }
@@ -238,7 +246,7 @@ pub fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32>
 /// All entries of a map whose names are free (ids, symbols), each name once.
 pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &'n Node, &'n Node)> {
     let Value::Map(entries) = &node.value else {
-        faults.at(node, format!("expected {what}, found {}", node.kind()));
+        faults.at(node, told!("expected {what}, found {}", node.kind()));
         return Vec::new();
     };
     let mut list: Vec<(&str, &Node, &Node)> = Vec::new();
@@ -248,7 +256,7 @@ pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &
             continue;
         };
         if list.iter().any(|(n, _, _)| *n == name) {
-            faults.hint(key, format!("`{}` stands twice", shorten(name)), "remove one of them");
+            faults.hint(key, told!("`{}` stands twice", shorten(name)), "remove one of them");
             continue;
         }
         list.push((name, key, value));

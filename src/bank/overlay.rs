@@ -1,6 +1,6 @@
 //! Texts of a bank in another language, put over its own: title, problems' titles, names of data, questions, statements.
 use crate::bank::node::{Faults, Fields, Node, named, shorten, text};
-use crate::bank::{Bank, Problem, Variables, load, review, yaml};
+use crate::bank::{Bank, Problem, Variables, checks, load, yaml};
 use crate::finding::Findings;
 use crate::units::spell;
 
@@ -83,7 +83,7 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
         let known = was.map(|w| w.questions.iter().find(|q| q.id == id));
         match this.questions.iter_mut().find(|q| q.id == id) {
             Some(question) => {
-                review::template(node, false, &symbols, variables, faults);
+                checks::template(node, false, &symbols, variables, faults);
                 if let Some(text) = words(node, faults)
                     && known.is_none_or(|w| w.is_some_and(|w| w.ask == question.ask))
                 {
@@ -99,7 +99,7 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
     }
     if let Some(node) = statement {
         if was.is_none() {
-            review::template(node, true, &symbols, variables, faults);
+            checks::template(node, true, &symbols, variables, faults);
         }
         if let Some(text) = words(node, faults)
             && was.is_none_or(|w| w.statement == this.statement)

@@ -4,6 +4,7 @@ use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
@@ -212,8 +213,8 @@ impl SceneReader<'_> {
         {
             f.hint(
                 start_node.unwrap_or(node),
-                format!("the angle at which `{}` starts is missing", body.name),
-                format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
+                told!("the angle at which `{}` starts is missing", body.name),
+                told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
         Some(Scene {
@@ -255,8 +256,8 @@ impl SceneReader<'_> {
     fn number(&self, node: &Node, need: Need) -> Option<Num> {
         let f = self.faults;
         let Some(text) = node.text().map(str::trim) else {
-            let hint = format!("a symbol of the data, or a constant such as `{}`", need.example);
-            f.hint(node, format!("expected {}, found {}", need.words, node.kind()), hint);
+            let hint = told!("a symbol of the data, or a constant such as `{}`", need.example);
+            f.hint(node, told!("expected {}, found {}", need.words, node.kind()), hint);
             return None;
         };
         if text == "any" {
@@ -267,8 +268,8 @@ impl SceneReader<'_> {
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
                 f.hint(
                     node,
-                    format!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words),
-                    format!("{} has a unit such as {}", need.words, need.unit),
+                    told!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words),
+                    told!("{} has a unit such as {}", need.words, need.unit),
                 );
                 return None;
             }
@@ -282,18 +283,18 @@ impl SceneReader<'_> {
             let known = self.symbols.iter().map(|s| s.name.as_str());
             let hint = spell::did_you_mean(text, known.clone()).unwrap_or_else(|| {
                 let known: Vec<&str> = known.collect();
-                format!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
+                told!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
             });
-            f.hint(node, format!("`{}` is no symbol of the data", shorten(text)), hint);
+            f.hint(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
             return None;
         }
         match measure::constant(text, need.unit) {
             Ok(value) => match need.admits(value) {
                 Ok(()) => return Some(Num::Fixed(value)),
-                Err(message) => f.at(node, format!("`{}`: {message}", shorten(text))),
+                Err(message) => f.at(node, told!("`{}`: {message}", shorten(text))),
             },
             Err(message) => {
-                f.hint(node, message, format!("{} is written like `{}`", need.words, need.example));
+                f.hint(node, message, told!("{} is written like `{}`", need.words, need.example));
             }
         }
         None
@@ -305,7 +306,7 @@ impl SceneReader<'_> {
             words if words == Need::MASS.words => "m",
             words if words == Need::RADIUS.words => "R",
             _ => {
-                let message = format!("{} cannot be `any`", need.words);
+                let message = told!("{} cannot be `any`", need.words);
                 self.faults.hint(
                     node,
                     message,
@@ -329,11 +330,11 @@ impl SceneReader<'_> {
             let Some(datum) = self.symbols.iter().position(|s| s.name == name) else {
                 let known = self.symbols.iter().map(|s| s.name.as_str());
                 let hint = spell::hint(name, "symbols", known);
-                return Err((format!("`{}` is no symbol of the data", shorten(name)), Some(hint)));
+                return Err((told!("`{}` is no symbol of the data", shorten(name)), Some(hint)));
             };
             let symbol = &self.symbols[datum];
             if symbol.absent {
-                return Err((format!("`{name}` is not drawn"), Some("draw it, or leave it out".to_owned())));
+                return Err((told!("`{name}` is not drawn"), Some("draw it, or leave it out".to_owned())));
             }
             let powers = symbol.unit.as_ref().map_or([0; 3], measure::powers);
             Ok((Name::Datum(datum, false), powers))
@@ -350,12 +351,8 @@ impl SceneReader<'_> {
         if known && expression.powers != wanted {
             let found = measure::powers_text(expression.powers);
             let message =
-                format!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
-            f.hint(
-                node,
-                message,
-                format!("{} has the dimension {}", need.words, measure::powers_text(wanted)),
-            );
+                told!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
+            f.hint(node, message, told!("{} has the dimension {}", need.words, measure::powers_text(wanted)));
             return None;
         }
         let mut uses = self.uses.borrow_mut();
@@ -374,7 +371,7 @@ impl SceneReader<'_> {
             return match need.admits(value) {
                 Ok(()) => Some(Num::Fixed(value)),
                 Err(message) => {
-                    f.at(node, format!("`{}`: {message}", shorten(text)));
+                    f.at(node, told!("`{}`: {message}", shorten(text)));
                     None
                 }
             };
@@ -394,7 +391,7 @@ impl SceneReader<'_> {
                 self.number(&xy[0], Need::PLACE).zip(self.number(&xy[1], Need::PLACE))
             }
             _ => {
-                let message = format!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
+                let message = told!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
                 self.faults.at(node, message);
                 None
             }
@@ -418,7 +415,7 @@ impl SceneReader<'_> {
             return Some(*meaning);
         }
         let hint = spell::hint(&text, "words known here", words.iter().map(|(w, _)| *w));
-        self.faults.hint(node, format!("expected {what}, found {}", node.kind()), hint);
+        self.faults.hint(node, told!("expected {what}, found {}", node.kind()), hint);
         None
     }
 
@@ -429,7 +426,7 @@ impl SceneReader<'_> {
                 Some((key.text().unwrap_or(""), key, value))
             }
             _ => {
-                self.faults.at(node, format!("expected {what}, found {}", node.kind()));
+                self.faults.at(node, told!("expected {what}, found {}", node.kind()));
                 None
             }
         }
@@ -438,7 +435,7 @@ impl SceneReader<'_> {
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
         let hint = spell::hint(text, "known", known.iter().copied());
-        self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
+        self.faults.hint(key, told!("`{}` is no {what}", shorten(text)), hint);
     }
 
     fn surfaces<'n>(&self, node: &'n Node) -> Vec<Surface<'n>> {
@@ -470,7 +467,7 @@ impl SceneReader<'_> {
             if !plain_name(name) {
                 self.faults.hint(
                     key,
-                    format!("`{}` is no name for a body", shorten(name)),
+                    told!("`{}` is no name for a body", shorten(name)),
                     "letters, digits and `_`, beginning with a letter",
                 );
             }
@@ -484,7 +481,7 @@ impl SceneReader<'_> {
         for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
             self.faults.hint(
                 node,
-                format!("nothing moves along the surface `{}`", surface.name),
+                told!("nothing moves along the surface `{}`", surface.name),
                 "remove the surface, or write `moves: along ...`",
             );
         }
@@ -527,7 +524,7 @@ impl SceneReader<'_> {
         if given > 1 {
             f.hint(
                 node,
-                format!("`{name}` has its inertia given {given} times"),
+                told!("`{name}` has its inertia given {given} times"),
                 "keep one of `shape`, `radius of gyration`, `moment of inertia`, `parts`",
             );
         }
@@ -544,7 +541,7 @@ impl SceneReader<'_> {
             if given == 0 {
                 f.hint(
                     node,
-                    format!("`{name}` has no inertia, so it cannot swing"),
+                    told!("`{name}` has no inertia, so it cannot swing"),
                     "give it a `shape`, a `radius of gyration` or a `moment of inertia`",
                 );
             }
@@ -622,7 +619,7 @@ impl SceneReader<'_> {
         let mut radii = Vec::new();
         for (radius, key, value) in named(node, "radii by name", self.faults) {
             if !plain_name(radius) {
-                let message = format!("`{}` is no name for a radius", shorten(radius));
+                let message = told!("`{}` is no name for a radius", shorten(radius));
                 self.faults.hint(key, message, "a name such as `rim`");
             }
             // The use is recorded when a tie acts at this radius.
@@ -649,7 +646,7 @@ impl SceneReader<'_> {
             None => {
                 f.hint(
                     node,
-                    format!("`angle` of `{}` is missing", body.name),
+                    told!("`angle` of `{}` is missing", body.name),
                     "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
                 );
                 None
@@ -673,7 +670,7 @@ impl SceneReader<'_> {
                 (Some(()), Some(_)) => {
                     f.hint(
                         node,
-                        format!("`{}` is no rod, so it has no end", body.name),
+                        told!("`{}` is no rod, so it has no end", body.name),
                         "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
                     );
                     None
@@ -710,14 +707,14 @@ impl SceneReader<'_> {
                     } else {
                         spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };
-                    self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
+                    self.faults.hint(moves, told!("`{}` is no surface of this scene", shorten(on)), hint);
                     return Err(());
                 }
             }
         } else {
             self.faults.hint(
                 moves,
-                format!("expected how the body moves, found {}", moves.kind()),
+                told!("expected how the body moves, found {}", moves.kind()),
                 "`along SURFACE`, `vertically`, `about a fixed axle` or `in the plane`",
             );
             return Err(());
@@ -762,7 +759,7 @@ impl SceneReader<'_> {
         let Value::List(items) = &node.value else {
             f.at(
                 node,
-                format!(
+                told!(
                     "expected a list of parts such as `- disc: {{mass: m1, radius: R}}`, found {}",
                     node.kind()
                 ),
@@ -805,7 +802,7 @@ impl SceneReader<'_> {
         let found = bodies.iter().position(|b| b.name == text);
         if found.is_none() {
             let hint = spell::hint(text, "bodies", bodies.iter().map(|b| b.name.as_str()));
-            self.faults.hint(node, format!("expected a body of this scene, found {}", node.kind()), hint);
+            self.faults.hint(node, told!("expected a body of this scene, found {}", node.kind()), hint);
         }
         found
     }
@@ -820,14 +817,14 @@ impl SceneReader<'_> {
         let text = node.text().unwrap_or("").trim();
         let Some((_, num)) = body.radii_m.iter().find(|(n, _)| n == text) else {
             let hint = if body.radii_m.is_empty() {
-                format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
+                told!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
             } else {
                 let names = body.radii_m.iter().map(|(n, _)| n.as_str());
-                spell::hint(text, &format!("radii of `{}`", body.name), names)
+                spell::hint(text, &told!("radii of `{}`", body.name), names)
             };
             self.faults.hint(
                 node,
-                format!("expected a radius of `{}`, found {}", body.name, node.kind()),
+                told!("expected a radius of `{}`, found {}", body.name, node.kind()),
                 hint,
             );
             return None;
@@ -848,7 +845,7 @@ impl SceneReader<'_> {
     fn ties(&self, node: &Node, bodies: &[Body]) -> Vec<Tie> {
         let f = self.faults;
         let Value::List(items) = &node.value else {
-            f.at(node, format!("expected a list of ties, each after `- `, found {}", node.kind()));
+            f.at(node, told!("expected a list of ties, each after `- `, found {}", node.kind()));
             return Vec::new();
         };
         let mut ties: Vec<Tie> = Vec::new();
@@ -872,14 +869,14 @@ impl SceneReader<'_> {
             {
                 f.hint(
                     item,
-                    format!("`{}` touches its surface twice", bodies[body].name),
+                    told!("`{}` touches its surface twice", bodies[body].name),
                     "keep one of `rolls`, `slips`, `slides`, `touches`",
                 );
             }
             if let Tie::Cord(c) = &tie
                 && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name && c.name != "cord"))
             {
-                f.hint(item, format!("two cords are called `{}`", c.name), "give each its own name");
+                f.hint(item, told!("two cords are called `{}`", c.name), "give each its own name");
             }
             ties.push(tie);
         }
@@ -908,7 +905,7 @@ impl SceneReader<'_> {
         if !surface && body.is_some_and(|b| bodies[b].line.is_some() || bodies[b].turns) {
             f.hint(
                 node,
-                format!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
+                told!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
                 "write `moves: along SURFACE`",
             );
         }
@@ -921,7 +918,7 @@ impl SceneReader<'_> {
             {
                 f.hint(
                     node,
-                    format!("`{}` can turn, so it rolls or slips", bodies[b].name),
+                    told!("`{}` can turn, so it rolls or slips", bodies[b].name),
                     "write `rolls:` or `slips:`",
                 );
                 return None;
@@ -935,7 +932,7 @@ impl SceneReader<'_> {
         {
             f.hint(
                 node,
-                format!("`{}` has no inertia, so it cannot turn", bodies[b].name),
+                told!("`{}` has no inertia, so it cannot turn", bodies[b].name),
                 "give it a `radius of gyration` or a `shape`, or write `slides:`",
             );
         }
@@ -964,7 +961,7 @@ impl SceneReader<'_> {
             Some(n) => match n.text().filter(|t| plain_name(t)) {
                 Some(t) => t.to_owned(),
                 None => {
-                    f.hint(n, format!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
+                    f.hint(n, told!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
                     return None;
                 }
             },
@@ -997,7 +994,7 @@ impl SceneReader<'_> {
         if let (Some(from), Some(Far::Body(to))) = (&from, &far)
             && from.body == to.body
         {
-            f.at(node, format!("both ends of this cord are at `{}`", bodies[from.body].name));
+            f.at(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
             return None;
         }
         Some(Cord { name, from: from?, to: far? })
@@ -1029,13 +1026,13 @@ impl SceneReader<'_> {
         let index = body?;
         let body = &bodies[index];
         if !body.particles.is_empty() {
-            f.at(node, format!("`{}` is made of particles; no cord can be tied to it", body.name));
+            f.at(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
             return None;
         }
         if body.pin.is_some() {
             f.hint(
                 node,
-                format!("no cord is tied to the pinned body `{}`", body.name),
+                told!("no cord is tied to the pinned body `{}`", body.name),
                 "a spring stands under `forces`: `spring: {on: ..., at: b, anchor: [x_A, y_A], ...}`",
             );
             return None;
@@ -1046,7 +1043,7 @@ impl SceneReader<'_> {
                 if !body.turns {
                     f.hint(
                         node,
-                        format!("`{}` has no inertia, so it cannot turn", body.name),
+                        told!("`{}` has no inertia, so it cannot turn", body.name),
                         "write `tied at: centre`",
                     );
                     return None;
@@ -1063,7 +1060,7 @@ impl SceneReader<'_> {
                 let Some(line) = body.line else {
                     f.hint(
                         node,
-                        format!("the centre of `{}` does not move", body.name),
+                        told!("the centre of `{}` does not move", body.name),
                         "write `wound on: ...`",
                     );
                     return None;
@@ -1136,7 +1133,7 @@ impl SceneReader<'_> {
     fn forces(&self, node: &Node, bodies: &mut [Body]) -> Forces {
         let f = self.faults;
         let Value::List(items) = &node.value else {
-            f.at(node, format!("expected a list of forces, each after `- `, found {}", node.kind()));
+            f.at(node, told!("expected a list of forces, each after `- `, found {}", node.kind()));
             return Forces::default();
         };
         let mut list = Forces::default();
@@ -1172,7 +1169,7 @@ impl SceneReader<'_> {
             if let Some(b) = body
                 && !bodies[b].turns
             {
-                f.at(value, format!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
+                f.at(value, told!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
                 continue;
             }
             if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
@@ -1200,13 +1197,13 @@ impl SceneReader<'_> {
         let Some(pin) = &mut bodies[body].pin else {
             f.hint(
                 node,
-                format!("`{name}` is not pinned"),
+                told!("`{name}` is not pinned"),
                 "a spring on a cord is written `cord: {from: ..., spring: {...}}` under `ties`",
             );
             return;
         };
         if pin.spring.is_some() {
-            f.hint(node, format!("`{name}` has a spring already"), "a scene has at most one spring");
+            f.hint(node, told!("`{name}` has a spring already"), "a scene has at most one spring");
         }
         if let (Some(at_m), Some((x_m, y_m)), Some(stiffness_n_m), Some(rest)) = (at, anchor, stiffness, rest)
         {
@@ -1222,7 +1219,7 @@ impl SceneReader<'_> {
         if !matches!(node.value, Value::Map(_)) {
             f.hint(
                 node,
-                format!("expected the start, found {}", node.kind()),
+                told!("expected the start, found {}", node.kind()),
                 "`at rest`, or for example `{wheel: {speed: v0}}`",
             );
             return Vec::new();
@@ -1231,7 +1228,7 @@ impl SceneReader<'_> {
         for (name, key, value) in named(node, "bodies with their speeds", f) {
             let Some(body) = bodies.iter().position(|b| b.name == name) else {
                 let hint = spell::did_you_mean(name, bodies.iter().map(|b| b.name.as_str()));
-                f.maybe(key, format!("`{}` is no body of this scene", shorten(name)), hint);
+                f.maybe(key, told!("`{}` is no body of this scene", shorten(name)), hint);
                 continue;
             };
             let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
@@ -1256,14 +1253,14 @@ impl SceneReader<'_> {
                 }
                 if let Some(n) = speed {
                     if bodies[body].line.is_none() {
-                        f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
+                        f.hint(n, told!("`{name}` does not move along a line"), "write `spin:`");
                     } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
                     }
                 }
                 if let Some(n) = spin {
                     if !bodies[body].turns {
-                        f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
+                        f.hint(n, told!("`{name}` does not turn"), "write `speed:`");
                     } else if let Some(w) = self.at_start(n, Need::SPIN) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
                     }
@@ -1277,8 +1274,8 @@ impl SceneReader<'_> {
                     let names: Vec<&str> = bodies[body].particles.iter().map(|p| p.name.as_str()).collect();
                     f.hint(
                         n,
-                        format!("expected a particle, found {}", n.kind()),
-                        format!("particles: {}", names.join(", ")),
+                        told!("expected a particle, found {}", n.kind()),
+                        told!("particles: {}", names.join(", ")),
                     );
                 }
                 found
@@ -1362,7 +1359,7 @@ impl SceneReader<'_> {
         fields.close();
         let body = body?;
         if word == "turn" && !bodies[body].turns {
-            f.at(value, format!("`{}` does not turn", bodies[body].name));
+            f.at(value, told!("`{}` does not turn", bodies[body].name));
             return None;
         }
         let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
@@ -1370,12 +1367,12 @@ impl SceneReader<'_> {
         if pinned && ["travel", "turn", "position"].contains(&word) {
             f.hint(
                 key,
-                format!("`{name}` is pinned: it ends at an angle"),
-                format!("write `angle: {{of: {name}, reaches: phi1}}`"),
+                told!("`{name}` is pinned: it ends at an angle"),
+                told!("write `angle: {{of: {name}, reaches: phi1}}`"),
             );
         }
         if !pinned && word == "angle" {
-            f.hint(key, format!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
+            f.hint(key, told!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
         }
         if let Some(n) = heading_node.filter(|_| pinned) {
             f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");

@@ -10,8 +10,9 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    any, asked, found, measure, mistake, review,
+    any, asked, checks, found, measure, mistake,
 };
+use crate::finding::told;
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
@@ -111,7 +112,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         }
         for (name, key, value) in list {
             if !plain_id(name) {
-                faults.hint(key, format!("`{}` is no id of a problem", shorten(name)), ID_HINT);
+                faults.hint(key, told!("`{}` is no id of a problem", shorten(name)), ID_HINT);
             }
             if let Some(p) = problem(name, value, &common, variables, faults) {
                 problems.push(p);
@@ -141,7 +142,7 @@ fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
 fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     let mut policy = base.clone();
     if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
-        fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
+        fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
         fields.close();
     }
     policy
@@ -162,7 +163,7 @@ fn id(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     match node.text() {
         Some(t) if plain_id(t) => Some(t.to_owned()),
         _ => {
-            faults.hint(node, format!("{} is no id of {what}", node.kind()), ID_HINT);
+            faults.hint(node, told!("{} is no id of {what}", node.kind()), ID_HINT);
             None
         }
     }
@@ -173,7 +174,7 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
     match measure::decimal_constant(node.text().unwrap_or("")) {
         Ok((value, unit)) if measure::fits(&unit, "m/s^2") && value.value > 0 => Some((value, unit)),
         Ok((_, unit)) if !measure::fits(&unit, "m/s^2") => {
-            faults.hint(node, format!("{} is no acceleration of free fall", node.kind()), example);
+            faults.hint(node, told!("{} is no acceleration of free fall", node.kind()), example);
             None
         }
         Ok(_) => {
@@ -189,42 +190,34 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
 
 /// A share such as `5 %` or `0.05`.
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
-    let text = node.text().unwrap_or("").trim();
-    let (digits, decimals) = match text.strip_suffix('%') {
-        Some(rest) => (rest.trim(), 2),
-        None => (text, 0),
-    };
-    let written = Decimal::read(digits);
-    let read = written.as_ref().ok().and_then(|d| {
-        let decimals = d.decimals.checked_add(decimals)?;
-        Decimal { value: d.value, decimals }.text().parse::<f64>().ok()
-    });
-    if read.is_none() {
-        faults.hint(node, expected("a share", node, written), "write `5 %` or `0.05`");
+    let read = Decimal::share(node.text().unwrap_or(""));
+    if let Err(why) = &read {
+        faults.hint(node, expected("a share", node, Some(why)), "write `5 %` or `0.05`");
     }
-    read
+    read.ok()
 }
 
 /// That something else was expected, or that there are too many digits.
-fn expected(what: &str, node: &Node, read: Result<Decimal, String>) -> String {
-    match read {
-        Err(why) if why.contains("too many digits") => format!("expected {what}: {why}"),
-        _ => format!("expected {what}, found {}", node.kind()),
+fn expected(what: &str, node: &Node, fault: Option<&String>) -> String {
+    match fault.filter(|why| why.contains("too many digits")) {
+        Some(why) => told!("expected {what}: {why}"),
+        None => told!("expected {what}, found {}", node.kind()),
     }
 }
 
 /// Limits of condition numbers: what they are, and from where to where.
 const COND_LIMITS: (&str, f64, f64) = ("a condition number", 1.0, 1000.0);
+/// Limits of points.
+const POINTS: (&str, f64, f64) = ("points", 0.0, 1000.0);
 /// Limits of input energies.
 const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0, 1000.0);
 
 /// A plain number, greatest value of something.
 fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
     let written = Decimal::read(node.text().unwrap_or("").trim());
-    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
-    let fine = read.filter(|x| (least..=most).contains(x));
+    let fine = written.as_ref().ok().map(|d| d.f64()).filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written));
+        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written.as_ref().err()));
     }
     fine
 }
@@ -238,7 +231,7 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         }
         faults.hint(
             n,
-            format!("a relative tolerance of {} makes no sense", n.kind()),
+            told!("a relative tolerance of {} makes no sense", n.kind()),
             "above 0 and below 100 %",
         );
         None
@@ -250,7 +243,7 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         if node.text().is_some_and(|t| t.trim_start().starts_with(|c: char| c.is_alphabetic())) {
             faults.hint(
                 node,
-                format!("expected a relative tolerance, found {}", node.kind()),
+                told!("expected a relative tolerance, found {}", node.kind()),
                 "write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`",
             );
             return None;
@@ -291,7 +284,7 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
                 None
             }
             Err(message) => {
-                faults.hint(n, message, format!("for example `0.5 {}`", unit.ascii()));
+                faults.hint(n, message, told!("for example `0.5 {}`", unit.ascii()));
                 None
             }
         }
@@ -313,7 +306,7 @@ fn problem(
     let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}");
     let data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
-        faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
+        faults.at(n, told!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
     }
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
@@ -349,7 +342,11 @@ fn problem(
             uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
         }
     }
-    read.review(&cases);
+    // A sheet was made from a bank that was reviewed.
+    let reviewed = cfg!(feature = "program");
+    if reviewed {
+        read.review(&cases);
+    }
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
@@ -376,13 +373,15 @@ fn problem(
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
-    review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
+    if reviewed {
+        review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
+    }
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
         let names = data.iter().filter(|d| d.unknown.is_none());
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
-        review::templates(statement_node, questions_node, &names, variables, faults);
+        checks::templates(statement_node, questions_node, &names, variables, faults);
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
@@ -530,7 +529,7 @@ impl<'n> ProblemRead<'n> {
     fn own_case(&self, name: &str, key: &Node, node: &'n Node) -> Option<CaseRead<'n>> {
         let faults = self.faults;
         if name.trim().is_empty() || name.chars().count() > 64 {
-            faults.at(key, format!("`{}` is no name for a case", shorten(name)));
+            faults.at(key, told!("`{}` is no name for a case", shorten(name)));
         }
         let mut fields = Fields::open(node, "a case (share, draws, ...)", faults)?;
         let mut case = self.case(name, node);
@@ -540,7 +539,7 @@ impl<'n> ProblemRead<'n> {
         {
             let Some(i) = self.data.iter().position(|d| d.datum.symbol == symbol) else {
                 let hint = spell::hint(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
-                faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
+                faults.hint(key, told!("`{}` is no symbol of the data", shorten(symbol)), hint);
                 continue;
             };
             let absent = is_none(value);
@@ -577,15 +576,15 @@ impl<'n> ProblemRead<'n> {
                     continue;
                 }
                 let draw = case.draws[i].as_ref();
-                review::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
+                checks::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
             }
             if let Some(scene) = &read.scene {
                 let node = case.scene_node.unwrap_or(case.node);
                 let symbols = self.data.iter().map(|d| d.datum.symbol.clone());
                 let draws: Vec<_> = symbols.zip(case.draws.iter().cloned()).collect();
-                review::structure(scene, node, self.faults);
-                review::instant(scene, &draws, node, self.faults);
-                review::inertia_where_slipping(scene, &draws, case.node, self.faults);
+                checks::structure(scene, node, self.faults);
+                checks::instant(scene, &draws, node, self.faults);
+                checks::inertia_where_slipping(scene, &draws, case.node, self.faults);
             }
         }
     }
@@ -705,7 +704,7 @@ impl CaseRead<'_> {
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     let Some(text) = node.text() else {
-        faults.hint(node, format!("expected a draw, found {}", node.kind()), draw::FORMS);
+        faults.hint(node, told!("expected a draw, found {}", node.kind()), draw::FORMS);
         return None;
     };
     match draw::parse(text) {
@@ -723,7 +722,7 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
         if !scene::plain_name(symbol) {
             faults.hint(
                 key,
-                format!("`{}` is no symbol", shorten(symbol)),
+                told!("`{}` is no symbol", shorten(symbol)),
                 "letters, digits and `_`, beginning with a letter, such as `mu_s`",
             );
         } else if symbol == "g" {
@@ -735,7 +734,7 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
         } else if TEMPLATE_NAMES.contains(&symbol) {
             faults.hint(
                 key,
-                format!("`{symbol}` has a meaning of its own in statements"),
+                told!("`{symbol}` has a meaning of its own in statements"),
                 "choose another symbol",
             );
         }
@@ -827,7 +826,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
         Value::List(items) => items.iter().collect(),
         Value::Text(_) => vec![node],
         _ => {
-            faults.at(node, format!("expected a list of regimes, found {}", node.kind()));
+            faults.at(node, told!("expected a list of regimes, found {}", node.kind()));
             return Vec::new();
         }
     };
@@ -838,7 +837,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
             list.push(text.to_owned());
         } else {
             let hint = spell::hint(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
-            faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
+            faults.hint(item, told!("expected a regime, found {}", item.kind()), hint);
         }
     }
     list
@@ -849,16 +848,14 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
-            faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
+            faults.hint(key, told!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
             Some(s) if (0.0..1.0).contains(&s) => list.push((kind, s)),
-            Some(_) => faults.hint(
-                value,
-                format!("a margin of {} cannot hold", value.kind()),
-                "from 0 to below 100 %",
-            ),
+            Some(_) => {
+                faults.hint(value, told!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %")
+            }
             None => {}
         }
     }
@@ -880,7 +877,7 @@ fn questions(
         if !scene::plain_name(id) {
             faults.hint(
                 key,
-                format!("`{}` is no id of a question", shorten(id)),
+                told!("`{}` is no id of a question", shorten(id)),
                 "letters, digits and `_`, beginning with a letter",
             );
         }
@@ -909,7 +906,7 @@ fn question(
     let tolerance_node = fields.get("tolerance");
     let cond_node = fields.get("cond limit");
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
-    let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
+    let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
     let figures = fields
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
@@ -924,8 +921,8 @@ fn question(
     if is_word {
         let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
         for (node, field) in fields.into_iter().filter_map(|(node, field)| Some((node?, field))) {
-            let hint = format!("remove the {field}");
-            faults.hint(node, format!("`{name}` is answered with a word"), hint);
+            let hint = told!("remove the {field}");
+            faults.hint(node, told!("`{name}` is answered with a word"), hint);
         }
     }
     // What a word does not have is told above, and not read.
@@ -960,18 +957,18 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
     }
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
-        match review::label(scene, name) {
+        match checks::label(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
                 faults.hint(
                     place,
-                    format!("`{name}` belongs to another body in the case `{case}`"),
+                    told!("`{name}` belongs to another body in the case `{case}`"),
                     "list the bodies of all cases in the same order",
                 );
                 return None;
             }
             Err((message, hint)) => {
-                let message = if case.is_empty() { message } else { format!("{message} (case `{case}`)") };
+                let message = if case.is_empty() { message } else { told!("{message} (case `{case}`)") };
                 faults.maybe(place, message, hint);
                 return None;
             }
@@ -987,10 +984,10 @@ fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faul
         // That of an expression is checked where it is read.
         Ok(unit) if quantity == Quantity::Value => return Some(unit),
         Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
-        Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
+        Ok(unit) => told!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
         Err(message) => message,
     };
-    faults.hint(node, message, format!("for example `unit: {}`", quantity.unit()));
+    faults.hint(node, message, told!("for example `unit: {}`", quantity.unit()));
     None
 }
 
@@ -1012,25 +1009,15 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
     match Quantity::from_name(bare) {
         Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
         None => Err((
-            format!("`{}` is no quantity", shorten(name)),
+            told!("`{}` is no quantity", shorten(name)),
             spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())),
         )),
     }
 }
 
-fn points(node: &Node, faults: &Faults) -> Option<f64> {
-    let written = Decimal::read(node.text().unwrap_or("").trim());
-    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
-    let fine = read.filter(|p| (0.0..=1000.0).contains(p));
-    if fine.is_none() {
-        faults.at(node, expected("points from 0 to 1000", node, written));
-    }
-    fine
-}
-
 fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) -> Vec<String> {
     let Value::List(items) = &node.value else {
-        faults.at(node, format!("expected a list of question ids, found {}", node.kind()));
+        faults.at(node, told!("expected a list of question ids, found {}", node.kind()));
         return Vec::new();
     };
     if items.is_empty() {
@@ -1041,9 +1028,9 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
         let text = item.text().unwrap_or("").trim();
         if !questions.iter().any(|(id, _)| id == text) {
             let hint = spell::hint(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
-            faults.hint(item, format!("expected the id of a question, found {}", item.kind()), hint);
+            faults.hint(item, told!("expected the id of a question, found {}", item.kind()), hint);
         } else if list.iter().any(|l| l == text) {
-            faults.at(item, format!("`{text}` is asked twice"));
+            faults.at(item, told!("`{text}` is asked twice"));
         } else {
             list.push(text.to_owned());
         }
@@ -1058,7 +1045,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             if let Some(found) = measure::datum(data, name) {
                 return Ok(found);
             }
-            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
+            let label = scene.map_or_else(|| unowned(name), |s| checks::label(s, name)).map_err(
                 |(message, hint)| {
                     let close = spell::did_you_mean(name, data.iter().map(|d| d.symbol.as_str()));
                     (message, close.or(hint))
@@ -1098,12 +1085,12 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                 let wanted = measure::powers_text(expression.powers);
                 faults.hint(
                     n,
-                    format!(
+                    told!(
                         "`{}` has the dimension {wanted}, this limit {}",
                         shorten(written),
                         measure::powers_text(found)
                     ),
-                    format!("write the unit of the limit, for example `{} {wanted}`", number.text()),
+                    told!("write the unit of the limit, for example `{} {wanted}`", number.text()),
                 );
                 return None;
             }

@@ -64,9 +64,8 @@ fn outputs(args: &args::AccuracyArgs) -> Result<Vec<(PathBuf, StudyFile)>, Findi
     for (i, (path, _)) in found.iter().enumerate() {
         if found.iter().take(i).any(|(other, _)| other == path) {
             faults.push(Finding::new("--out", "is named twice").in_file(path.display().to_string()));
-        } else if path.exists() && !args.force {
-            let fault = Finding::new("--out", "is there already").in_file(path.display().to_string());
-            faults.push(fault.hint("--force replaces it"));
+        } else {
+            faults.extend(files::may_write_file(path, args.force).err());
         }
     }
     faults.into_result(found)

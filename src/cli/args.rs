@@ -1,6 +1,6 @@
 //! What was typed, nothing resolved; keeper of clap.
 use crate::bank::Bank;
-use crate::export::Platform;
+use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::banks::Loaded;
@@ -11,7 +11,8 @@ use crate::sheet::output::Format;
 use crate::sheet::self_check::Hosting;
 use crate::sheet::texts::Texts;
 use crate::solve::method::Method;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
 /// Homework in rigid-body dynamics: draws a problem set for each student, solves every variant twice, grades what comes
@@ -242,27 +243,49 @@ pub struct GenerateArgs {
     pub own: OwnArgs,
 }
 
-/// Which attempt at a part counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum AttemptsArg {
-    /// The last
-    Last,
-    /// The one with the most points
-    Best,
-    /// The first
-    First,
+/// One of some words, each with what it stands for and what that is.
+fn one_of<T: Copy + Send + Sync>(words: &'static [(&str, T, &str)]) -> impl TypedValueParser<Value = T> {
+    let all = words.iter().map(|(word, _, about)| PossibleValue::new(*word).help(*about));
+    PossibleValuesParser::new(all).try_map(|word| {
+        let known = words.iter().find(|(name, ..)| *name == word);
+        known.map(|(_, value, _)| *value).ok_or("this word is not known")
+    })
 }
 
-impl AttemptsArg {
-    /// As settings have it.
-    pub const fn counts(self) -> Counts {
-        match self {
-            Self::Last => Counts::Last,
-            Self::Best => Counts::Best,
-            Self::First => Counts::First,
-        }
-    }
-}
+/// Which attempt at a part counts.
+const ATTEMPTS: &[(&str, Counts, &str)] = &[
+    ("last", Counts::Last, "The last"),
+    ("best", Counts::Best, "The one with the most points"),
+    ("first", Counts::First, "The first"),
+];
+
+/// Are reports made with the grades?
+const REPORTS: &[(&str, Reports, &str)] = &[
+    ("auto", Reports::Auto, "Up to 300,000 answers"),
+    ("yes", Reports::Yes, "Always"),
+    ("no", Reports::No, "Never"),
+];
+
+/// How to come from the start to the end; none is the cheapest way that meets the tolerance.
+type WishedMethod = Option<Method>;
+
+/// Names of the methods.
+const METHODS: &[(&str, WishedMethod, &str)] = &[
+    ("auto", None, "The cheapest that meets the tolerance for this scene"),
+    ("closed", Some(Method::Closed), "Closed forms"),
+    ("gauss", Some(Method::Gauss), "Gauss-Legendre on the work of the forces over displacement"),
+    ("dopri5", Some(Method::Dopri5), "Dormand-Prince 5(4), adaptive"),
+    ("dop853", Some(Method::Dop853), "Dormand-Prince 8(5,3), adaptive"),
+    ("euler", Some(Method::Euler), "Semi-implicit Euler at a fixed step"),
+    ("verlet", Some(Method::Verlet), "Velocity Verlet at a fixed step"),
+    ("rk4", Some(Method::Rk4), "Classical Runge-Kutta at a fixed step"),
+];
+
+/// How a problem becomes questions of Moodle.
+const LAYOUTS: &[(&str, QuestionLayout, &str)] = &[
+    ("cloze", QuestionLayout::Whole, "One question with a field for each part"),
+    ("numerical", QuestionLayout::PartsWithUnits, "A question for each part, whose number may have a unit"),
+];
 
 /// `grade`
 #[derive(Debug, Args)]
@@ -282,42 +305,20 @@ pub struct GradeArgs {
     #[arg(long, value_name = "CODE")]
     pub language: Option<String>,
     /// Which attempt counts where there are several [default: as the course or the bank says, else the last]
-    #[arg(long, value_enum)]
-    pub attempts: Option<AttemptsArg>,
+    #[arg(long, value_parser = one_of(ATTEMPTS))]
+    pub attempts: Option<Counts>,
     /// Which column is which, such as student="Email Address"; may be repeated
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
     /// Reports, feedback for each student, gradebooks for Canvas and Moodle, matches (also: slipstick report, slipstick matches)
-    #[arg(long, value_enum, default_value = "auto")]
-    pub reports: ReportsArg,
+    #[arg(long, value_parser = one_of(REPORTS), default_value = "auto")]
+    pub reports: Reports,
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
     /// Show index.html of the reports in the browser
     #[arg(long)]
     pub open: bool,
-}
-
-/// Are reports made with the grades?
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ReportsArg {
-    /// Up to 300,000 answers.
-    Auto,
-    /// Always.
-    Yes,
-    /// Never.
-    No,
-}
-
-impl ReportsArg {
-    /// As a grading takes it.
-    pub const fn reports(self) -> Reports {
-        match self {
-            Self::Auto => Reports::Auto,
-            Self::Yes => Reports::Yes,
-            Self::No => Reports::No,
-        }
-    }
 }
 
 /// `report`
@@ -358,8 +359,8 @@ pub struct RegradeArgs {
     #[arg(long, value_name = "FILE")]
     pub course: Option<PathBuf>,
     /// Which attempt counts [default: as in the old grading, unless --course says otherwise]
-    #[arg(long, value_enum)]
-    pub attempts: Option<AttemptsArg>,
+    #[arg(long, value_parser = one_of(ATTEMPTS))]
+    pub attempts: Option<Counts>,
     /// Which column is which [default: as in the old grading]
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
@@ -486,51 +487,14 @@ pub struct SolveArgs {
 #[derive(Debug, Args)]
 pub struct ByArgs {
     /// Method: auto takes the cheapest that meets the tolerance; gauss sums the work, the others step in time
-    #[arg(long, value_enum, default_value = "auto", hide_possible_values = false)]
-    pub method: MethodName,
+    #[arg(long, value_parser = one_of(METHODS), default_value = "auto")]
+    pub method: WishedMethod,
     /// Relative error allowed in a step (dopri5, dop853) or in the result (auto, gauss) [default: rounding]
     #[arg(long, value_name = "RTOL")]
     pub rtol: Option<f64>,
     /// Time step of euler, verlet, rk4, such as 1/60s or 1ms [default: 1ms]
     #[arg(long, value_name = "TIME")]
     pub step: Option<String>,
-}
-
-/// Names of the methods.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum MethodName {
-    /// The cheapest that meets the tolerance for this scene
-    Auto,
-    /// Closed forms
-    Closed,
-    /// Gauss-Legendre on the work of the forces over displacement
-    Gauss,
-    /// Dormand-Prince 5(4), adaptive
-    Dopri5,
-    /// Dormand-Prince 8(5,3), adaptive
-    Dop853,
-    /// Semi-implicit Euler at a fixed step
-    Euler,
-    /// Velocity Verlet at a fixed step
-    Verlet,
-    /// Classical Runge-Kutta at a fixed step
-    Rk4,
-}
-
-impl MethodName {
-    /// The method; `None` for auto.
-    pub const fn method(self) -> Option<Method> {
-        match self {
-            Self::Auto => None,
-            Self::Closed => Some(Method::Closed),
-            Self::Gauss => Some(Method::Gauss),
-            Self::Dopri5 => Some(Method::Dopri5),
-            Self::Dop853 => Some(Method::Dop853),
-            Self::Euler => Some(Method::Euler),
-            Self::Verlet => Some(Method::Verlet),
-            Self::Rk4 => Some(Method::Rk4),
-        }
-    }
 }
 
 /// `accuracy`
@@ -644,15 +608,6 @@ pub struct SolutionsArgs {
     pub own: OwnArgs,
 }
 
-/// How a problem becomes questions of Moodle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum AsArg {
-    /// One question with a field for each part
-    Cloze,
-    /// A question for each part, whose number may have a unit
-    Numerical,
-}
-
 /// `export`
 #[derive(Debug, Args)]
 pub struct ExportArgs {
@@ -660,8 +615,8 @@ pub struct ExportArgs {
     #[arg(value_name = "SET or BANK")]
     pub source: String,
     /// Format: moodle, canvas, qti21 or qti3
-    #[arg(long, value_name = "FORMAT", value_parser = Platform::parse)]
-    pub format: Platform,
+    #[arg(long, value_name = "FORMAT", value_parser = ExportFormat::parse)]
+    pub format: ExportFormat,
     /// File to write, such as week-5.xml for Moodle and week-5.zip for the others; not within the students' folders
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
@@ -675,8 +630,8 @@ pub struct ExportArgs {
     #[arg(long, value_name = "NAME", requires = "variants")]
     pub name: Option<String>,
     /// How a problem becomes questions of Moodle [default: cloze]
-    #[arg(long = "as", value_enum, value_name = "LAYOUT")]
-    pub layout: Option<AsArg>,
+    #[arg(long = "as", value_parser = one_of(LAYOUTS), value_name = "LAYOUT")]
+    pub layout: Option<QuestionLayout>,
     /// Give the worked solution as feedback after the answer
     #[arg(long)]
     pub with_solutions: bool,

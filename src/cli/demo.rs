@@ -1,24 +1,29 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::finding::{Finding, Findings};
+use crate::finding::Findings;
 use crate::folder::deal::Plan;
+use crate::folder::files::NewFolder;
 use crate::folder::grading::{GradeOrder, Reports};
 use crate::folder::staged::Staged;
-use crate::folder::{banks, deal, files, grading, names};
+use crate::folder::{banks, deal, files, grading, names, simulate};
 use crate::grade::verdict::Verdict;
-use crate::inspect::table::unsatisfiable;
-use crate::set::dealer::Dealer;
 use crate::sheet::output::Format;
 use crate::sheet::self_check::Hosting;
 use crate::sheet::terminal;
-use crate::simulate::hand_in::{CellKind, HandIn, Sheet};
-use crate::simulate::{class, hand_in};
+use crate::simulate::class;
+use crate::simulate::habits::Habits;
+use crate::simulate::truth::TrueKind;
 use std::path::Path;
 
 /// A folder with this file was made by `demo`, whole.
 const MARKER: &str = ".slipstick-demo";
-const NAMES: [&str; 6] = [MARKER, "grades", "roster.csv", SELF_TEST, "set", "submissions.csv"];
+const NAMES: [&str; 8] = [COURSE, MARKER, "grades", "roster.csv", SELF_TEST, "set", names::FORM, TRUTH];
+/// When the answers were due, and what lateness costs.
+const COURSE: &str = "course.yaml";
+const COURSE_TEXT: &str = "course: A made-up class\ntime zone: +01:00\ndue: 2026-03-06 18:00\nlate: {penalty: 20 %, per: day, at most: 60 %}\n";
+/// What each simulated answer really was.
+const TRUTH: &str = "truth.csv";
 /// What the simulated answers were, and what grading made of them.
 const SELF_TEST: &str = "self-test.txt";
 const SEED: u64 = 2026;
@@ -27,9 +32,9 @@ const SEED: u64 = 2026;
 pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     let dir = &args.dir;
     let bar = io.bar();
-    files::has_a_name(dir, "slipstick-demo")?;
-    files::not_among_students(dir)?;
-    may_replace(dir)?;
+    const NEW: NewFolder =
+        NewFolder { verb: "demo", makes: "demonstration", example: "slipstick-demo", taken: "" };
+    files::may_write_folder(dir, true, &NEW, || Ok(foreign(dir)))?;
     let mut loaded = banks::load("wheels-on-inclines")?;
     let texts = banks::texts(None, "en", &mut loaded.bank)?;
     let bank = &loaded.bank;
@@ -50,14 +55,17 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
         name: &bank.id,
     };
     let made = deal::whole(&plan, &members, &root.join("set"), &bar).map_err(|f| staged.named(f))?;
-    let handed = submissions(&plan)?;
-    write("submissions.csv", &handed.bytes)?;
+    let handed = simulate::simulated(&root.join("set"), (&Habits::demo(), None), None, SEED)
+        .map_err(|f| staged.named(f))?;
+    write(names::FORM, &handed.submissions)?;
+    write(TRUTH, &handed.truth)?;
+    write(COURSE, COURSE_TEXT.as_bytes())?;
     let job = GradeOrder {
         set: &root.join("set"),
-        submissions: &root.join("submissions.csv"),
+        submissions: &root.join(names::FORM),
         out: &root.join("grades"),
         attempts: None,
-        courses: &[],
+        courses: &[root.join(COURSE)],
         columns: &[],
         language: None,
         reports: Reports::Yes,
@@ -66,7 +74,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     };
     let summary = grading::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
     let summary = summary.replace(&root.display().to_string(), &dir.display().to_string());
-    let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
+    let table = kinds_and_verdicts(root)?;
     let test = format!(
         "What the simulated rows were, and what became of them:\n{table}\n{}\n\n{summary}\n",
         made.coincidences()
@@ -96,87 +104,45 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.line("");
     io.piece(&marks);
     io.line(&format!(
-        "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --out my-grades",
+        "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --course {shown}/course.yaml --out my-grades",
         bank.id
     ));
     io.open(&dir.join("grades").join(names::INDEX), args.open);
     Ok(Exit::Fine)
 }
 
-/// Nothing, an empty folder, or a demo and nothing else.
-fn may_replace(dir: &Path) -> Result<(), Findings> {
+/// What is in the folder that `demo` did not make; `None` where it made nothing.
+fn foreign(dir: &Path) -> Option<Vec<String>> {
     let names = files::names_in(dir);
-    if !dir.exists() || (dir.is_dir() && names.is_empty()) {
-        return Ok(());
-    }
-    let finding = |what: String| Finding::new("", what).in_file(dir.display().to_string());
-    if !dir.is_dir() || !names.iter().any(|n| n == MARKER) {
-        let fault = finding("is there already, and `slipstick demo` did not make it".to_owned());
-        return Err(fault.hint("give another folder: slipstick demo DIR").into());
-    }
-    let foreign: Vec<String> = names.into_iter().filter(|n| !NAMES.contains(&n.as_str())).collect();
-    if foreign.is_empty() {
-        return Ok(());
-    }
-    let fault = finding(format!("holds what `slipstick demo` did not make: {}", foreign.join(", ")));
-    Err(fault.hint("move it away, or give another folder").into())
+    let made = names.iter().any(|name| name == MARKER);
+    made.then(|| names.into_iter().filter(|n| !NAMES.contains(&n.as_str())).collect())
 }
 
-fn submissions(plan: &Plan) -> Result<HandIn, Findings> {
-    let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
-    let mut dealt = Vec::new();
-    for (id, _) in class::STUDENTS {
-        dealt.push(dealer.deal(id).map_err(|none| unsatisfiable(plan.bank, &none))?);
-    }
-    let sheets: Vec<Sheet> = class::STUDENTS
-        .iter()
-        .zip(&dealt)
-        .map(|((id, _), dealt)| Sheet {
-            student: id,
-            problems: plan
-                .chosen()
-                .zip(&dealt.variants)
-                .zip(&dealt.key.problems)
-                .map(|((p, v), k)| (p, v, k))
-                .collect(),
-        })
-        .collect();
-    Ok(hand_in::hand_in(&sheets, plan.seed))
-}
-
-/// Simulated kinds against verdicts.
-fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Findings> {
-    let records = files::records(answers)?;
-    let column = |name: &str| records.first().and_then(|h| h.iter().position(|f| f == name));
-    let verdict = column("verdict").unwrap_or(6);
-    let mut verdicts: Vec<String> = Vec::new();
-    for record in records.iter().skip(1) {
-        let this = record.get(verdict).unwrap_or_default();
-        if !verdicts.iter().any(|v| v == this) {
-            verdicts.push(this.to_owned());
-        }
-    }
-    let order = |v: &String| Verdict::ALL.iter().position(|o| o.as_str() == v);
-    verdicts.sort_by_key(order);
-    let mut rows =
-        vec![std::iter::once("rows".to_owned()).chain(verdicts.iter().cloned()).collect::<Vec<_>>()];
-    rows[0].push("all".to_owned());
-    for kind in CellKind::ALL {
-        let of_kind: Vec<&str> = records
-            .iter()
-            .skip(1)
-            .zip(&handed.kinds)
-            .filter(|(_, k)| *k == kind)
-            .map(|(r, _)| r.get(verdict).unwrap_or_default())
-            .collect();
-        let mut row = vec![kind.name().to_owned()];
-        for v in &verdicts {
-            let n = of_kind.iter().filter(|o| *o == v).count();
-            row.push(if n == 0 { "·".to_owned() } else { n.to_string() });
-        }
-        row.push(of_kind.len().to_string());
-        rows.push(row);
-    }
+/// What the answers really were against their verdicts, a row for each kind.
+fn kinds_and_verdicts(root: &Path) -> Result<String, Findings> {
+    let column = |file: &Path, name: &str| -> Result<Vec<String>, Findings> {
+        let records = files::records(file)?;
+        let at = records.first().and_then(|h| h.iter().position(|f| f == name)).unwrap_or_default();
+        Ok(records.iter().skip(1).map(|r| r.get(at).unwrap_or_default().to_owned()).collect())
+    };
+    // Both have a row for each row of the submissions, in their order.
+    let kinds = column(&root.join(TRUTH), "kind")?;
+    let verdicts = column(&root.join("grades").join(names::ANSWERS), "verdict")?;
+    let pairs: Vec<(&str, &str)> =
+        kinds.iter().map(String::as_str).zip(verdicts.iter().map(String::as_str)).collect();
+    let met = Verdict::ALL.iter().map(|v| v.as_str()).filter(|v| pairs.iter().any(|(_, w)| w == v));
+    let met: Vec<&str> = met.collect();
+    let row = |kind: &str| {
+        let number = |verdict: &&str| match pairs.iter().filter(|pair| **pair == (kind, *verdict)).count() {
+            0 => "·".to_owned(),
+            n => n.to_string(),
+        };
+        let all = pairs.iter().filter(|(k, _)| *k == kind).count().to_string();
+        [kind.to_owned()].into_iter().chain(met.iter().map(number)).chain([all]).collect::<Vec<_>>()
+    };
+    let head = ["rows"].into_iter().chain(met.iter().copied()).chain(["all"]).map(str::to_owned).collect();
+    let rows: Vec<Vec<String>> =
+        [head].into_iter().chain(TrueKind::ALL.iter().map(|kind| row(kind.name()))).collect();
     Ok(terminal::table(&rows, &[0]))
 }
 
@@ -184,7 +150,7 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Finding
 fn marks(gradebook: &Path) -> Result<String, Findings> {
     let records = files::records(gradebook)?;
     let Some(header) = records.first() else { return Ok(String::new()) };
-    let text = |record: &files::Record, name: &str| {
+    let text = |record: &files::CsvRecord, name: &str| {
         let column = header.iter().position(|f| f == name);
         column.and_then(|c| record.get(c)).unwrap_or_default().to_owned()
     };

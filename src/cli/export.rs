@@ -1,12 +1,13 @@
 //! `slipstick export`: a set, or a pool drawn from a bank, to one file for a learning platform.
-use crate::cli::args::{AsArg, ExportArgs};
+use crate::cli::args::ExportArgs;
 use crate::cli::tell::{Exit, Io};
-use crate::export::{Layout, Platform};
+use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::deal::Plan;
 use crate::folder::export::{ExportJob, set_beside};
-use crate::folder::{deal, export, files, names, set, staged};
+use crate::folder::staged::{self, Staged};
+use crate::folder::{deal, export, names, set};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::self_check::Hosting;
@@ -19,23 +20,27 @@ const MOST: u32 = 10_000;
 /// Runs it.
 pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let layout = match (args.format, args.layout) {
-        (Platform::Moodle, Some(AsArg::Numerical)) => Layout::PartsWithUnits,
-        (Platform::Canvas, None) => Layout::Parts,
-        (_, Some(_)) if args.format != Platform::Moodle => {
+        (ExportFormat::Moodle, Some(layout)) => layout,
+        (ExportFormat::Canvas, None) => QuestionLayout::Parts,
+        (_, Some(_)) => {
             return Err(
                 Finding::new("--as", format!("is for moodle, and not for {}", args.format.name())).into()
             );
         }
-        _ => Layout::Whole,
+        _ => QuestionLayout::Whole,
     };
     export::may_write(&args.out, args.force)?;
-    let set = match args.variants {
-        Some(variants) => drawn(args, variants, io)?,
-        None => source(&args.source)?,
+    let (set, pool) = match args.variants {
+        Some(variants) => {
+            let pool = drawn(args, variants, io)?;
+            (pool.folder.path().to_owned(), Some(pool))
+        }
+        None => (source(&args.source)?, None),
     };
     let bar = io.bar();
     let job = ExportJob {
         set: &set,
+        bank: pool.as_ref().map(|pool| pool.bank.as_str()),
         out: &args.out,
         platform: args.format,
         layout,
@@ -45,7 +50,15 @@ pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
         language: args.own.language.as_deref(),
         progress: &bar,
     };
-    let made = folder::pool(args.threads)?.install(|| export::write(&job))?;
+    let made = folder::pool(args.threads)?.install(|| export::write(&job));
+    let made = match pool {
+        Some(pool) => {
+            let made = made.map_err(|faults| pool.folder.named(faults))?;
+            pool.folder.finish()?;
+            made
+        }
+        None => made?,
+    };
     io.line(&format!(
         "{} of {} as {} for {}, {} kB, in {} (it holds the key: not for students)",
         terminal::count(made.variants, "variant"),
@@ -56,6 +69,7 @@ pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
         args.out.display()
     ));
     if args.variants.is_some() {
+        let set = set_beside(&args.out);
         let set = set.display();
         io.line(&format!("  the key:       {set}/key.csv, by the code of each question"));
     }
@@ -77,8 +91,15 @@ fn source(name: &str) -> Result<PathBuf, Finding> {
     Err(what.hint("give the folder that `slipstick generate` made; from a bank a pool is drawn with --variants 200 --seed 1"))
 }
 
-/// The set of a pool, beside the file.
-fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<PathBuf, Findings> {
+/// The set of a pool, which comes to its place beside the file when that is written.
+struct Pool {
+    folder: Staged,
+    /// Name of the bank for messages.
+    bank: String,
+}
+
+/// The set of a pool.
+fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<Pool, Findings> {
     if !(1..=MOST).contains(&variants) {
         return Err(Finding::new("--variants", format!("{variants} is not from 1 to {MOST}")).into());
     }
@@ -90,10 +111,14 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<PathBuf, Findi
     let out = set_beside(&args.out);
     staged::sweep_beside(&out);
     let (loaded, texts) = args.own.load(&args.source)?;
-    files::has_a_name(&out, "--out pool.xml")?;
-    set::may_write(&out, args.force)?;
+    set::may_write(
+        &out,
+        args.force,
+        "--out pool.xml",
+        "give another --out, or --force to replace the set beside it",
+    )?;
     let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
-    let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
+    let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
     if !tried.faults.is_empty() {
         return Err(tried.faults);
     }
@@ -111,6 +136,8 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<PathBuf, Findi
         name,
     };
     let bar = io.bar();
-    folder::pool(args.threads)?.install(|| export::pool(&plan, variants, &out, &bar))?;
-    Ok(out)
+    let folder = Staged::new(&out)?;
+    let made = folder::pool(args.threads)?.install(|| export::pool(&plan, variants, folder.path(), &bar));
+    made.map_err(|faults| folder.named(faults))?;
+    Ok(Pool { folder, bank: loaded.file })
 }

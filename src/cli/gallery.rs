@@ -19,10 +19,7 @@ const LOOK: Duration = Duration::from_millis(250);
 
 /// Runs it.
 pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
-    if args.out.exists() && !args.force {
-        let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(fault.hint("--force replaces it").into());
-    }
+    files::may_write_file(&args.out, args.force)?;
     if args.variants == 0 || args.variants > MOST {
         return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants)).into());
     }
@@ -76,7 +73,7 @@ fn draw(args: &args::GalleryArgs, io: &mut Io) -> Result<Findings, Findings> {
     let page = page::page((bank, &loaded.file), &chosen, &texts, (args.variants, args.seeds), &shown)?;
     let bytes = page.page.len();
     files::put_all(&[(args.out.clone(), page.page)])?;
-    let variants = terminal::count(usize::try_from(args.variants).unwrap_or(usize::MAX), "variant");
+    let variants = terminal::count(args.variants, "variant");
     let each = if page.missing.is_empty() { "" } else { ", where so many could be drawn" };
     io.line(&format!(
         "{} of {variants} each{each}, {} kB, in {} (for instructors: it holds keys)",

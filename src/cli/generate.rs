@@ -4,7 +4,7 @@ use crate::cli::{args, tell};
 use crate::finding::Findings;
 use crate::folder;
 use crate::folder::deal::{Plan, SetMade};
-use crate::folder::{banks, deal, files, names, set, staged};
+use crate::folder::{banks, deal, names, set, staged};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::{output, terminal, texts};
@@ -33,9 +33,12 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         }
     }
     if old.is_none() {
-        files::has_a_name(&args.out, "--out week-5")?;
-        files::not_among_students(&args.out)?;
-        set::may_write(&args.out, args.force)?;
+        set::may_write(
+            &args.out,
+            args.force,
+            "--out week-5",
+            "give another --out, or --force to replace a set, or --add for late joiners",
+        )?;
     }
     let name = match (&args.name, &old) {
         (Some(name), _) => name.clone(),
@@ -48,7 +51,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         (asked, _) => dealer::chosen(&loaded.bank, asked.as_deref(), "--problems")?,
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
-    let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
+    let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
     if !tried.faults.is_empty() {
         return Err(tried.faults);
     }

@@ -1,6 +1,5 @@
 //! `slipstick grade`: submissions against a stored set, whose key is made anew before anything is graded.
 use crate::cli::args;
-use crate::cli::args::AttemptsArg;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::grading;
@@ -13,11 +12,11 @@ pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
         set: &args.set,
         submissions: &args.submissions,
         out: &args.out,
-        attempts: args.attempts.map(AttemptsArg::counts),
+        attempts: args.attempts,
         courses: args.course.as_slice(),
         columns: &args.columns,
         language: args.language.as_deref(),
-        reports: args.reports.reports(),
+        reports: args.reports,
         force: args.force,
         progress: &io.bar(),
     };

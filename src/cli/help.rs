@@ -43,14 +43,7 @@ pub fn run(args: &args::HelpArgs, io: &mut Io) -> Result<Exit, Findings> {
 
 /// Writes the manual as a page.
 fn book(path: &Path, force: bool, io: &mut Io) -> Result<Exit, Findings> {
-    files::not_among_students(path)?;
-    let fault = |what: &str| Finding::new("", what).in_file(path.display().to_string());
-    if path.is_dir() {
-        return Err(fault("is a folder; a file is written").into());
-    }
-    if path.exists() && !force {
-        return Err(fault("is there already").hint("--force replaces it").into());
-    }
+    files::may_write_file(path, force)?;
     let mut command = Typed::command();
     command.build();
     let verbs: Vec<(String, String)> = command

@@ -5,7 +5,7 @@ use crate::finding::Findings;
 use crate::folder::names::MATCHES;
 use crate::folder::{files, graded, matches};
 use crate::num::shown;
-use crate::report::alike::ClassMatches;
+use crate::report::matches::ClassMatches;
 use crate::sheet::terminal;
 use crate::words::Words;
 

@@ -12,7 +12,7 @@ use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::set::dealer;
-use crate::sheet::page::{Room, Sheets};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::{document, statement, terminal};
 use crate::solve::outcome::Motion;
 use crate::tutor::Tutor;
@@ -58,14 +58,14 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
     let catalogue = Catalogue::shared(words.language());
     let find = |id: &str| catalogue.get(id).map(Entry::words);
-    let mut room = Room::default();
+    let mut scratch = SheetScratch::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
         let i = round % problems.len();
         let problem = &bank.problems[problems[i]];
         let variant = practice::drawn(&loaded, &makers[i], round / problems.len() + 1)?;
         let mut text = Vec::new();
-        sheets.problem(i, &variant, &mut room, &mut text)?;
+        sheets.problem(i, &variant, &mut scratch, &mut text)?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);
@@ -84,16 +84,12 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
 
 /// Writes the page.
 fn write(plan: &PracticePlan, file: &Path, force: bool, io: &mut Io) -> Result<Exit, Findings> {
-    if file.exists() && !force {
-        let fault = Finding::new("", "is there already").in_file(file.display().to_string());
-        return Err(fault.hint("--force replaces it").into());
-    }
+    files::may_write_file(file, force)?;
     if plan.variants == 0 || plan.variants > MOST {
         return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", plan.variants)).into());
     }
     let page = practice::page(plan)?;
     let bytes = page.len();
-    let page = String::from_utf8(page).unwrap_or_else(|_| panic!("a page is text"));
     files::put_all(&[(file.to_owned(), page)])?;
     let problems = terminal::count(plan.problems.len() * plan.variants as usize, "problem");
     io.line(&format!("{}: {problems} (seed {}), {} kB", file.display(), plan.seed, bytes.div_ceil(1000)));

@@ -1,6 +1,5 @@
 //! `slipstick regrade`: the same answers by a changed bank or course, as a diff; the old grading stays as it is.
 use crate::cli::args;
-use crate::cli::args::AttemptsArg;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::regrading;
@@ -15,7 +14,7 @@ pub fn run(args: &args::RegradeArgs, io: &mut Io) -> Result<Exit, Findings> {
         out: args.out.as_deref(),
         bank: args.bank.as_deref(),
         course: args.course.as_deref(),
-        attempts: args.attempts.map(AttemptsArg::counts),
+        attempts: args.attempts,
         columns: &args.columns,
         language: args.language.as_deref(),
         dry_run: args.dry_run,

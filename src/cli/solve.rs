@@ -8,7 +8,7 @@ use crate::solve::{agree, ladder};
 
 /// Runs it.
 pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let wish = data::wish(args.by.method.method(), args.by.rtol, args.by.step.as_deref())?;
+    let wish = data::wish(args.by.method, args.by.rtol, args.by.step.as_deref())?;
     let loaded = banks::load(&args.of.bank)?;
     let problem = banks::problem(&loaded, args.of.problem.as_deref())?;
     let (case, data, shown) = data::data(&loaded.bank, problem, &args.of.set, args.of.seed)?;

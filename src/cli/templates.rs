@@ -2,8 +2,9 @@
 use crate::bank::{built_in, overlay};
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::finding::{Finding, Findings};
+use crate::finding::Findings;
 use crate::folder::banks::README;
+use crate::folder::files::NewFolder;
 use crate::folder::staged::Staged;
 use crate::folder::{banks, files};
 use crate::sheet::terminal;
@@ -20,12 +21,13 @@ const ABOUT: &str = include_str!("../../templates/README.md");
 /// Runs it.
 pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Findings> {
     banks::words(&args.language)?;
-    files::has_a_name(&args.out, "--out my-templates")?;
-    files::not_among_students(&args.out)?;
-    if args.out.exists() && !(args.out.is_dir() && files::names_in(&args.out).is_empty()) {
-        let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(fault.hint("give a new folder: templates that you changed are not replaced").into());
-    }
+    let new = NewFolder {
+        verb: "templates",
+        makes: "templates",
+        example: "--out my-templates",
+        taken: "give a new folder: templates that you changed are not replaced",
+    };
+    files::may_write_folder(&args.out, false, &new, || Ok(None))?;
     let texts = texts(&args.language)?;
     let staged = Staged::new(&args.out)?;
     for (name, text) in &texts {

@@ -17,7 +17,7 @@ pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Findings> {
         strangers(args, &keys)?;
     }
     let sheets = terminal::count(keys.len(), "sheet");
-    let variants = terminal::count(keys.iter().map(|k| k.problems.len()).sum(), "variant");
+    let variants = terminal::count(keys.iter().map(|k| k.problems.len()).sum::<usize>(), "variant");
     io.line(&match not_drawn {
         None => format!(
             "{sheets}, {variants} drawn and solved again from seed {}: bank copy, drawn data and key.csv are what they were",

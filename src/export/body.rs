@@ -4,7 +4,6 @@ use crate::picture::svg::escaped;
 use crate::sheet::document::{ANSWER, Document, is_break};
 use crate::sheet::html::{self, MARKDOWN};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
-use rustc_hash::FxHashMap;
 
 /// A piece of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,26 +20,24 @@ pub enum Piece {
 
 /// A text in pieces.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Body {
+pub struct ItemText {
     pieces: Vec<Piece>,
 }
 
 /// Turns documents into bodies and remembers formulas, as [`html::Converter`] does.
 #[derive(Default)]
 pub struct BodyWriter {
-    formulas: FxHashMap<String, String>,
+    formulas: html::Formulas,
 }
 
-/// Formulas remembered at most, so that memory does not grow with the class.
-const REMEMBERED: usize = 4096;
 /// Lists within lists whose items are pieces of their own at most.
 const DEEPEST: usize = 30;
 
 impl BodyWriter {
     /// The body of a document; `parts` are the names of parts for which it has places, `1.omega`.
-    pub fn body(&mut self, document: &Document, parts: &[String]) -> Body {
+    pub fn body(&mut self, document: &Document, parts: &[String]) -> ItemText {
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN);
-        let mut walk = Walk { document, parts, named: None, placed: Vec::new() };
+        let mut walk = BodyWalk { document, parts, named: None, placed: Vec::new() };
         let mut pieces = self.pieces(&mut events, &mut walk, 0);
         // A text of one's own may leave no place behind the name of a part.
         for (i, part) in parts.iter().enumerate().filter(|(i, _)| !walk.placed.contains(i)) {
@@ -51,11 +48,11 @@ impl BodyWriter {
                 Piece::Text("</p>\n".to_owned()),
             ]));
         }
-        Body { pieces }
+        ItemText { pieces }
     }
 
     /// The pieces up to the end of the list item that is open, or of the text.
-    fn pieces<'e>(&mut self, events: &mut Parser<'e>, walk: &mut Walk, depth: usize) -> Vec<Piece> {
+    fn pieces<'e>(&mut self, events: &mut Parser<'e>, walk: &mut BodyWalk, depth: usize) -> Vec<Piece> {
         let mut pieces = Vec::new();
         let mut ready: Vec<Event<'e>> = Vec::new();
         let (mut in_picture, mut too_deep) = (0, 0usize);
@@ -112,8 +109,8 @@ impl BodyWriter {
                 }
                 Event::HardBreak => ready.push(inline("<br/>\n".to_owned())),
                 Event::Rule => ready.push(inline("<hr/>\n".to_owned())),
-                Event::InlineMath(tex) => ready.push(inline(self.formula(&tex, false))),
-                Event::DisplayMath(tex) => ready.push(inline(self.formula(&tex, true))),
+                Event::InlineMath(tex) => ready.push(inline(self.formulas.html(&tex, false))),
+                Event::DisplayMath(tex) => ready.push(inline(self.formulas.html(&tex, true))),
                 Event::Code(name) => {
                     // A place for an answer belongs to the part that was named last.
                     walk.named = walk.parts.iter().position(|part| **part == *name).or(walk.named);
@@ -134,25 +131,10 @@ impl BodyWriter {
         flush(&mut ready, &mut pieces);
         pieces
     }
-
-    fn formula(&mut self, tex: &str, of_its_own: bool) -> String {
-        if of_its_own {
-            return html::formula(tex, true);
-        }
-        if let Some(known) = self.formulas.get(tex) {
-            return known.clone();
-        }
-        if self.formulas.len() >= REMEMBERED {
-            self.formulas.clear();
-        }
-        let made = html::formula(tex, false);
-        self.formulas.insert(tex.to_owned(), made.clone());
-        made
-    }
 }
 
 /// What is known on the way through a document.
-struct Walk<'w> {
+struct BodyWalk<'w> {
     document: &'w Document,
     parts: &'w [String],
     /// The part that was named last and has no place yet.
@@ -170,7 +152,7 @@ fn flush(ready: &mut Vec<Event>, pieces: &mut Vec<Piece>) {
     }
 }
 
-impl Body {
+impl ItemText {
     /// The text as one. With `only` the questions of other parts are left out: items of lists with places for their answers.
     pub fn text(
         &self,

@@ -4,9 +4,10 @@ use crate::export::item::{Item, ItemPart, Right};
 use crate::export::package::{Manifest, Resource};
 use crate::export::xml::Xml;
 use crate::export::{Export, Fragment, units};
-use crate::finding::Finding;
+use crate::finding::{Finding, Findings};
+use crate::key::{Answer, KeyEntry, ProblemKey, SheetKey};
+use crate::num;
 use crate::set::key_file::shortest;
-use crate::units::Unit;
 
 /// Canvas keeps four decimals of a number: what is smaller becomes 0.
 pub const LEAST: f64 = 1e-4;
@@ -20,44 +21,53 @@ fn path(file: &str) -> String {
 }
 
 /// The questions of an item.
-///
-/// # Errors
-/// A number that Canvas would take for 0.
-pub fn fragment(export: &Export, item: &Item) -> Result<Fragment, Finding> {
-    let mut questions = Vec::new();
-    for (i, part) in item.parts.iter().enumerate() {
-        if let Right::Number { value, tolerance, unit } = &part.right {
-            let small = |x: f64| x != 0.0 && x.abs() < LEAST;
-            if small(*value) || small(*tolerance) {
-                let id = &export.problems[item.problem].id;
-                return Err(too_small(id, item, part, (*value, *tolerance), unit));
-            }
-        }
-        questions.push(question(item, i));
-    }
+pub fn fragment(item: &Item) -> Fragment {
+    let questions = (0..item.parts.len()).map(|i| question(item, i)).collect();
     let files = item.pictures.iter().map(|p| (path(&p.file), p.svg.clone().into_bytes()));
-    Ok(Fragment { problem: item.problem, code: item.code.clone(), questions, files: files.collect() })
+    Fragment { problem: item.problem, code: item.code.clone(), questions, files: files.collect() }
 }
 
-/// The finding that names a unit in which the number is larger.
-fn too_small(id: &str, item: &Item, part: &ItemPart, (value, tolerance): (f64, f64), unit: &Unit) -> Finding {
-    let field = format!("problems.{id}.questions.{}.unit", part.id);
+/// The parts of these problems whose numbers Canvas would take for 0 in some variant, each with the worst one.
+pub fn too_small(keys: &[SheetKey], chosen: &[usize]) -> Findings {
+    let mut faults = Findings::default();
+    for at in chosen {
+        let variants: Vec<&ProblemKey> = keys.iter().filter_map(|key| key.problems.get(*at)).collect();
+        let parts = variants.first().map_or(0, |first| first.parts.len());
+        for i in 0..parts {
+            let worst = variants.iter().filter_map(|variant| Some((*variant, least(variant.parts.get(i)?)?)));
+            if let Some((variant, least)) = worst.min_by(|a, b| a.1.total_cmp(&b.1))
+                && least < LEAST
+            {
+                faults.push(part_too_small(variant, &variant.parts[i], least));
+            }
+        }
+    }
+    faults
+}
+
+/// The smaller of an answer and its tolerance in the unit that is asked; a 0 stays what it is.
+fn least(entry: &KeyEntry) -> Option<f64> {
+    let Answer::Number { value, half_width, .. } = &entry.answer else { return None };
+    let sizes = [*value, *half_width].map(|x| entry.unit.from_si(x).abs());
+    sizes.into_iter().filter(|x| *x > 0.0).min_by(f64::total_cmp)
+}
+
+/// The finding that names the closest unit in which the numbers of all variants are large enough.
+fn part_too_small(variant: &ProblemKey, entry: &KeyEntry, least: f64) -> Finding {
+    let field = format!("problems.{}.questions.{}.unit", variant.id, entry.part);
     let what = format!(
-        "the answer {} with its tolerance {} in {} (data {}) is too small for Canvas, which takes what is below {} for 0",
-        shortest(value),
-        shortest(tolerance),
-        unit.ascii(),
-        item.code,
+        "the answer or its tolerance is down to {} {} (data {}), too small for Canvas, which takes what is below {} for 0",
+        num::shown::significant(least, 3),
+        entry.unit.ascii(),
+        variant.code,
         shortest(LEAST)
     );
-    let least = value.abs().min(tolerance);
-    let larger = units::units(unit).into_iter().filter(|(_, times)| least * times >= LEAST);
-    let closest = larger.min_by(|a, b| a.1.total_cmp(&b.1));
-    let hint = match closest {
-        Some((name, _)) => format!("ask for it in {name}, or leave the problem out with --problems"),
-        None => "ask for it in a smaller unit, or leave the problem out with --problems".to_owned(),
+    let larger = units::units(&entry.unit).into_iter().filter(|(_, times)| least * times >= LEAST);
+    let unit = match larger.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((name, _)) => name,
+        None => "a smaller unit".to_owned(),
     };
-    Finding::new(field, what).hint(hint)
+    Finding::new(field, what).hint(format!("ask for it in {unit}, or leave the problem out with --problems"))
 }
 
 /// A field of the metadata of a question.
@@ -76,7 +86,7 @@ fn material(x: &mut Xml, html: &str) {
 /// The question of a part.
 fn question(item: &Item, i: usize) -> String {
     let part = &item.parts[i];
-    let html = item.body.text(Some(i), &mut |_| String::new(), &|i| item.picture(i, &address));
+    let html = item.text(Some(i), &mut |_| String::new(), &address);
     let id = format!("i{}-{}-{}", item.problem + 1, item.code, part.id);
     let kind = match part.right {
         Right::Number { .. } => "numerical_question",
@@ -109,8 +119,10 @@ fn question(item: &Item, i: usize) -> String {
                 }),
             }
         });
-        processing(x, part, item.solution.is_some());
-        if let Some(solution) = item.solution(&address) {
+        // A solution is long and is that of all parts: it stands with the last of them.
+        let solution = if i + 1 == item.parts.len() { item.solution(&address) } else { None };
+        processing(x, part, solution.is_some());
+        if let Some(solution) = solution {
             x.element("itemfeedback", &[("ident", "general_fb")], |x| {
                 x.element("flow_mat", &[], |x| material(x, &solution));
             });

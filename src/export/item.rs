@@ -1,18 +1,18 @@
 //! One variant of one problem as a question: its text, its figure, and what is right, in the units that are asked.
 use crate::answer::word;
 use crate::bank::Bank;
-use crate::export::body::{Body, BodyWriter};
+use crate::export::body::{BodyWriter, ItemText};
 use crate::finding::Finding;
 use crate::key::{Answer, ProblemKey};
 use crate::picture::svg;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Document;
-use crate::sheet::page::{Room, Sheets};
-use crate::sheet::statement;
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solution;
 use crate::units::Unit;
 use crate::words::Words;
+use std::sync::Arc;
 
 /// One variant of one problem.
 pub struct Item {
@@ -22,14 +22,26 @@ pub struct Item {
     pub code: String,
     /// Title of the problem.
     pub title: String,
-    /// Statement, figure, questions and how to answer them.
-    pub body: Body,
+    /// Statement, figure and questions.
+    pub body: ItemText,
+    /// How to answer them.
+    pub below: Arc<Below>,
     /// Pictures of the statement, then of the solution.
     pub pictures: Vec<ItemPicture>,
     /// Its parts.
     pub parts: Vec<ItemPart>,
     /// The worked solution, if it is wanted; its pictures come behind those of the statement, of which there are so many.
-    pub solution: Option<(Body, usize)>,
+    pub solution: Option<(ItemText, usize)>,
+}
+
+/// What stands below the questions, as XHTML with a place for the code.
+pub struct Below {
+    /// For all parts together.
+    whole: String,
+    /// For a part that is answered with a number.
+    number: String,
+    /// For one that is answered with a word.
+    word: String,
 }
 
 /// A picture of an item.
@@ -69,8 +81,8 @@ pub enum Right {
         right: &'static str,
         /// Those that are offered: as keys write them, and as the sheet says them.
         offered: Vec<(&'static str, String)>,
-        /// All that is read as the right one.
-        spellings: Vec<&'static str>,
+        /// All that is read as the right one, first as the sheet says it: a platform may show the first as the answer.
+        spellings: Vec<String>,
     },
 }
 
@@ -80,15 +92,15 @@ pub struct ItemMaker<'i> {
     problems: &'i [usize],
     texts: &'i Texts,
     sheets: &'i Sheets<'i>,
-    /// Below the questions of each problem, with a place for the code.
-    below: Vec<String>,
+    /// Below the questions of each problem.
+    below: Vec<Arc<Below>>,
     with_solutions: bool,
 }
 
 /// Room for making items, one for each thread.
 #[derive(Default)]
-pub struct ItemRoom {
-    sheet: Room,
+pub struct ItemScratch {
+    sheet: SheetScratch,
     bodies: BodyWriter,
 }
 
@@ -103,23 +115,29 @@ impl<'i> ItemMaker<'i> {
         with_solutions: bool,
     ) -> Self {
         let words = &texts.words;
-        let below = problems.iter().filter_map(|p| bank.problems.get(*p)).map(|problem| {
-            let is_word = |q: &crate::bank::Question| q.label.quantity.is_word();
-            let mut rules = Vec::new();
-            if !problem.questions.iter().all(is_word) {
-                rules.push(words.get(rule));
-            }
-            if problem.questions.iter().any(is_word) {
-                rules.push(words.get(word_rule));
-            }
-            let (figures, tolerance) = sheets.asked_for();
+        let (figures, tolerance) = sheets.asked_for();
+        let say = |text: &str, rules: &[&str]| {
+            let rules: Vec<&str> = rules.iter().map(|rule| words.get(rule)).collect();
             let pieces = [
                 ("rules", rules.join(" ")),
                 ("figures", figures.to_string()),
-                ("tolerance", tolerance),
+                ("tolerance", tolerance.clone()),
                 ("code", CODE.to_owned()),
             ];
-            words.say("export.below", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())))
+            let said = words.say(text, &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
+            let body = BodyWriter::default().body(&Document::new(said, Vec::new()), &[]);
+            body.text(None, &mut |_| String::new(), &|_| String::new())
+        };
+        let below = problems.iter().filter_map(|p| bank.problems.get(*p)).map(|problem| {
+            let is_word = |q: &crate::bank::Question| q.label.quantity.is_word();
+            let number = say("export.below", &[rule]);
+            let word = say("export.below_word", &[word_rule]);
+            let whole = match (problem.questions.iter().all(is_word), problem.questions.iter().any(is_word)) {
+                (true, _) => word.clone(),
+                (false, true) => say("export.below", &[rule, word_rule]),
+                (false, false) => number.clone(),
+            };
+            Arc::new(Below { whole, number, word })
         });
         Self { bank, problems, texts, sheets, below: below.collect(), with_solutions }
     }
@@ -133,7 +151,7 @@ impl<'i> ItemMaker<'i> {
         at: usize,
         variant: &Variant,
         key: &ProblemKey,
-        room: &mut ItemRoom,
+        scratch: &mut ItemScratch,
     ) -> Result<Item, Finding> {
         let problem = &self.bank.problems[self.problems[at]];
         let (words, code) = (&self.texts.words, key.code.as_str());
@@ -144,11 +162,8 @@ impl<'i> ItemMaker<'i> {
             return Err(Finding::new(field, format!("has no answer for the data of {code}")));
         }
         let names: Vec<String> = key.parts.iter().map(|p| format!("{}.{}", at + 1, p.part)).collect();
-        let mut document = self.sheets.problem_document(at, "", variant, &mut room.sheet)?;
-        document.markdown.push('\n');
-        document.markdown.push_str(&self.below[at].replace(CODE, code));
-        document.markdown.push('\n');
-        let body = room.bodies.body(&document, &names);
+        let document = self.sheets.problem_document(at, "", variant, &mut scratch.sheet)?;
+        let body = scratch.bodies.body(&document, &names);
         let prefix = format!("p{}-{code}", at + 1);
         let mut pictures: Vec<ItemPicture> = pictures(&document, &prefix).collect();
         let solution = match self.with_solutions {
@@ -156,7 +171,7 @@ impl<'i> ItemMaker<'i> {
                 let worked = solution::document(problem, variant, at + 1, words, &self.texts.templates)?;
                 let own = pictures.len();
                 pictures.extend(self::pictures(&worked, &format!("{prefix}-solution")));
-                Some((room.bodies.body(&worked, &[]), own))
+                Some((scratch.bodies.body(&worked, &[]), own))
             }
             false => None,
         };
@@ -170,6 +185,7 @@ impl<'i> ItemMaker<'i> {
             code: code.to_owned(),
             title: problem.title.clone(),
             body,
+            below: Arc::clone(&self.below[at]),
             pictures,
             parts: parts.collect(),
             solution,
@@ -200,13 +216,37 @@ fn right(answer: &Answer, unit: &Unit, words: &Words) -> Right {
         },
         Answer::Word { right, offered } => Right::Word {
             right,
-            offered: offered.iter().map(|w| (*w, statement::said(words, w).to_owned())).collect(),
-            spellings: word::spellings(right),
+            offered: offered.iter().map(|w| (*w, words.of_key(w).to_owned())).collect(),
+            spellings: spellings(right, words.of_key(right)),
         },
     }
 }
 
+/// All that is read as a word of a key, first as the sheet says it.
+fn spellings(right: &'static str, said: &str) -> Vec<String> {
+    let mut all = word::spellings(right);
+    all.retain(|word| *word != said);
+    std::iter::once(said).chain(all).map(str::to_owned).collect()
+}
+
 impl Item {
+    /// The text with what stands below it; with `only` for this part alone, which says no more than this part needs.
+    pub fn text(
+        &self,
+        only: Option<usize>,
+        answer: &mut dyn FnMut(usize) -> String,
+        address: &dyn Fn(&str) -> String,
+    ) -> String {
+        let mut out = self.body.text(only, answer, &|i| self.picture(i, address));
+        let below = match only.and_then(|i| self.parts.get(i)).map(|part| &part.right) {
+            None => &self.below.whole,
+            Some(Right::Number { .. }) => &self.below.number,
+            Some(Right::Word { .. }) => &self.below.word,
+        };
+        out.push_str(&below.replace(CODE, &self.code));
+        out
+    }
+
     /// The picture of this index in the text; `address` makes the address of its file.
     pub fn picture(&self, i: usize, address: &dyn Fn(&str) -> String) -> String {
         self.pictures.get(i).map_or_else(String::new, |picture| {

@@ -1,6 +1,6 @@
 //! What a platform's questions cannot carry of what `grade` reads and does, question by question, for the instructor.
 use crate::bank::{Problem, Question};
-use crate::export::{Export, Layout, Platform, moodle, units};
+use crate::export::{Export, ExportFormat, QuestionLayout, moodle, units};
 use crate::problem::make_key;
 use crate::set::key_file::shortest;
 
@@ -8,12 +8,20 @@ use crate::set::key_file::shortest;
 const NOWHERE: &str =
     "no decimal comma, no points for what follows from an earlier answer, no hint for a wrong method";
 
+/// What is lost where each part is a question.
+const APART: &str =
+    "each part is a question of its own, and may be drawn from another variant than the parts beside it";
+
 /// Units named at most.
 const NAMED: usize = 3;
 
 /// What is lost of the chosen problems, a line each; the tolerances are not: each platform gets those of the key.
 pub fn losses(export: &Export, chosen: &[usize]) -> Vec<String> {
     let mut lines = vec![format!("every question: {NOWHERE}")];
+    if export.layout != QuestionLayout::Whole {
+        lines.push(format!("every question: {APART}"));
+    }
+    lines.extend(guessed(export, chosen));
     for (i, problem) in chosen.iter().map(|i| (*i, export.problems[*i])) {
         for question in &problem.questions {
             let lost = of_question(export, problem, question);
@@ -21,17 +29,36 @@ pub fn losses(export: &Export, chosen: &[usize]) -> Vec<String> {
                 lines.push(format!("{}.{}: {}", i + 1, question.id, lost.join("; ")));
             }
         }
-        if export.layout == Layout::Whole && export.platform == Platform::Moodle {
+        if export.layout == QuestionLayout::Whole && export.platform == ExportFormat::Moodle {
             lines.extend(points(problem).map(|lost| format!("{}: {lost}", i + 1)));
         }
     }
     lines
 }
 
+/// The parts whose word is chosen from a list where it would be typed elsewhere.
+fn guessed(export: &Export, chosen: &[usize]) -> Option<String> {
+    if export.platform == ExportFormat::Moodle {
+        return None;
+    }
+    let words: Vec<String> = chosen
+        .iter()
+        .flat_map(|i| export.problems[*i].questions.iter().map(move |question| (i + 1, question)))
+        .filter(|(_, question)| question.label.quantity.is_word())
+        .map(|(at, question)| format!("{at}.{}", question.id))
+        .collect();
+    (!words.is_empty()).then(|| {
+        format!(
+            "every question: an answer that is a word is chosen from a list and can be guessed: {}",
+            words.join(", ")
+        )
+    })
+}
+
 fn of_question(export: &Export, problem: &Problem, question: &Question) -> Vec<String> {
     let mut lost = Vec::new();
     if question.label.quantity.is_word() {
-        if export.platform == Platform::Moodle {
+        if export.platform == ExportFormat::Moodle {
             lost.push("a word as `grade` reads it, but no sentence around it".to_owned());
         }
         return lost;
@@ -44,7 +71,8 @@ fn of_question(export: &Export, problem: &Problem, question: &Question) -> Vec<S
     if !question.unit.is_number() {
         let some = others.iter().skip(1).take(NAMED).map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
         lost.push(match export.layout {
-            Layout::PartsWithUnits => format!("only the units offered ({asked}, {some} ...)"),
+            QuestionLayout::PartsWithUnits if some.is_empty() => format!("only the unit {asked}"),
+            QuestionLayout::PartsWithUnits => format!("only the units offered ({asked}, {some} ...)"),
             _ if some.is_empty() => format!("a number in {asked}, the unit not typed"),
             _ => format!("a number in {asked}, the unit not typed, no other one ({some} ...)"),
         });

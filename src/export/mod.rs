@@ -16,11 +16,11 @@ pub mod xml;
 
 use crate::bank::Problem;
 use crate::export::item::Item;
-use crate::finding::{Finding, Findings};
+use crate::finding::Findings;
 
 /// A platform's format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Platform {
+pub enum ExportFormat {
     /// Moodle XML
     Moodle,
     /// QTI 1.2 in a ZIP archive, as Canvas imports it
@@ -31,7 +31,7 @@ pub enum Platform {
     Qti3,
 }
 
-impl Platform {
+impl ExportFormat {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Moodle, Self::Canvas, Self::Qti21, Self::Qti3];
 
@@ -58,7 +58,7 @@ impl Platform {
 
 /// How a problem becomes questions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Layout {
+pub enum QuestionLayout {
     /// One question, with a place for the answer to each part.
     Whole,
     /// A question for each part, each with the statement.
@@ -70,9 +70,9 @@ pub enum Layout {
 /// What all questions of an export have in common.
 pub struct Export<'e> {
     /// The format.
-    pub platform: Platform,
+    pub platform: ExportFormat,
     /// How a problem becomes questions.
-    pub layout: Layout,
+    pub layout: QuestionLayout,
     /// Name of the set.
     pub set: &'e str,
     /// Tells this set from others, in letters and digits.
@@ -104,15 +104,12 @@ impl Export<'_> {
     }
 
     /// An item in the format.
-    ///
-    /// # Errors
-    /// What the format cannot hold at all.
-    pub fn fragment(&self, item: &Item) -> Result<Fragment, Finding> {
+    pub fn fragment(&self, item: &Item) -> Fragment {
         match self.platform {
-            Platform::Moodle => Ok(moodle::fragment(self, item)),
-            Platform::Canvas => canvas::fragment(self, item),
-            Platform::Qti21 => Ok(qti::fragment(&qti21::DIALECT, self, item)),
-            Platform::Qti3 => Ok(qti::fragment(&qti3::DIALECT, self, item)),
+            ExportFormat::Moodle => moodle::fragment(self, item),
+            ExportFormat::Canvas => canvas::fragment(item),
+            ExportFormat::Qti21 => qti::fragment(&qti21::DIALECT, self, item),
+            ExportFormat::Qti3 => qti::fragment(&qti3::DIALECT, self, item),
         }
     }
 
@@ -128,10 +125,10 @@ impl Export<'_> {
         let variants = fragments.len();
         let questions = fragments.iter().map(|f| f.questions.len()).sum();
         let bytes = match self.platform {
-            Platform::Moodle => moodle::file(self, &fragments),
-            Platform::Canvas => canvas::file(self, fragments)?,
-            Platform::Qti21 => qti::file(&qti21::DIALECT, self, fragments)?,
-            Platform::Qti3 => qti::file(&qti3::DIALECT, self, fragments)?,
+            ExportFormat::Moodle => moodle::file(self, &fragments),
+            ExportFormat::Canvas => canvas::file(self, fragments)?,
+            ExportFormat::Qti21 => qti::file(&qti21::DIALECT, self, fragments)?,
+            ExportFormat::Qti3 => qti::file(&qti3::DIALECT, self, fragments)?,
         };
         Ok(ExportedFile { bytes, variants, questions })
     }

@@ -2,7 +2,7 @@
 use crate::export::item::{Item, ItemPart, Right};
 use crate::export::units::units;
 use crate::export::xml::Xml;
-use crate::export::{Export, Fragment, Layout};
+use crate::export::{Export, Fragment, QuestionLayout};
 use crate::set::key_file::shortest;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 
@@ -55,8 +55,10 @@ fn address(file: &str) -> String {
 /// The questions of an item.
 pub fn fragment(export: &Export, item: &Item) -> Fragment {
     let questions = match export.layout {
-        Layout::Whole => vec![cloze(item)],
-        Layout::Parts | Layout::PartsWithUnits => (0..item.parts.len()).map(|i| of_part(item, i)).collect(),
+        QuestionLayout::Whole => vec![cloze(item)],
+        QuestionLayout::Parts | QuestionLayout::PartsWithUnits => {
+            (0..item.parts.len()).map(|i| of_part(item, i)).collect()
+        }
     };
     Fragment { problem: item.problem, code: item.code.clone(), questions, files: Vec::new() }
 }
@@ -90,7 +92,7 @@ fn cloze(item: &Item) -> String {
     let weights = weights(&item.parts.iter().map(|p| p.points).collect::<Vec<_>>());
     // A mark that no text holds, so that the fields alone keep their braces.
     let place = |i: usize| format!("\u{0}{i}\u{0}");
-    let whole = item.body.text(None, &mut |i| place(i), &|i| item.picture(i, &address));
+    let whole = item.text(None, &mut |i| place(i), &address);
     let mut xhtml = without_fields(&whole);
     for (i, (part, weight)) in item.parts.iter().zip(weights).enumerate() {
         xhtml = xhtml.replace(&place(i), &field(part, weight));
@@ -105,7 +107,7 @@ fn cloze(item: &Item) -> String {
 fn of_part(item: &Item, i: usize) -> String {
     let part = &item.parts[i];
     let name = format!("{} {}", item.code, part.id);
-    let xhtml = item.body.text(Some(i), &mut |_| String::new(), &|i| item.picture(i, &address));
+    let xhtml = item.text(Some(i), &mut |_| String::new(), &address);
     let mut x = Xml::piece();
     let kind = match part.right {
         Right::Number { .. } => "numerical",
@@ -177,7 +179,7 @@ pub fn file(export: &Export, fragments: &[Fragment]) -> Vec<u8> {
             let at = of_problem[0].problem;
             let (problem, about, name) = (export.problems[at], &export.about, export.name(at));
             let id = format!("{}-{}", export.id, problem.id);
-            if export.layout == Layout::Whole {
+            if export.layout == QuestionLayout::Whole {
                 category(x, &[export.set, &name], about, &id);
                 of_problem.iter().flat_map(|f| &f.questions).for_each(|question| x.raw(question));
                 continue;

@@ -120,9 +120,7 @@ pub fn fragment(dialect: &Dialect, export: &Export, item: &Item) -> Fragment {
     q.element("assessmentItem", &attributes, |q| {
         declare(q, item);
         q.element("itemBody", &[], |q| {
-            let text = item
-                .body
-                .text(None, &mut |i| interaction(dialect, &item.parts[i]), &|i| item.picture(i, &address));
+            let text = item.text(None, &mut |i| interaction(dialect, &item.parts[i]), &address);
             q.xml.raw(&with_mathml(&text));
         });
         process(q, item);

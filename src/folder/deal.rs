@@ -1,13 +1,13 @@
 //! A set is made: its folder whole or not at all, late joiners into one that is there, and repair of what a kill left.
 use crate::answer::roster;
 use crate::bank::{Bank, Problem};
+use crate::csv_field::push_line;
 use crate::draw::stream;
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::files::names_in;
 use crate::folder::staged::Staged;
 use crate::folder::{Progress, files, index, names, set};
-use crate::guard::push_line;
 use crate::inspect::table::unsatisfiable;
 use crate::key::SheetKey;
 use crate::set::coincide::StudentVariant;
@@ -16,9 +16,9 @@ use crate::set::store::{StoredBank, StoredSet, StoredStudent};
 use crate::set::{coincide, dealer, key_file, replay, store};
 use crate::sheet::html::Converter;
 use crate::sheet::key_table::KeyTableRow;
-use crate::sheet::output::{Format, Output, WrittenDocument};
-use crate::sheet::page::{Room, Sheets};
+use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
 use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck, Use};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, public, terminal};
 use rayon::prelude::*;
@@ -163,7 +163,7 @@ fn together(
     rows: &[KeyTableRow],
     keys: &[SheetKey],
 ) -> Result<Vec<(&'static str, Vec<u8>)>, Finding> {
-    let output = Output::new(plan.texts, plan.formats, "sheet")?;
+    let output = DocumentWriter::new(plan.texts, plan.formats, "sheet")?;
     let title = format!("{}: {}, {}", plan.texts.words.get("sheet.sheets"), plan.bank.title, plan.name);
     let mut files = output.booklets(&title, sheets)?;
     files.extend(output.key_table(plan.bank, plan.name, plan.problems, rows, keys.iter())?);
@@ -179,7 +179,7 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
     let writer = SheetWriter::new(plan)?;
     let both = replay::each(plan.bank, set, &|i, student, dealt| {
         let mut converter = Converter::new(&plan.texts.words);
-        Ok((writer.write(i, student, &dealt, &mut Room::default(), &mut converter)?, dealt.key))
+        Ok((writer.write(i, student, &dealt, &mut SheetScratch::default(), &mut converter)?, dealt.key))
     })?;
     let (sheets, keys): (Vec<(WrittenDocument, KeyTableRow)>, Vec<SheetKey>) = both.into_iter().unzip();
     let (sheets, rows): (Vec<WrittenDocument>, Vec<KeyTableRow>) = sheets.into_iter().unzip();
@@ -279,7 +279,7 @@ pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<()
 struct SheetWriter<'p> {
     plan: &'p Plan<'p>,
     sheets: Sheets<'p>,
-    output: Output<'p>,
+    output: DocumentWriter<'p>,
     public: public::Writer<'p>,
     /// `None` where the bank, or a page of somebody's own, leaves it out.
     self_check: Option<SelfCheck<'p>>,
@@ -289,7 +289,7 @@ impl<'p> SheetWriter<'p> {
     fn new(plan: &'p Plan<'p>) -> Result<Self, Findings> {
         let Texts { templates, words, .. } = plan.texts;
         let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
-        let output = Output::new(plan.texts, plan.formats, "sheet")?;
+        let output = DocumentWriter::new(plan.texts, plan.formats, "sheet")?;
         let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, words.language())?;
         let checks = plan.bank.self_check && templates.variables("sheet.html")?.iter().any(|v| v == "check");
         let self_check = checks.then(|| SelfCheck::new(words, plan.hosting, Use::Sheet));
@@ -301,12 +301,12 @@ impl<'p> SheetWriter<'p> {
         at: usize,
         student: &StoredStudent,
         dealt: &Dealt,
-        room: &mut Room,
+        scratch: &mut SheetScratch,
         converter: &mut Converter,
     ) -> Result<(WrittenDocument, KeyTableRow), Finding> {
         let Plan { bank, problems, .. } = self.plan;
         let variants = &dealt.variants;
-        let (head, document) = self.sheets.document(&student.student, &student.name, variants, room)?;
+        let (head, document) = self.sheets.document(&student.student, &student.name, variants, scratch)?;
         let row = key_table::row(bank, problems, &head, variants);
         let sheet = self.public.text(&student.student, variants);
         let handed = Handed { head: &head, folder: &student.folder, sheet: &sheet, variants };
@@ -347,10 +347,10 @@ fn deal(
         .par_iter()
         .enumerate()
         .map_init(
-            || (Room::default(), Converter::new(&plan.texts.words)),
-            |(room, converter), (at, member)| {
+            || (SheetScratch::default(), Converter::new(&plan.texts.words)),
+            |(scratch, converter), (at, member)| {
                 let dealt = dealer.deal(&member.student).map_err(|none| unsatisfiable(plan.bank, &none))?;
-                let (mut made, row) = writer.write(at, member, &dealt, room, converter)?;
+                let (mut made, row) = writer.write(at, member, &dealt, scratch, converter)?;
                 let place = folder.join(names::STUDENTS).join(&member.folder);
                 // Of the whole folder: a full disk is told once and not for each student.
                 let fault = |e: &std::io::Error| files::trouble(folder, "cannot be written", e);

@@ -1,8 +1,8 @@
 //! Everything about one mark: found in a folder of grades, told in words.
+use crate::csv_field::unguarded;
 use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
 use crate::folder::{files, graded, names, set};
-use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::regrade::changes::ChangeRow;
@@ -87,7 +87,7 @@ fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<Chan
 fn total(graded: &OpenGrading, student: &str) -> Result<Option<[String; 3]>, Findings> {
     let records = files::records(&graded.folder.join(names::GRADEBOOK))?;
     let Some(header) = records.first() else { return Ok(None) };
-    let field = |record: &files::Record, name: &str| {
+    let field = |record: &files::CsvRecord, name: &str| {
         let at = header.iter().position(|h| h == name);
         at.and_then(|i| record.get(i)).unwrap_or_default().to_owned()
     };

@@ -1,12 +1,12 @@
 //! A stored set as one file for a learning platform, and a set that is made to be one.
-use crate::export::item::{ItemMaker, ItemRoom};
-use crate::export::{Export, Layout, Platform, losses};
+use crate::export::item::{ItemMaker, ItemScratch};
+use crate::export::{Export, ExportFormat, QuestionLayout, canvas, losses};
 use crate::finding::{Finding, Findings};
 use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{Progress, banks, deal, files, set};
 use crate::set::store::StoredStudent;
 use crate::set::{dealer, replay};
-use crate::sheet::page::Sheets;
+use crate::sheet::sheets::Sheets;
 use crate::sheet::texts::Texts;
 use std::path::{Path, PathBuf};
 
@@ -14,12 +14,14 @@ use std::path::{Path, PathBuf};
 pub struct ExportJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
+    /// Name of the bank for messages, if it is not the copy in the set.
+    pub bank: Option<&'j str>,
     /// File to make.
     pub out: &'j Path,
     /// For which platform.
-    pub platform: Platform,
+    pub platform: ExportFormat,
     /// How a problem becomes questions.
-    pub layout: Layout,
+    pub layout: QuestionLayout,
     /// With worked solutions as feedback.
     pub with_solutions: bool,
     /// Only these problems of the set.
@@ -54,16 +56,7 @@ pub fn may_write(out: &Path, force: bool) -> Result<(), Finding> {
     files::not_among_students(out).map_err(|fault| {
         fault.hint("an export holds the key, and students never get it: give another --out")
     })?;
-    let fault = |what: &str| Finding::new("", what).in_file(out.display().to_string());
-    if out.is_dir() {
-        return Err(
-            fault("is a folder, and a file is wanted").hint("give --out a name such as questions.xml")
-        );
-    }
-    if out.exists() && !force {
-        return Err(fault("is there already").hint("--force replaces it"));
-    }
-    Ok(())
+    files::may_write_file(out, force)
 }
 
 /// The folder of the set beside the file of a pool.
@@ -108,16 +101,21 @@ pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
         }
         None => (0..problems.len()).collect(),
     };
+    let in_set = job.set.join(&set.bank.file).display().to_string();
+    if job.platform == ExportFormat::Canvas {
+        let faults = canvas::too_small(&replayed.keys, &chosen);
+        faults.in_file(job.bank.unwrap_or(&in_set)).into_result(())?;
+    }
     let sheets = Sheets::new(&texts.templates, &texts.words, &bank, &set.name, &problems)?;
     let rules = match (job.layout, job.platform) {
-        (Layout::PartsWithUnits, _) => ("export.units", "export.word"),
-        (_, Platform::Moodle) => ("export.numbers", "export.word"),
+        (QuestionLayout::PartsWithUnits, _) => ("export.units", "export.word"),
+        (_, ExportFormat::Moodle) => ("export.numbers", "export.word"),
         _ => ("export.numbers", "export.choice"),
     };
     let maker = ItemMaker::new((&bank, &problems), &texts, &sheets, rules, job.with_solutions);
     let about = match job.layout {
-        Layout::Whole => "export.about",
-        Layout::Parts | Layout::PartsWithUnits => "export.about_part",
+        QuestionLayout::Whole => "export.about",
+        QuestionLayout::Parts | QuestionLayout::PartsWithUnits => "export.about_part",
     };
     let about = texts.words.say(about, &[("n", &set.students.len().to_string())]);
     let of_set = format!("{}\u{0}{}\u{0}{}", set.name, set.seed, set.bank.sha256);
@@ -131,11 +129,11 @@ pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
         about,
     };
     let made = replay::each(&bank, &set, &|i, _, dealt| {
-        let mut room = ItemRoom::default();
+        let mut scratch = ItemScratch::default();
         let key = replayed.keys.get(i).unwrap_or(&dealt.key);
         let fragments = chosen.iter().map(|at| {
-            let item = maker.item(*at, &dealt.variants[*at], &key.problems[*at], &mut room)?;
-            export.fragment(&item)
+            let item = maker.item(*at, &dealt.variants[*at], &key.problems[*at], &mut scratch)?;
+            Ok(export.fragment(&item))
         });
         let fragments: Result<Vec<_>, Finding> = fragments.collect();
         job.progress.advance("questions", 1, set.students.len() as u64);

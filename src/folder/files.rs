@@ -1,5 +1,6 @@
 //! Reading files, and writing some of them whole or not at all.
-use crate::finding::Finding;
+use crate::finding::{Finding, Findings};
+use crate::folder::names;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -62,13 +63,13 @@ pub fn read_text(path: &Path) -> Result<String, Finding> {
 }
 
 /// One line of a CSV file.
-pub type Record = csv::StringRecord;
+pub type CsvRecord = csv::StringRecord;
 
 /// The records of a CSV file, its header among them.
 ///
 /// # Errors
 /// It cannot be read.
-pub fn records(path: &Path) -> Result<Vec<Record>, Finding> {
+pub fn records(path: &Path) -> Result<Vec<CsvRecord>, Finding> {
     let bytes = read(path)?;
     let mut reader =
         csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
@@ -163,40 +164,69 @@ pub fn not_among_students(place: &Path) -> Result<(), Finding> {
     Err(fault.in_file(place.display().to_string()).hint("give another --out"))
 }
 
-/// How a command tells of what is in the way of its folder.
-pub struct InTheWay {
-    /// A file is there.
-    pub file: &'static str,
-    /// Something is there and may not be replaced: what to do.
-    pub taken: &'static str,
-    /// What is there is not what the command makes.
-    pub other: &'static str,
-    /// The hint to that.
-    pub only: &'static str,
-}
-
-/// May a folder be made here? Yes if nothing or an empty folder is there (`false`), and with `force` if what is there was made by
-/// the same command (`true`: it is replaced).
+/// May a file be written here that students of a set do not get? Yes if nothing is there, or with `force` a file.
 ///
 /// # Errors
 /// What is in the way.
-pub fn may_replace(
+pub fn may_write_file(path: &Path, force: bool) -> Result<(), Finding> {
+    let finding = |what: &str| Finding::new("", what).in_file(path.display().to_string());
+    not_among_students(path)?;
+    if path.is_dir() {
+        return Err(finding("is a folder, and a file is wanted").hint("give the file a name"));
+    }
+    if path.exists() && !force {
+        return Err(finding("is there already").hint("--force replaces it"));
+    }
+    Ok(())
+}
+
+/// A folder that a command is to make.
+pub struct NewFolder<'n> {
+    /// The verb of the command.
+    pub verb: &'n str,
+    /// What it makes, as in `holds no set`.
+    pub makes: &'n str,
+    /// A name that may be given.
+    pub example: &'n str,
+    /// What to do where something is there that may not be replaced.
+    pub taken: &'n str,
+}
+
+/// May a folder be made here that students of a set do not get? Yes if nothing or an empty folder is there, and with `force` if all
+/// that is there was made by the same command: `foreign` lists what was not, and is `None` where nothing was.
+///
+/// # Errors
+/// What is in the way.
+pub fn may_write_folder(
     out: &Path,
     force: bool,
-    words: &InTheWay,
-    ours: impl Fn() -> bool,
-) -> Result<bool, Finding> {
+    new: &NewFolder,
+    foreign: impl FnOnce() -> Result<Option<Vec<String>>, Findings>,
+) -> Result<(), Findings> {
     let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
+    has_a_name(out, new.example)?;
+    not_among_students(out)?;
     if !out.exists() || (out.is_dir() && names_in(out).is_empty()) {
-        return Ok(false);
+        return Ok(());
     }
     if !out.is_dir() {
-        return Err(finding(words.file));
+        return Err(finding("is a file; a folder is made").into());
+    }
+    let of_set = out.join(names::SET).exists();
+    if of_set && new.verb != "generate" {
+        return Err(finding("is the folder of a set").hint("give another --out").into());
     }
     if !force {
-        return Err(finding("is there already").hint(words.taken));
+        return Err(finding("is there already").hint(new.taken).into());
     }
-    if ours() { Ok(true) } else { Err(finding(words.other).hint(words.only)) }
+    match foreign()? {
+        None => {
+            let hint = format!("--force replaces only what {} made", new.verb);
+            Err(finding(&format!("holds no {}", new.makes)).hint(hint).into())
+        }
+        Some(foreign) if foreign.is_empty() => Ok(()),
+        Some(foreign) => Err(not_ours(out, &foreign, new.verb).into()),
+    }
 }
 
 /// Names in a folder, sorted; none if the folder is not there.

@@ -93,7 +93,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> 
 ///
 /// # Errors
 /// A finding that names those that are missing.
-pub fn has_all(folder: &Path) -> Result<(), Finding> {
+fn has_all(folder: &Path) -> Result<(), Finding> {
     let missing: Vec<&str> =
         names::OF_GRADING.into_iter().filter(|name| !folder.join(name).is_file()).collect();
     if missing.is_empty() {
@@ -109,7 +109,7 @@ pub fn has_all(folder: &Path) -> Result<(), Finding> {
 ///
 /// # Errors
 /// A finding for each file that was cut short or edited.
-pub fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
+fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for (name, told) in
         [(names::ANSWERS, &grading.answers_sha256), (names::GRADEBOOK, &grading.gradebook_sha256)]
@@ -244,7 +244,6 @@ pub fn policy(
 
 /// Which attempt counts, if the command said so when it was graded.
 pub fn counts_said(grading: &StoredGrading) -> Option<Counts> {
-    [Counts::Last, Counts::Best, Counts::First]
-        .into_iter()
-        .find(|c| grading.attempts.as_deref() == Some(c.as_str()))
+    let said = |(word, _): &&(&str, Counts)| grading.attempts.as_deref() == Some(word);
+    Counts::WORDS.iter().find(said).map(|(_, counts)| *counts)
 }

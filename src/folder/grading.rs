@@ -4,9 +4,9 @@ use crate::answer::quiz::Quiz;
 use crate::bank::{Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder;
-use crate::folder::files::InTheWay;
-use crate::folder::handed_in::HandedIn;
-use crate::folder::quiz::{Place, Taken};
+use crate::folder::files::NewFolder;
+use crate::folder::handed_in::JoinedFiles;
+use crate::folder::quiz::{MatchedQuiz, StudentPart};
 use crate::folder::reports::ReportMade;
 use crate::folder::set::Replayed;
 use crate::folder::staged::Staged;
@@ -28,7 +28,7 @@ use crate::words::Words;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
-use std::io::{BufRead, Read, Write as _};
+use std::io::{BufRead, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -71,37 +71,38 @@ pub struct GradeOrder<'j> {
 ///
 /// # Errors
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
-pub fn grade(job: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findings> {
+pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findings> {
     let mut faults = Findings::default();
-    columns(job.columns).map_err(|f| faults.extend(f)).ok();
-    may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
-    let from_pipe = job.submissions == Path::new("-");
-    if !from_pipe && !job.submissions.exists() {
-        let fault = Finding::new("", "there is no such file").in_file(job.submissions.display().to_string());
+    columns(order.columns).map_err(|f| faults.extend(f)).ok();
+    may_write(order.out, order.force).map_err(|f| faults.extend(f)).ok();
+    let from_pipe = order.submissions == Path::new("-");
+    if !from_pipe && !order.submissions.exists() {
+        let fault =
+            Finding::new("", "there is no such file").in_file(order.submissions.display().to_string());
         faults.push(fault);
     }
-    if let Some(language) = job.language {
+    if let Some(language) = order.language {
         faults.extend(banks::words(language).err().unwrap_or_default());
     }
     if !faults.is_empty() {
         return Err(faults);
     }
-    let Replayed { set, bank, keys, not_drawn } = set::replayed(job.set)?;
-    let text = |name: &str| files::read_text(&job.set.join(name));
+    let Replayed { set, bank, keys, not_drawn } = set::replayed(order.set)?;
+    let text = |name: &str| files::read_text(&order.set.join(name));
     let (set_text, bank_text, key_text) = (text(names::SET)?, text(&set.bank.file)?, text(names::KEY)?);
     let replayed = not_drawn.is_none();
     let asked = None;
     let basis = Basis { set, bank, keys, replayed, set_text, bank_text, key_text, asked };
-    let made = make(job, basis, input)?;
+    let made = make(order, basis, input)?;
     let mut summary = summary::grades(&made.table, &made.graded, &made.policy);
     if let Some(told) = not_drawn {
         summary.push_str(&format!("\n  {told}"));
     }
     summary.push_str(&made.told);
-    let out = job.out.display().to_string();
+    let out = order.out.display().to_string();
     match made.reports()? {
         Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
-        None if job.reports == Reports::Auto => {
+        None if order.reports == Reports::Auto => {
             summary.push_str(&format!(
                 "\n  So many answers: for reports and feedback run `slipstick report {out}`."
             ));
@@ -109,10 +110,10 @@ pub fn grade(job: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findin
         None => {}
     }
     if made.graded.cells == made.graded.count(Verdict::Blank) {
-        let file = job.submissions.display();
+        let file = order.submissions.display();
         summary.push_str(&format!("\n  warning: there is no answer in {file}: is it the right export?"));
     }
-    let gone = made.without_reports() && names::OF_REPORT.iter().any(|name| job.out.join(name).exists());
+    let gone = made.without_reports() && names::OF_REPORT.iter().any(|name| order.out.join(name).exists());
     made.finish()?;
     if gone {
         summary.push_str(&format!(
@@ -195,7 +196,10 @@ impl StagedGrading {
     /// A file cannot be put there.
     pub fn finish(self) -> Result<(), Findings> {
         // Once more: it may have come while answers were graded.
-        only_ours(&self.out)?;
+        let foreign = foreign(&self.out);
+        if !foreign.is_empty() {
+            return Err(files::not_ours(&self.out, &foreign, "grade").into());
+        }
         Ok(self.staged.finish()?)
     }
 }
@@ -207,48 +211,48 @@ const REPORTED: u64 = 300_000;
 ///
 /// # Errors
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
-pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
-    let columns = columns(job.columns)?;
-    let language = job.language.unwrap_or(&basis.set.language);
-    let words = match job.language {
+pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
+    let columns = columns(order.columns)?;
+    let language = order.language.unwrap_or(&basis.set.language);
+    let words = match order.language {
         Some(language) => banks::words(language)?,
         None => Words::of(language).unwrap_or_else(Words::english),
     };
-    let courses = graded::read_courses(job.courses)?;
-    let policy = graded::policy(&basis.bank.grading, &courses, job.attempts)?;
+    let courses = graded::read_courses(order.courses)?;
+    let policy = graded::policy(&basis.bank.grading, &courses, order.attempts)?;
     let mut options = Options {
         columns,
         quiz: false,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let (spooled, handed_in) = spool(job.submissions, input)?;
-    let submitted = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
+    let (spooled, handed_in) = spool(order.submissions, &basis.set.name, input)?;
+    let submitted = spooled.as_ref().map_or(order.submissions, NamedTempFile::path);
     // Who says which column is which has no download of a quiz, nor have the files of a class.
-    let alone = job.columns.is_empty() && handed_in.is_none();
-    let quiz = if alone { read_quiz(job, submitted)? } else { None };
-    let mut told = handed_in.as_ref().map_or_else(String::new, HandedIn::told);
+    let alone = order.columns.is_empty() && handed_in.is_none();
+    let quiz = if alone { read_quiz(order, submitted)? } else { None };
+    let mut told = handed_in.as_ref().map_or_else(String::new, JoinedFiles::told);
     options.quiz = quiz.is_some();
     let (basis, of_quiz) = match &quiz {
         Some(quiz) => {
-            let (basis, file, more) = of_quiz(job, quiz, basis, (&policy, &options))?;
-            told.push_str(&more);
-            (basis, Some(file))
+            let (basis, file, taken) = of_quiz(order, quiz, basis, (&policy, &options))?;
+            told.push_str(&taken.told);
+            (basis, Some((file, taken)))
         }
         None => (basis, None),
     };
-    let path = of_quiz.as_ref().map_or(submitted, NamedTempFile::path);
+    let path = of_quiz.as_ref().map_or(submitted, |(file, _)| file.path());
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text, .. } = basis;
     let table = table(&set, keys, &policy);
     let settings = courses
         .last()
-        .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
+        .map_or_else(|| order.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
     let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
-    let staged = Staged::new(job.out)?;
-    let graded = answers(job, path, &table, &rules, &options, &staged)?;
+    let staged = Staged::new(order.out)?;
+    let graded = answers(order, path, &table, &rules, &options, &staged)?;
     let put = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     put(names::GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
-    let basis = |e: io::Error| files::trouble(&job.out.join(names::BASIS), "cannot be written", &e);
+    let basis = |e: io::Error| files::trouble(&order.out.join(names::BASIS), "cannot be written", &e);
     fs::create_dir(staged.path().join(names::BASIS)).map_err(basis)?;
     let kept =
         [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)].into_iter();
@@ -276,16 +280,18 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         bank_sha256: bank.hash.clone(),
         key_sha256: load::hash(&key_text),
         course_sha256: (!courses.is_empty()).then(|| load::hash(&course_text)),
-        attempts: job.attempts.map(|counts| counts.as_str().to_owned()),
+        attempts: order.attempts.map(|counts| counts.as_str().to_owned()),
         language: words.language().to_owned(),
-        submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        submissions: order.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         submissions_files: handed_in.as_ref().map(|all| all.files),
         submissions_bytes: fs::metadata(submitted).map_or(0, |m| m.len()),
         submissions_sha256: hash(submitted)?,
         quiz: quiz.is_some(),
+        canvas: of_quiz.as_ref().map(|(_, taken)| taken.canvas.clone()).unwrap_or_default(),
+        moodle: of_quiz.as_ref().and_then(|(_, taken)| taken.moodle.clone()),
         answers_sha256: hash(&staged.path().join(names::ANSWERS))?,
         gradebook_sha256: hash(&staged.path().join(names::GRADEBOOK))?,
-        columns: job.columns.to_vec(),
+        columns: order.columns.to_vec(),
         cells: graded.cells,
         verdicts,
         wide: graded.wide,
@@ -296,12 +302,12 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
     put(names::GRADING, grading.text().as_bytes())?;
     Ok(StagedGrading {
         staged,
-        out: job.out.to_owned(),
+        out: order.out.to_owned(),
         table,
         graded,
         policy,
         grading,
-        reports: job.reports,
+        reports: order.reports,
         told,
     })
 }
@@ -316,8 +322,8 @@ fn table(set: &StoredSet, keys: Vec<SheetKey>, policy: &Policy) -> KeyTable {
 }
 
 /// Is it the download of a quiz?
-fn read_quiz(job: &GradeOrder, path: &Path) -> Result<Option<Quiz>, Findings> {
-    let file = job.submissions.display().to_string();
+fn read_quiz(order: &GradeOrder, path: &Path) -> Result<Option<Quiz>, Findings> {
+    let file = order.submissions.display().to_string();
     // What cannot be read is told by grading.
     let read = fs::File::open(path).and_then(|file| quiz::read(Box::new(file)));
     read.unwrap_or(Ok(None)).map_err(|fault| fault.in_file(file).into())
@@ -328,31 +334,31 @@ fn read_quiz(job: &GradeOrder, path: &Path) -> Result<Option<Quiz>, Findings> {
 /// Where a part was answered in several variants, that of the last or the first attempt counts, or the best one: then all are
 /// graded, and for each part that with the most points is taken.
 fn of_quiz(
-    job: &GradeOrder,
+    order: &GradeOrder,
     quiz: &Quiz,
     basis: Basis,
     (policy, options): (&Policy, &Options),
-) -> Result<(Basis, NamedTempFile, String), Findings> {
-    let file = job.submissions.display().to_string();
-    let fault = |e: io::Error| files::trouble(job.submissions, "cannot be read", &e);
-    let (set, keys) = basis.asked.as_ref().map_or((&basis.set, &basis.keys), |(set, keys)| (set, keys));
-    let taken = Taken::new(quiz, (set, keys), &basis.set, policy).map_err(|f| f.in_file(&file))?;
+) -> Result<(Basis, NamedTempFile, MatchedQuiz), Findings> {
+    let file = order.submissions.display().to_string();
+    let fault = |e: io::Error| files::trouble(order.submissions, "cannot be read", &e);
+    let (set, keys, before) = match &basis.asked {
+        Some((set, keys)) => (set, keys, Some(&basis.set)),
+        None => (&basis.set, &basis.keys, None),
+    };
+    let taken = MatchedQuiz::new(quiz, (set, keys), before, policy).map_err(|f| f.in_file(&file))?;
     let mut spooled = NamedTempFile::new().map_err(fault)?;
     spooled.write_all(&taken.text).map_err(fault)?;
     // Which variant counts was settled when it was first graded.
     if basis.asked.is_some() {
-        return Ok((basis, spooled, taken.told));
+        return Ok((basis, spooled, taken));
     }
-    let points_of = |nth: usize| -> Result<BTreeMap<Place, f64>, Findings> {
+    let points_of = |nth: usize| -> Result<BTreeMap<StudentPart, f64>, Findings> {
         let (set, keys) = taken.set((set, keys), &|_, _, _, _| nth);
         let table = table(&set, keys, policy);
         let rules = Rules::new(&table, policy)?;
-        let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(spooled.path())?)) };
-        let graded = run::grade(&open, &table, &rules, options, &mut io::sink(), &mut |_| {});
-        let graded = graded.map_err(|why| match why {
-            GradeFault::Io(e) | GradeFault::Write(e) => fault(e).into(),
-            GradeFault::Header(findings) => findings.in_file(&file),
-        })?;
+        let names = (order.submissions, Path::new(""));
+        let by = (&table, &rules, options);
+        let graded = run_file(spooled.path(), names, by, &mut io::sink(), &mut |_| {})?;
         let width = table.columns.len().max(1);
         let place = |(i, points): (usize, &Option<f64>)| {
             let (column, student) = (table.columns.get(i % width)?, table.students.get(i / width)?);
@@ -376,63 +382,78 @@ fn of_quiz(
         }
     });
     let (set_text, key_text) = (set.text(), String::from_utf8_lossy(&key_file::text(&keys)).into_owned());
-    Ok((Basis { set, keys, set_text, key_text, ..basis }, spooled, taken.told))
+    Ok((Basis { set, keys, set_text, key_text, ..basis }, spooled, taken))
+}
+
+/// Grades a file; faults name what is read and what is written.
+pub(super) fn run_file(
+    path: &Path,
+    (read, written): (&Path, &Path),
+    (table, rules, options): (&KeyTable, &Rules, &Options),
+    out: &mut (dyn Write + Send),
+    progress: &mut (dyn FnMut(u64) + Send),
+) -> Result<run::Graded, Findings> {
+    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
+    run::grade(&open, table, rules, options, out, progress).map_err(|why| match why {
+        GradeFault::Io(e) => files::trouble(read, "cannot be graded", &e).into(),
+        GradeFault::Write(e) => files::trouble(written, "cannot be written", &e).into(),
+        GradeFault::Header(findings) => findings.in_file(read.display().to_string()),
+    })
 }
 
 /// Grades the file at `path` into the answers of a staged folder.
 fn answers(
-    job: &GradeOrder,
+    order: &GradeOrder,
     path: &Path,
     table: &KeyTable,
     rules: &Rules,
     options: &Options,
     staged: &Staged,
 ) -> Result<run::Graded, Findings> {
-    let file = job.submissions.display().to_string();
-    let fault = |e: &io::Error| files::trouble(&job.out.join(names::ANSWERS), "cannot be written", e);
-    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
+    let answers = order.out.join(names::ANSWERS);
+    let fault = |e: &io::Error| files::trouble(&answers, "cannot be written", e);
     let first = files::stamp(path);
     let size = first.map_or(0, |(size, _)| size);
     let mut before = 0;
     let mut progress = |read: u64| {
         // Less is graded in a moment.
         if size > 20_000_000 {
-            job.progress.advance("grading", read.saturating_sub(before), size * rules.reads());
+            order.progress.advance("grading", read.saturating_sub(before), size * rules.reads());
         }
         before = read;
     };
     let out = fs::File::create(staged.path().join(names::ANSWERS)).map_err(|e| fault(&e))?;
     let mut out = io::BufWriter::with_capacity(1 << 18, out);
-    let graded = run::grade(&open, table, rules, options, &mut out, &mut progress);
-    let graded = graded.map_err(|why| match why {
-        GradeFault::Io(e) => files::trouble(job.submissions, "cannot be graded", &e).into(),
-        GradeFault::Write(e) => fault(&e).into(),
-        GradeFault::Header(findings) => findings.in_file(&file),
-    })?;
+    let graded =
+        run_file(path, (order.submissions, &answers), (table, rules, options), &mut out, &mut progress)?;
     // Which attempt counts was found in an earlier walk over the file.
     if files::stamp(path) != first {
-        let changed = Finding::new("", "was changed while it was graded").in_file(file);
+        let changed = Finding::new("", "was changed while it was graded");
+        let changed = changed.in_file(order.submissions.display().to_string());
         return Err(changed.hint("grade it again, or a copy of it").into());
     }
     out.flush().map_err(|e| fault(&e))?;
     Ok(graded)
 }
 
-/// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
-fn only_ours(out: &Path) -> Result<(), Finding> {
+/// What is in the folder that is no grading's, such as notes of somebody else: the whole folder is exchanged at once.
+fn foreign(out: &Path) -> Vec<String> {
     // Only reports have files for students.
     let students = if out.join(names::FEEDBACK).exists() { reports::folders(out) } else { BTreeSet::new() };
     let courses = graded::courses(out).len();
     let ours = |name: &str| names::is_of_grading(name, courses) || names::is_of_report(name, &students);
-    let foreign = files::foreign(out, &ours);
-    if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
+    files::foreign(out, &ours)
 }
 
 /// A pipe is read once, grading reads twice; many files become one. Standard input is the caller's, who holds its lock.
-fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
+fn spool(
+    path: &Path,
+    set: &str,
+    input: &mut dyn BufRead,
+) -> Result<(Option<NamedTempFile>, Option<JoinedFiles>), Finding> {
     let fault = |e: io::Error| files::trouble(path, "cannot be read", &e);
     if path != Path::new("-") && handed_in::is_many(path) {
-        let all = handed_in::joined(path)?;
+        let all = handed_in::joined(path, set)?;
         let mut file = NamedTempFile::new().map_err(fault)?;
         io::Write::write_all(file.as_file_mut(), &all.text).map_err(fault)?;
         return Ok((Some(file), Some(all)));
@@ -469,26 +490,18 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {
 }
 
 /// Nothing, an empty folder, or with `--force` a folder with an earlier grading.
-fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
-    let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
-    files::not_among_students(out)?;
-    files::has_a_name(out, "grades")?;
-    let same = fs::canonicalize(out).ok().zip(fs::canonicalize(set).ok()).is_some_and(|(a, b)| a == b);
-    if same || out.join(names::SET).exists() {
-        return Err(finding("is the folder of a set").hint("give another --out for the grades"));
-    }
-    const IN_THE_WAY: InTheWay = InTheWay {
-        file: "is a file; grades are written to a folder",
+fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
+    const NEW: NewFolder = NewFolder {
+        verb: "grade",
+        makes: "earlier grading",
+        example: "grades",
         taken: "give another --out, or --force to replace an earlier grading",
-        other: "holds no earlier grading",
-        only: "--force replaces only what grade made",
     };
     // What every version of answers.csv begins with.
     let header = row::COLUMNS[..7].join(",");
-    let ours = || {
+    files::may_write_folder(out, force, &NEW, || {
         let mut start = vec![0; header.len()];
         let read = fs::File::open(out.join(names::ANSWERS)).and_then(|mut f| f.read_exact(&mut start));
-        read.is_ok() && start == header.as_bytes()
-    };
-    if files::may_replace(out, force, &IN_THE_WAY, ours)? { only_ours(out) } else { Ok(()) }
+        Ok((read.is_ok() && start == header.as_bytes()).then(|| foreign(out)))
+    })
 }

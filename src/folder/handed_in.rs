@@ -1,13 +1,13 @@
 //! The files of answers of a whole class at once: a folder of them, or the archive that a learning platform gives of an
 //! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
 use crate::answer::submissions;
+use crate::csv_field;
+use crate::csv_field::unguarded;
 use crate::finding::Finding;
 use crate::folder::{files, names};
-use crate::guard;
-use crate::guard::unguarded;
 use crate::sheet::terminal;
 use std::fs::File;
-use std::io::Read;
+use std::io::{Cursor, Read};
 use std::path::Path;
 
 /// Largest file of answers of one student, bytes: some thousand times what a page saves.
@@ -20,6 +20,8 @@ const DEEPEST: usize = 8;
 const COLUMNS: [&str; 4] = ["student", "problem", "part", "answer"];
 /// When it was saved, where the file says so.
 const SAVED: &str = "saved_at";
+/// Of which set the sheet is, where the file says so.
+const SET: &str = "set";
 /// Which file an answer is from, in what is kept.
 const FILE: &str = "file";
 /// What to give.
@@ -27,7 +29,7 @@ const HINT: &str = "give what students handed in: a CSV file, or a folder or ZIP
 
 /// Files of answers, joined.
 #[derive(Debug, Default)]
-pub struct HandedIn {
+pub struct JoinedFiles {
     /// One line for each answer.
     pub text: Vec<u8>,
     /// The same lines to look at: each with the file that it is from, and nothing that a spreadsheet would run.
@@ -43,7 +45,7 @@ pub struct HandedIn {
 /// Files listed one by one before the rest is only counted.
 const LISTED: usize = 20;
 
-impl HandedIn {
+impl JoinedFiles {
     /// How many files there were, and which of them are none of answers: lines for the summary.
     pub fn told(&self) -> String {
         let mut text = format!("\n  from {}", terminal::count(self.files, "file"));
@@ -77,9 +79,11 @@ pub fn is_many(path: &Path) -> bool {
 /// Joins the files of answers in a folder or an archive: by the time at which each was saved, then by name, so that of two files
 /// of a student the later one is the later attempt.
 ///
+/// A file that says it is of another set is passed over.
+///
 /// # Errors
 /// It cannot be read, or no file of answers is in it.
-pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
+pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
     let mut found = Vec::new();
     if path.is_dir() {
         in_folder(path, "", 0, &mut found)?;
@@ -91,10 +95,10 @@ pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
         let fault = Finding::new("", what).in_file(path.display().to_string());
         return Err(fault.hint(HINT));
     }
-    let mut all = HandedIn::default();
+    let mut all = JoinedFiles::default();
     let mut read: Vec<(String, String, Vec<[String; 4]>)> = Vec::new();
     for (name, bytes) in found {
-        match bytes.and_then(|bytes| answers(&bytes)) {
+        match bytes.and_then(|bytes| answers(&bytes, set)) {
             Ok((saved, rows)) => read.push((saved, name, rows)),
             Err(why) => all.passed_over.push((name, why)),
         }
@@ -108,11 +112,11 @@ pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
     let mut joined = csv::Writer::from_writer(Vec::new());
     let no_room = |_| Finding::new("", "is too large to be joined").in_file(path.display().to_string());
     joined.write_record(COLUMNS.iter().chain([&SAVED])).map_err(no_room)?;
-    guard::push_line(&mut all.kept, COLUMNS.iter().chain([&SAVED, &FILE]));
+    csv_field::push_line(&mut all.kept, COLUMNS.iter().chain([&SAVED, &FILE]));
     for (saved, name, rows) in &read {
         for row in rows {
             joined.write_record(row.iter().chain([saved])).map_err(no_room)?;
-            guard::push_line(&mut all.kept, row.iter().chain([saved, name]));
+            csv_field::push_line(&mut all.kept, row.iter().chain([saved, name]));
         }
         if let Some(students) = of_others(name, rows) {
             all.of_others.push((name.clone(), students));
@@ -139,7 +143,7 @@ fn of_others(name: &str, rows: &[[String; 4]]) -> Option<String> {
     (!others.is_empty()).then(|| others.join(", "))
 }
 
-type Found = Vec<(String, Result<Vec<u8>, &'static str>)>;
+type FoundFiles = Vec<(String, Result<Vec<u8>, &'static str>)>;
 
 /// Bytes of a file that may be one of answers.
 fn bytes(mut source: impl Read) -> Result<Vec<u8>, &'static str> {
@@ -167,7 +171,7 @@ fn no_csv(name: &str) -> &'static str {
     }
 }
 
-fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Result<(), Finding> {
+fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut FoundFiles) -> Result<(), Finding> {
     for name in files::names_in(folder) {
         let (path, name) = (folder.join(&name), format!("{prefix}{name}"));
         if is_hidden(&name) {
@@ -190,7 +194,7 @@ fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Re
     Ok(())
 }
 
-fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
+fn in_archive(path: &Path, found: &mut FoundFiles) -> Result<(), Finding> {
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
     let no_archive = |_| Finding::new("", "is no ZIP archive").in_file(path.display().to_string());
     let mut archive = zip::ZipArchive::new(std::io::BufReader::new(file)).map_err(no_archive)?;
@@ -213,28 +217,24 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
 }
 
 /// When a file of answers was saved, as far as it says, and its answers.
-fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
-    let text = submissions::text_of(bytes);
-    let first = text.lines().next().unwrap_or_default();
-    // A spreadsheet may tell its delimiter first.
-    let text = match first.trim().to_ascii_lowercase().starts_with("sep=") {
-        true => text.split_once('\n').map_or("", |(_, rest)| rest),
-        false => &*text,
-    };
-    let first = text.lines().next().unwrap_or_default();
-    let mark = [b',', b';', b'\t'].into_iter().find(|mark| first.as_bytes().contains(mark)).unwrap_or(b',');
-    let mut reader = csv::ReaderBuilder::new().delimiter(mark).flexible(true).from_reader(text.as_bytes());
-    let head = reader.headers().map_err(|_| "cannot be read as CSV")?.clone();
+fn answers(bytes: &[u8], set: &str) -> Result<(String, Vec<[String; 4]>), &'static str> {
+    const NO_CSV: &str = "cannot be read as CSV";
+    let (head, records) =
+        submissions::all_records(Box::new(Cursor::new(bytes.to_vec()))).map_err(|_| NO_CSV)?;
+    let head = head.map_or_else(Vec::new, |head| head.fields);
     let column = |name: &str| head.iter().position(|h| h.trim().eq_ignore_ascii_case(name));
     let [Some(student), Some(problem), Some(part), Some(answer)] = COLUMNS.map(column) else {
-        return Err("has not the columns student, problem, part, answer");
+        return Err("lacks the columns student, problem, part, answer");
     };
     let (mut saved, mut rows) = (String::new(), Vec::new());
-    for record in reader.records() {
-        let record = record.map_err(|_| "cannot be read as CSV")?;
-        let field = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
+    for (_, record) in records {
+        let field = |i: usize| unguarded(record.get(i).map_or("", String::as_str)).to_owned();
         if let Some(at) = column(SAVED).and_then(|i| record.get(i)) {
             saved = saved.max(at.trim().to_owned());
+        }
+        let of_set = column(SET).map(|i| field(i).trim().to_owned()).unwrap_or_default();
+        if !of_set.is_empty() && of_set != set {
+            return Err("was saved from a sheet of another set");
         }
         rows.push([student, problem, part, answer].map(field));
     }

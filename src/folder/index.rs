@@ -8,7 +8,7 @@ use crate::template;
 use crate::template::{Value, View};
 
 /// Something to look at: its address from the page, and what it is.
-struct Entry {
+struct IndexLink {
     href: String,
     what: String,
 }
@@ -55,7 +55,7 @@ pub fn of_set<'s>(
     let mut entries = Vec::new();
     for (what, files) in known {
         for file in files.iter().filter(|f| made.contains(f) || always.contains(f)) {
-            entries.push(Entry {
+            entries.push(IndexLink {
                 href: (*file).to_owned(),
                 what: words.get(&format!("index.set.{what}")).to_owned(),
             });
@@ -97,8 +97,8 @@ pub fn of_grades<'s>(
         ("matches", names::MATCHES),
     ];
     let here = files.iter().filter(|(_, file)| beside || names::OF_REPORT.contains(file));
-    let entries: Vec<Entry> = here
-        .map(|(what, file)| Entry {
+    let entries: Vec<IndexLink> = here
+        .map(|(what, file)| IndexLink {
             href: (*file).to_owned(),
             what: texts.words.get(&format!("index.grades.{what}")).to_owned(),
         })
@@ -118,7 +118,7 @@ fn page<'p>(
     texts: &Texts,
     (kind, about): (&str, &str),
     set: &str,
-    entries: &[Entry],
+    entries: &[IndexLink],
     people: impl Iterator<Item = Person<'p>>,
 ) -> Result<Vec<u8>, Finding> {
     let words = &texts.words;
@@ -148,7 +148,5 @@ fn page<'p>(
     }
     view.value("entries", template::list(entries.iter().map(|e| link(&e.href, &e.what)).collect()));
     view.value("people", template::list(people.collect()));
-    let mut out = Vec::new();
-    texts.templates.render("index.html", &view, &mut out)?;
-    Ok(out)
+    texts.templates.made("index.html", &view)
 }

@@ -11,10 +11,9 @@ use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
 use crate::matches;
 use crate::matches::{AnswerColumn, WrongAnswer};
-use crate::report::alike::{ClassMatches, MatchedPair};
+use crate::report::matches::{ClassMatches, MatchedPair};
 use crate::set::dealer::{Dealer, indices};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 
 /// With the draws of the class so many keys of each question are known: what a class is too small for, further draws show.
 const KEYS: usize = 300;
@@ -26,10 +25,6 @@ const KEYS: usize = 300;
 pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
     let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
     let table = KeyTable::new(keys, &[]);
-    let place: BTreeMap<(String, &str), usize> =
-        table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
-    let whose: BTreeMap<&str, usize> =
-        graded.set.students.iter().enumerate().map(|(i, s)| (s.student.as_str(), i)).collect();
     let mut wrong = Vec::new();
     let mut texts = Vec::new();
     let (mut units, say) = (UnitCache::default(), Feedback::english());
@@ -37,9 +32,7 @@ pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
         if row.verdict != Verdict::Wrong {
             return;
         }
-        let student = whose.get(&*row.student).copied();
-        let question = place.get(&(row.problem.to_string(), &*row.part)).copied();
-        let (Some(student), Some(question)) = (student, question) else { return };
+        let Some((student, question)) = table.place_of(&row) else { return };
         let Some(entry) = table.entry(student, question) else { return };
         let Answer::Number { magnitude, .. } = entry.answer else { return };
         let number = compare::compare_with(&row.answer, entry, &mut units, say).number;
@@ -64,10 +57,7 @@ pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
         let s = &graded.set.students[i];
         [s.student.clone(), s.name.clone()]
     };
-    let part = |i: &usize| {
-        let column = &table.columns[wrong[*i].question];
-        format!("{}.{}", column.number, column.part)
-    };
+    let part = |i: &usize| table.columns[wrong[*i].question].label();
     let pairs = found.pairs.iter().map(|pair| {
         let explained: Vec<String> = pair
             .hits

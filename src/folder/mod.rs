@@ -20,6 +20,7 @@ pub mod quiz;
 pub mod regrading;
 pub mod reports;
 pub mod set;
+pub mod simulate;
 pub mod solutions;
 pub mod staged;
 pub mod tolerances;

@@ -7,9 +7,9 @@ use crate::inspect::table::unsatisfiable;
 use crate::problem::maker::{Maker, Variant};
 use crate::sheet::document::Document;
 use crate::sheet::html::{self, Converter, PlaceInPage};
-use crate::sheet::page::{Room, Sheets};
 use crate::sheet::public;
 use crate::sheet::self_check::{Handed, Hosting, SelfCheck, Use};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solution;
 
@@ -60,8 +60,8 @@ pub fn page(plan: &PracticePlan) -> Result<Vec<u8>, Findings> {
     let variants = rounds.flat_map(|round| makers.iter().map(move |maker| drawn(loaded, maker, round)));
     let variants: Vec<Variant> = variants.collect::<Result<_, _>>()?;
     let sheets = Sheets::new(templates, words, bank, SET, &all)?;
-    let (mut room, mut converter) = (Room::default(), Converter::new(words));
-    let (head, around) = sheets.document("", "", &[], &mut room)?;
+    let (mut scratch, mut converter) = (SheetScratch::default(), Converter::new(words));
+    let (head, around) = sheets.document("", "", &[], &mut scratch)?;
     let head = crate::sheet::document::Head { code: sheets.head("", "", &variants).code, ..head };
     let sheet = public::Writer::new(bank, &loaded.text, &all, SET, words.language())?.text("", &variants);
     let handed = Handed { head: &head, folder: SET, sheet: &sheet, variants: &variants };
@@ -79,7 +79,7 @@ pub fn page(plan: &PracticePlan) -> Result<Vec<u8>, Findings> {
             html::styles_once(html.trim_end(), &mut styles)
         };
         let heading = format!("## {number}. {}\n\n", of(index).title);
-        let task = body(&sheets.problem_document(i, &heading, variant, &mut room)?, "p", 0, &boxes);
+        let task = body(&sheets.problem_document(i, &heading, variant, &mut scratch)?, "p", 0, &boxes);
         let problem: &Problem = of(index);
         let worked = body(&solution::document(problem, variant, number, words, templates)?, "w", 1, &[]);
         let summary = words.get("page.worked");
@@ -88,7 +88,7 @@ pub fn page(plan: &PracticePlan) -> Result<Vec<u8>, Findings> {
         ));
     }
     // The problems stand before what is said about answers.
-    let around = converter.body(&around, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+    let around = converter.body(&around, &[], PlaceInPage::default());
     let (before, after) = around.split_at(around.find("<hr>").unwrap_or(around.len()));
     let body = format!("{before}{tasks}{after}");
     Ok(html::page(templates, words, SET, &head, &body, Some(&tools))?)

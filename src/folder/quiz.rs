@@ -1,18 +1,21 @@
 //! A quiz of a learning platform as answers to a set. Each question shows the code of its variant: what was written to it is an
 //! answer to those data, whoever of the set they were drawn for, and the mark goes to who wrote it. From the download come a file
 //! of submissions like any other, and a set in which each student has the variants that the quiz asked.
-use crate::answer::quiz::{Platform, Quiz, QuizAnswer, QuizAttempt, Written, code_words};
+use crate::answer::quiz::{Platform, Quiz, QuizAnswer, QuizAttempt, QuizText, code_words};
 use crate::answer::roster;
 use crate::finding::Finding;
 use crate::grade::run::QUIZ_COLUMNS;
-use crate::key::SheetKey;
+use crate::key::{ProblemKey, SheetKey};
 use crate::policy::{Counts, Policy};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
+use crate::words::plain::beginning;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Codes, students and notes listed one by one before the rest is only counted.
 const LISTED: usize = 10;
+/// Letters of a text that are shown.
+const SHORT: usize = 40;
 /// Longest id, as in a roster.
 const LONGEST: usize = 100;
 
@@ -24,7 +27,7 @@ struct Variants {
 }
 
 /// One answer of the quiz.
-struct Row {
+struct QuizRow {
     line: u64,
     attempt: usize,
     /// Number of the problem, or what the question is called where its code is not known.
@@ -34,6 +37,8 @@ struct Row {
     code: String,
     /// Index of the problem and the part, and the student of the set whose variant it is.
     of: Option<(usize, usize, usize)>,
+    /// Index of the problem, where it is known.
+    at: Option<usize>,
 }
 
 impl Variants {
@@ -92,13 +97,15 @@ impl Variants {
     }
 
     /// The answers of an attempt, one for each part.
-    fn rows(&self, attempt: usize, taken: &QuizAttempt, platform: Platform, rows: &mut Vec<Row>) {
+    fn rows(&self, attempt: usize, taken: &QuizAttempt, platform: Platform, rows: &mut Vec<QuizRow>) {
         let before = rows.len();
         let line = taken.line;
         let row = |problem: String, part: &str, answer: &str| {
             let (part, answer, code) = (part.to_owned(), answer.to_owned(), String::new());
-            Row { line, attempt, problem, part, answer, code, of: None }
+            QuizRow { line, attempt, problem, part, answer, code, of: None, at: None }
         };
+        let placed =
+            |p: usize, part: &str, answer: &str| QuizRow { at: Some(p), ..row(String::new(), part, answer) };
         for asked in &taken.answers {
             let found = self.code(&asked.question).or_else(|| self.code(&asked.header));
             let (code, rest) = match found {
@@ -112,37 +119,36 @@ impl Variants {
             };
             let (s, p) = self.by_code[&code];
             let parts = &self.parts[p];
-            let number = (p + 1).to_string();
             let alone = self.part(p, &asked.question, rest).or((parts.len() == 1).then_some(0));
             let answers = match (&asked.written, alone) {
-                (Written::Nothing, Some(part)) => vec![(part, "")],
-                (Written::Nothing, None) => (0..parts.len()).map(|part| (part, "")).collect(),
-                (Written::Parts(all), Some(part)) if all.len() == 1 => vec![(part, all[0].as_str())],
-                (Written::Parts(all), _) if all.len() == parts.len() => {
+                (QuizText::Nothing, Some(part)) => vec![(part, "")],
+                (QuizText::Nothing, None) => (0..parts.len()).map(|part| (part, "")).collect(),
+                (QuizText::Parts(all), Some(part)) if all.len() == 1 => vec![(part, all[0].as_str())],
+                (QuizText::Parts(all), _) if all.len() == parts.len() => {
                     all.iter().map(String::as_str).enumerate().collect()
                 }
-                (Written::Whole { text, .. }, Some(part)) => vec![(part, text.as_str())],
-                (Written::Whole { list, .. }, None)
+                (QuizText::Whole { text, .. }, Some(part)) => vec![(part, text.as_str())],
+                (QuizText::Whole { list, .. }, None)
                     if platform == Platform::Canvas && list.len() == parts.len() =>
                 {
                     list.iter().map(String::as_str).enumerate().collect()
                 }
                 // To which part it is an answer cannot be told.
                 _ => {
-                    rows.push(Row { code, ..row(number, &short(&asked.header), &text(asked)) });
+                    rows.push(QuizRow { code, ..placed(p, &beginning(&asked.header, SHORT), &text(asked)) });
                     continue;
                 }
             };
-            rows.extend(answers.into_iter().map(|(part, answer)| Row {
+            rows.extend(answers.into_iter().map(|(part, answer)| QuizRow {
                 code: code.clone(),
                 of: Some((p, part, s)),
-                ..row(number.clone(), &parts[part], answer)
+                ..placed(p, &parts[part], answer)
             }));
         }
         // An attempt that was never begun is one at nothing.
         if rows.len() == before {
             for (p, parts) in self.parts.iter().enumerate() {
-                rows.extend(parts.iter().map(|part| row((p + 1).to_string(), part, "")));
+                rows.extend(parts.iter().map(|part| placed(p, part, "")));
             }
         }
     }
@@ -151,9 +157,18 @@ impl Variants {
 /// An answer as one text.
 fn text(asked: &QuizAnswer) -> String {
     match &asked.written {
-        Written::Nothing => String::new(),
-        Written::Parts(parts) => parts.join("; "),
-        Written::Whole { text, .. } => text.clone(),
+        QuizText::Nothing => String::new(),
+        QuizText::Parts(parts) => parts.join("; "),
+        QuizText::Whole { text, .. } => text.clone(),
+    }
+}
+
+/// Was anything typed?
+fn is_typed(asked: &QuizAnswer) -> bool {
+    match &asked.written {
+        QuizText::Nothing => false,
+        QuizText::Parts(parts) => parts.iter().any(|part| !part.is_empty()),
+        QuizText::Whole { list, .. } => list.iter().any(|item| !item.is_empty()),
     }
 }
 
@@ -216,17 +231,41 @@ impl Takers {
         );
         Self { who, on_roster, strangers, by }
     }
+
+    /// Of each student SIS id, login and Canvas's own number; nothing of other platforms.
+    fn canvas(&self, quiz: &Quiz) -> BTreeMap<String, [String; 3]> {
+        let all = self.who.iter().zip(&quiz.attempts).filter(|_| quiz.platform == Platform::Canvas);
+        all.map(|((id, _), attempt)| (id.clone(), attempt.ids.each_ref().map(|id| clean(id)))).collect()
+    }
+
+    /// See [`MatchedQuiz::moodle`].
+    fn moodle(&self, quiz: &Quiz) -> Option<&'static str> {
+        let listed = |id: &str| !self.on_roster || !self.strangers.contains(id);
+        let kind = |((id, _), attempt): (&(String, String), &QuizAttempt)| {
+            attempt.ids.iter().position(|own| clean(own).to_lowercase() == id.to_lowercase())
+        };
+        let all = self.who.iter().zip(&quiz.attempts).filter(|((id, _), _)| listed(id));
+        let kinds: BTreeSet<Option<usize>> = all.map(kind).collect();
+        match quiz.platform {
+            Platform::Moodle if kinds.contains(&None) => Some(MOODLE_NAMES),
+            Platform::Moodle if kinds == BTreeSet::from([Some(1)]) => Some("Username"),
+            _ => None,
+        }
+    }
 }
 
+/// Moodle's word for a name, by which it knows nobody when grades are imported.
+const MOODLE_NAMES: &str = "Full name";
+
 /// Of a student and a part, the variants in the order in which they were answered: students of the set whose they are.
-type Asked = HashMap<Place, Vec<usize>>;
+type Asked = HashMap<StudentPart, Vec<usize>>;
 /// A student, a problem and a part.
-pub type Place = (String, usize, usize);
+pub type StudentPart = (String, usize, usize);
 /// An attempt, whose variant it answered, and whether it did.
 type Answered = (usize, usize, bool);
 
 /// A quiz, held against its set.
-pub struct Taken {
+pub struct MatchedQuiz {
     /// The file of submissions.
     pub text: Vec<u8>,
     /// What is odd, for the summary.
@@ -234,19 +273,27 @@ pub struct Taken {
     /// Students and names.
     students: Vec<StoredStudent>,
     asked: Asked,
+    /// The problems that were asked: indices of the set.
+    problems: Vec<usize>,
+    /// Who they are on Canvas.
+    pub canvas: BTreeMap<String, [String; 3]>,
+    /// What stands in the first column of the gradebook for Moodle, where it is neither ID number nor e-mail address.
+    pub moodle: Option<String>,
 }
 
-impl Taken {
-    /// Finds the variants and who answered them. `set` says whose codes they are and `keys` their parts; `roster` has the students.
+impl MatchedQuiz {
+    /// Finds the variants and who answered them. `set` says whose codes they are and `keys` their parts; `before` is the
+    /// set of the earlier grading, if a quiz is graded again: its students and problems stay.
     ///
     /// # Errors
     /// No question shows a code of the set.
     pub fn new(
         quiz: &Quiz,
         (set, keys): (&StoredSet, &[SheetKey]),
-        roster: &StoredSet,
+        before: Option<&StoredSet>,
         policy: &Policy,
     ) -> Result<Self, Finding> {
+        let roster = before.unwrap_or(set);
         let variants = Variants::new(set, keys)?;
         let mut rows = Vec::new();
         for (i, attempt) in quiz.attempts.iter().enumerate() {
@@ -254,8 +301,11 @@ impl Taken {
         }
         let unknown = unknown_codes(&rows);
         if !unknown.is_empty() && !rows.iter().any(|row| row.of.is_some()) {
-            return Err(no_code(quiz.platform, &variants, &unknown));
+            return Err(no_code(quiz, &variants, &unknown));
         }
+        let problems = problems(&rows, set, before);
+        number(&mut rows, set, &problems);
+        let unknown = unknown_codes(&rows);
         let takers = Takers::new(quiz, roster);
         let asked = asked(quiz, &rows, &takers, policy);
         let mut students: Vec<StoredStudent> = Vec::new();
@@ -270,8 +320,14 @@ impl Taken {
                 students.push(StoredStudent { student, name, folder, problems });
             }
         }
-        let told = told(quiz, &rows, &takers, &unknown);
-        Ok(Self { text: submissions(quiz, &rows, &takers), told, students, asked })
+        let mut told = told(quiz, &rows, &takers, &unknown);
+        told.push_str(&not_asked(set, &problems));
+        let text = submissions(quiz, &rows, &takers);
+        let (canvas, moodle) = (takers.canvas(quiz), takers.moodle(quiz));
+        if let Some(MOODLE_NAMES) = moodle {
+            told.push_str("\n  warning: Moodle cannot import grades by name: download the responses again, with ID number, user name or e-mail address");
+        }
+        Ok(Self { text, told, students, asked, problems, canvas, moodle: moodle.map(str::to_owned) })
     }
 
     /// How many variants of one part a student answered at most.
@@ -291,11 +347,13 @@ impl Taken {
         for student in &mut students {
             let id = student.student.clone();
             let of = own.get(id.as_str()).copied().or(keys.first());
-            let mut problems = of.map_or_else(Vec::new, |key| key.problems.clone());
-            for (p, key) in problems.iter_mut().enumerate() {
+            let keys_of = |key: &SheetKey| self.problems.iter().map(|p| key.problems[*p].clone()).collect();
+            let mut problems: Vec<ProblemKey> = of.map_or_else(Vec::new, keys_of);
+            student.problems = self.problems.iter().map(|p| student.problems[*p].clone()).collect();
+            for (nth, (key, p)) in problems.iter_mut().zip(self.problems.iter().copied()).enumerate() {
                 let chosen = (0..key.parts.len()).map(|part| {
-                    let all = self.asked.get(&(id.clone(), p, part))?;
-                    all.get(choose(&id, p, part, all.len()).min(all.len().saturating_sub(1))).copied()
+                    let all = self.asked.get(&(id.clone(), nth, part))?;
+                    all.get(choose(&id, nth, part, all.len()).min(all.len().saturating_sub(1))).copied()
                 });
                 let chosen: Vec<Option<usize>> = chosen.collect();
                 let count = |s: usize| chosen.iter().filter(|c| **c == Some(s)).count();
@@ -316,24 +374,76 @@ impl Taken {
                         stored.parts.insert(part, variant(other));
                     }
                 }
-                student.problems[p] = stored;
+                student.problems[nth] = stored;
             }
             sheets.push(SheetKey { student: id, problems });
         }
         // Who has the same is a matter of the quiz.
-        (StoredSet { students, coincidences: Vec::new(), ..set.clone() }, sheets)
+        let problems = self.problems.iter().map(|p| set.problems[*p].clone()).collect();
+        (StoredSet { students, problems, coincidences: Vec::new(), ..set.clone() }, sheets)
     }
 }
 
+/// The problems of the set that any attempt shows; all if none shows one, and those of the earlier grading where there is one.
+fn problems(rows: &[QuizRow], set: &StoredSet, before: Option<&StoredSet>) -> Vec<usize> {
+    let all = 0..set.problems.len();
+    if let Some(before) = before {
+        return all.filter(|p| before.problems.contains(&set.problems[*p])).collect();
+    }
+    let shown: BTreeSet<usize> =
+        rows.iter().filter(|row| !row.code.is_empty()).filter_map(|row| row.at).collect();
+    if shown.is_empty() { all.collect() } else { shown.into_iter().collect() }
+}
+
+/// Numbers the problems of the rows as those that were asked are numbered.
+fn number(rows: &mut Vec<QuizRow>, set: &StoredSet, problems: &[usize]) {
+    rows.retain_mut(|row| {
+        let Some(p) = row.at else { return true };
+        let Some(nth) = problems.iter().position(|asked| *asked == p) else {
+            // An answer to what was not asked when it was first graded is told of; an empty one is no row.
+            row.problem.clone_from(&set.problems[p]);
+            row.of = None;
+            return !row.code.is_empty();
+        };
+        row.problem = (nth + 1).to_string();
+        row.of = row.of.map(|(_, part, s)| (nth, part, s));
+        true
+    });
+}
+
+/// A line on the problems that were not asked.
+fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
+    let left: Vec<usize> = (0..set.problems.len()).filter(|p| !problems.contains(p)).collect();
+    let mut some: Vec<String> =
+        left.iter().take(LISTED).map(|p| format!("{} ({})", p + 1, set.problems[*p])).collect();
+    if left.len() > LISTED {
+        some.push(format!("and {} more", left.len() - LISTED));
+    }
+    if some.is_empty() {
+        return String::new();
+    }
+    let numbers = problems.iter().enumerate().filter(|(nth, p)| nth != *p);
+    let numbers: Vec<String> = numbers
+        .take(LISTED)
+        .map(|(nth, p)| format!("{} ({}) is problem {}", p + 1, set.problems[*p], nth + 1))
+        .collect();
+    let anew =
+        if numbers.is_empty() { String::new() } else { format!("; in the grades {}", numbers.join(", ")) };
+    format!(
+        "\n  Problems of the set that the quiz did not ask, and that do not count: {}{anew}",
+        some.join(", ")
+    )
+}
+
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
-fn asked(quiz: &Quiz, rows: &[Row], takers: &Takers, policy: &Policy) -> Asked {
+fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Asked {
     let time = |attempt: usize| {
         let QuizAttempt { began, submitted, .. } = &quiz.attempts[attempt];
         let text = if submitted.is_empty() { began } else { submitted };
         policy.zone.read(text).map(|m| m.micros[usize::from(policy.day_first == Some(false))])
     };
     let times: Vec<Option<i64>> = (0..quiz.attempts.len()).map(time).collect();
-    let mut found: HashMap<Place, Vec<Answered>> = HashMap::new();
+    let mut found: HashMap<StudentPart, Vec<Answered>> = HashMap::new();
     for row in rows {
         let Some((p, part, s)) = row.of else { continue };
         let id = takers.who[row.attempt].0.clone();
@@ -341,7 +451,7 @@ fn asked(quiz: &Quiz, rows: &[Row], takers: &Takers, policy: &Policy) -> Asked {
         found.entry((id, p, part)).or_default().push((row.attempt, s, answered));
     }
     let most = policy.attempts.at_most.map_or(usize::MAX, |n| n as usize);
-    let in_order = |(key, mut all): (Place, Vec<Answered>)| {
+    let in_order = |(key, mut all): (StudentPart, Vec<Answered>)| {
         // As answers are ordered: by time if all times can be read, else as they stand.
         if all.iter().all(|(attempt, ..)| times[*attempt].is_some()) {
             all.sort_by_key(|(attempt, ..)| times[*attempt]);
@@ -364,7 +474,7 @@ fn asked(quiz: &Quiz, rows: &[Row], takers: &Takers, policy: &Policy) -> Asked {
 }
 
 /// Questions whose variant is not known, and how many answers they have.
-fn unknown_codes(rows: &[Row]) -> BTreeMap<&str, usize> {
+fn unknown_codes(rows: &[QuizRow]) -> BTreeMap<&str, usize> {
     let mut unknown: BTreeMap<&str, usize> = BTreeMap::new();
     for row in rows.iter().filter(|row| row.code.is_empty() && row.part.is_empty()) {
         *unknown.entry(&row.problem).or_default() += 1;
@@ -374,24 +484,22 @@ fn unknown_codes(rows: &[Row]) -> BTreeMap<&str, usize> {
 
 /// At most so many of them, by name.
 fn listed(unknown: &BTreeMap<&str, usize>) -> String {
-    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| short(code)).collect();
+    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| beginning(code, SHORT)).collect();
     if unknown.len() > LISTED {
         some.push(format!("and {} more", unknown.len() - LISTED));
     }
     some.join(", ")
 }
 
-fn short(text: &str) -> String {
-    const SHORT: usize = 40;
-    let shown: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(SHORT).collect();
-    if text.chars().nth(SHORT).is_some() { format!("{shown}…") } else { shown }
-}
-
-fn no_code(platform: Platform, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
+fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
     let what = format!("no question shows the code of a variant of this set: {}", listed(unknown));
+    let headers: BTreeSet<&str> =
+        quiz.attempts.iter().flat_map(|a| a.answers.iter().map(|asked| asked.header.as_str())).collect();
+    let has_codes = unknown.keys().any(|name| !headers.contains(name));
     let some: Vec<&str> = variants.by_code.keys().map(String::as_str).take(1).collect();
     let such = format!("a code looks like {}, key.csv has them all", some.join(""));
-    let hint = match platform {
+    let hint = match quiz.platform {
+        _ if has_codes => format!("the codes are of another set: give the set that was exported; {such}"),
         Platform::Moodle => format!(
             "tick `question text` above Moodle's report *Responses* and download it again, or give the set that was exported; {such}"
         ),
@@ -401,7 +509,7 @@ fn no_code(platform: Platform, variants: &Variants, unknown: &BTreeMap<&str, usi
 }
 
 /// What the summary says of the quiz.
-fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usize>) -> String {
+fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str, usize>) -> String {
     let people = takers.who.iter().map(|(id, _)| id).collect::<BTreeSet<_>>().len();
     let file = match quiz.platform {
         Platform::Moodle => "Moodle's responses",
@@ -414,7 +522,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
         text.push_str(&line);
     };
     let some = |ids: &BTreeSet<String>| {
-        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| short(id)).collect();
+        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| beginning(id, SHORT)).collect();
         format!("{}{}", shown.join(", "), if ids.len() > LISTED { ", ..." } else { "" })
     };
     if !takers.on_roster {
@@ -425,12 +533,13 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
     } else if !takers.strangers.is_empty() {
         add(format!("look at: not on the roster of the set: {}", some(&takers.strangers)));
     }
-    let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && !a.answers.is_empty()).count();
+    let typed = |a: &QuizAttempt| a.answers.iter().any(is_typed);
+    let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && typed(a)).count();
     if open > 0 {
         add(format!("never submitted, and judged all the same: {}", terminal::count(open, "attempt")));
     }
     if !unknown.is_empty() {
-        let answers = terminal::count(unknown.values().sum(), "answer");
+        let answers = terminal::count(unknown.values().sum::<usize>(), "answer");
         add(format!(
             "look at: questions whose code is none of this set, with {answers}: {}",
             listed(unknown)
@@ -459,7 +568,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
 }
 
 /// The file of submissions. Only grading reads it, so that nothing is guarded against spreadsheets.
-fn submissions(quiz: &Quiz, rows: &[Row], takers: &Takers) -> Vec<u8> {
+fn submissions(quiz: &Quiz, rows: &[QuizRow], takers: &Takers) -> Vec<u8> {
     let [line, code] = QUIZ_COLUMNS;
     let mut out = csv::Writer::from_writer(Vec::new());
     // To a vector nothing fails.

@@ -7,7 +7,7 @@ use crate::folder::{Progress, banks, files, graded, grading, names, set};
 use crate::grade::table::KeyTable;
 use crate::key::SheetKey;
 use crate::policy::Counts;
-use crate::regrade::changes::{Grading, Settings, Who, compare};
+use crate::regrade::changes::{Grading, Settings, compare};
 use crate::report::changes::{ChangesTold, KeysBeforeAfter};
 use crate::set::store::{StoredSet, StoredVariant};
 use crate::set::{given, key_file};
@@ -78,7 +78,7 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
     }
     let old = graded::open(job.graded, None)?;
     let mut set = set::open(job.set)?;
-    same_set(&old, &set, job)?;
+    same_as_graded(&old, &set, job)?;
     let bank_path = job.bank.map_or_else(|| job.set.join(&set.bank.file), Path::to_owned);
     let bank_file = bank_path.display().to_string();
     let bank_text = files::read_text(&bank_path)?;
@@ -166,21 +166,20 @@ fn changes(
     course: Option<&Path>,
     told: &mut String,
 ) -> Result<Vec<u8>, Findings> {
-    let who = tables.who();
-    let before = read(&who, &old.folder)?;
-    let after = read(&who, made.folder())?;
+    let keys = &tables.new;
+    let before = read(keys, &old.folder)?;
+    let after = read(keys, made.folder())?;
     let (then, now) = (&old.policy, made.policy());
     let settings = Settings {
         costs: (&then.zone, then.due, &then.extensions, then.attempts, then.late)
             != (&now.zone, now.due, &now.extensions, now.attempts, now.late),
         credit: then.credit != now.credit,
     };
-    let changes = compare(&who, &before, &after, settings, &|s, p| tables.entries(s, p));
-    let desk =
-        ChangesTold { who: &who, students, before: &before, after: &after, changes: &changes, keys: tables };
-    desk.rules(told, rules, (then, now), course);
-    desk.marks(told);
-    Ok(desk.csv(now))
+    let changes = compare(keys, &before, &after, settings, &|s, p| tables.entries(s, p));
+    let writer = ChangesTold { students, before: &before, after: &after, changes: &changes, keys: tables };
+    writer.rules(told, rules, (then, now), course);
+    writer.marks(told);
+    Ok(writer.csv(now))
 }
 
 /// A new folder, not within the old grading.
@@ -203,13 +202,18 @@ fn may_write(out: &Path, job: &RegradingJob) -> Result<(), Finding> {
 }
 
 /// The set must be that of the grading; students may have joined since.
-fn same_set(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
+fn same_as_graded(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
     let old = &graded.set;
     let file = job.set.join(names::SET).display().to_string();
     let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);
     let hint = format!("give the set that {} was graded with", job.graded.display());
     let mut faults = Findings::default();
-    if (&old.name, old.seed) != (&new.name, new.seed) || old.problems != new.problems {
+    // A quiz need not ask all problems of its set.
+    let same_problems = match graded.grading.quiz {
+        true => old.problems.iter().all(|id| new.problems.contains(id)),
+        false => old.problems == new.problems,
+    };
+    if (&old.name, old.seed) != (&new.name, new.seed) || !same_problems {
         let told = |s: &StoredSet| format!("{}, seed {}, problems {}", s.name, s.seed, s.problems.join(", "));
         faults
             .push(finding("", format!("is another set ({}) than the one graded ({})", told(new), told(old))));
@@ -317,12 +321,12 @@ fn same_units(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Fi
     faults.into_result(())
 }
 
-fn read(who: &Who, folder: &Path) -> Result<Grading, Findings> {
-    let mut found = Grading::new(who);
-    graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(who, row))?;
+fn read(keys: &KeyTable, folder: &Path) -> Result<Grading, Findings> {
+    let mut found = Grading::new(keys);
+    graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(keys, row))?;
     let path = folder.join(names::GRADEBOOK);
     let bytes = files::read(&path)?;
-    found.book(who, bytes.as_slice()).map_err(|fault| {
+    found.book(keys, bytes.as_slice()).map_err(|fault| {
         let line = usize::try_from(fault.line).unwrap_or(1).max(1);
         Findings::from(Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string()))
     })?;

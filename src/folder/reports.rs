@@ -8,11 +8,12 @@ use crate::folder::{banks, class, files, graded, index, matches, names, staged};
 use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
-use crate::report::feedback::FeedbackDesk;
+use crate::report::feedback::FeedbackWriter;
 use crate::report::lms::GradebookLine;
 use crate::report::marks::{Marks, Student};
 use crate::report::study::ClassStudy;
 use crate::report::{lms, table};
+use crate::set::grading::StoredGrading;
 use crate::set::store::StoredSet;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
@@ -172,7 +173,7 @@ pub fn make(
     let graded = graded::open(graded, None)?;
     let mut bank = graded.bank.clone();
     let texts = banks::texts(templates, language.unwrap_or(&graded.grading.language), &mut bank)?;
-    let catalogue = Catalogue::of(texts.words.language()).unwrap_or_else(Catalogue::built_in);
+    let catalogue = Catalogue::shared(texts.words.language());
     let marks = read_marks(&graded, &bank, &texts.words)?;
     let study = ClassStudy::of(&marks);
     let written =
@@ -185,13 +186,8 @@ pub fn make(
 
     let mut converter = Converter::new(&texts.words);
     let about = class::about(&graded, &bank, &texts.words);
-    let reporter = ClassReporter {
-        marks: &marks,
-        study: &study,
-        catalogue: &catalogue,
-        matches: &found,
-        words: &texts.words,
-    };
+    let reporter =
+        ClassReporter { marks: &marks, study: &study, catalogue, matches: &found, words: &texts.words };
     let told = reporter.report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))?;
     write(names::REPORT, &told.html)?;
     folder(names::TABLES)?;
@@ -199,10 +195,10 @@ pub fn make(
         write(&format!("{}/{}.csv", names::TABLES, table.name), &table.csv())?;
     }
     folder(names::FEEDBACK)?;
-    feedback(&graded, (&texts, &catalogue), &about.title, &marks, threads, &write)?;
-    let (item, most, lines) = book(&marks, &graded.grading.set, &texts.words);
+    feedback(&graded, (&texts, catalogue), &about.title, &marks, threads, &write)?;
+    let (item, most, lines) = book(&marks, &graded.grading, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
-    write(names::MOODLE, &lms::moodle(&item, &lines))?;
+    write(names::MOODLE, &lms::moodle(&item, graded.grading.moodle.as_deref(), &lines))?;
     let people = marks.class.students.iter().map(|s| (s.id.as_str(), s.name.as_str(), s.folder.as_str()));
     write(names::INDEX, &index::of_grades(&texts, &graded.set.name, beside, people)?)?;
     let english = Words::english();
@@ -210,7 +206,7 @@ pub fn make(
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
         tables: told.tables.len(),
-        lines: ClassReporter { catalogue: &Catalogue::built_in(), words: &english, ..reporter }.in_brief(),
+        lines: ClassReporter { catalogue: Catalogue::shared("en"), words: &english, ..reporter }.in_brief(),
         matches: found.summary(&english),
     })
 }
@@ -236,7 +232,7 @@ fn feedback(
             corrections.push((i, correction.why.clone()));
         }
     }
-    let desk = FeedbackDesk {
+    let writer = FeedbackWriter {
         marks,
         title,
         set: &graded.set.name,
@@ -252,8 +248,8 @@ fn feedback(
     let of_some = |some: &[usize]| -> Result<(), Findings> {
         let mut converter = Converter::new(&texts.words);
         for student in some {
-            let (head, document) = desk.document(*student)?;
-            let body = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+            let (head, document) = writer.document(*student)?;
+            let body = converter.body(&document, &[], PlaceInPage::default());
             let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body, None)?;
             let name = format!("{}/{}", names::FEEDBACK, marks.class.students[*student].folder);
             write(&format!("{name}.html"), &page)?;
@@ -267,7 +263,12 @@ fn feedback(
 /// Name of the grade item, the most that it gives, and the lines of the gradebooks; their short text names the verdict of each
 /// part. Where not all students can get the same number of points (another problem is dropped), points cannot be compared: the
 /// item is then in per cent.
-fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<GradebookLine<'m>>) {
+fn book<'m>(
+    marks: &'m Marks,
+    grading: &'m StoredGrading,
+    words: &Words,
+) -> (String, f64, Vec<GradebookLine<'m>>) {
+    let set = &grading.set;
     let most = marks.totals.iter().map(|t| t.1).fold(0.0, f64::max);
     let same = marks.totals.iter().all(|t| (t.1 - most).abs() <= 1e-9 * most);
     let told = |s: usize| -> String {
@@ -293,6 +294,7 @@ fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<Gra
         GradebookLine {
             id: &student.id,
             name: &student.name,
+            canvas: grading.canvas.get(&student.id),
             points: any.then(|| points(marks.totals[s])),
             feedback: if any { told(s) } else { String::new() },
         }
@@ -304,7 +306,7 @@ fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<Gra
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
     let document = Document::new(markdown.to_owned(), Vec::new());
-    let html = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+    let html = converter.body(&document, &[], PlaceInPage::default());
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()

@@ -4,7 +4,7 @@ use crate::bank::{Bank, load};
 use crate::draw::stream;
 use crate::finding::{Finding, Findings};
 use crate::folder::deal::Plan;
-use crate::folder::files::{InTheWay, names_in};
+use crate::folder::files::{NewFolder, names_in};
 use crate::folder::{banks, files, names};
 use crate::key::SheetKey;
 use crate::page::sheet_file::SheetFile;
@@ -138,29 +138,12 @@ pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
 ///
 /// # Errors
 /// What is in the way.
-pub fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
-    const IN_THE_WAY: InTheWay = InTheWay {
-        file: "is a file; a set is a folder",
-        taken: "give another --out, or --force to replace a set, or --add for late joiners",
-        other: "holds no set",
-        only: "--force replaces only what generate made",
-    };
-    let is_set = || out.join(names::SET).is_file();
-    if !files::may_replace(out, force, &IN_THE_WAY, is_set)? {
-        return Ok(());
-    }
-    let set = open(out)?;
-    let foreign = foreign(out, &set);
-    if foreign.is_empty() {
-        return Ok(());
-    }
-    let mut names = foreign.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
-    if foreign.len() > 5 {
-        names.push_str(", ...");
-    }
-    let fault = Finding::new("", format!("holds what generate did not make: {names}"));
-    let fault = fault.in_file(out.display().to_string());
-    Err(fault.hint("move it away; --force replaces only what generate made").into())
+pub fn may_write(out: &Path, force: bool, example: &str, taken: &str) -> Result<(), Findings> {
+    let new = NewFolder { verb: "generate", makes: "set", example, taken };
+    files::may_write_folder(out, force, &new, || match out.join(names::SET).is_file() {
+        true => Ok(Some(foreign(out, &open(out)?))),
+        false => Ok(None),
+    })
 }
 
 /// Files in a set's folder that `generate` did not write: unknown names, and a form that somebody has filled in.

@@ -1,17 +1,17 @@
 //! Worked solutions of a stored set, drawn and solved again: a folder for each student, and booklets.
 use crate::finding::{Finding, Findings};
 use crate::folder;
-use crate::folder::files::InTheWay;
+use crate::folder::files::NewFolder;
 use crate::folder::staged::Staged;
 use crate::folder::{Progress, banks, files, names, set, staged};
-use crate::review::texts::short_page;
+use crate::review::tried_texts::short_page;
 use crate::set::dealer::Dealt;
 use crate::set::store::StoredStudent;
 use crate::set::{dealer, replay};
 use crate::sheet::document::{Document, Head};
 use crate::sheet::html::Converter;
-use crate::sheet::output::{Format, Output, WrittenDocument};
-use crate::sheet::page::Sheets;
+use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
+use crate::sheet::sheets::Sheets;
 use crate::solution;
 use crate::template;
 use crate::words::Words;
@@ -63,7 +63,7 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
     may_write(out, job.force)?;
     let language = job.language.unwrap_or(&set.language);
     let texts = banks::texts(job.templates, language, &mut bank)?;
-    let output = Output::new(&texts, job.formats, "solution")?;
+    let output = DocumentWriter::new(&texts, job.formats, "solution")?;
     let problems = dealer::indices(&bank, &set.problems, "problems")?;
     let words = &texts.words;
     let sheets = Sheets::new(&texts.templates, words, &bank, &set.name, &problems)?;
@@ -144,35 +144,20 @@ fn append(whole: &mut Document, of_one: Document, number: usize) {
 }
 
 /// Nothing, an empty folder, or with `--force` a folder that `solutions` made; never among what students get.
-fn may_write(out: &Path, force: bool) -> Result<(), Finding> {
-    let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
-    files::has_a_name(out, "--out week-5-solutions")?;
-    files::not_among_students(out)?;
-    if out.join(names::SET).exists() {
-        return Err(finding("is the folder of a set").hint("give another --out for the solutions"));
-    }
-    const IN_THE_WAY: InTheWay = InTheWay {
-        file: "is a file; solutions are written to a folder",
+fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
+    const NEW: NewFolder = NewFolder {
+        verb: "solutions",
+        makes: "solutions",
+        example: "--out week-5-solutions",
         taken: "give another --out, or --force to replace solutions that were made before",
-        other: "holds no solutions",
-        only: "--force replaces only what `slipstick solutions` made",
     };
-    if !files::may_replace(out, force, &IN_THE_WAY, || out.join(MARKER).exists())? {
-        return Ok(());
-    }
-    let here = files::names_in(out);
-    let ours = |folder: &Path, name: &str| {
-        name == MARKER
-            || names::BOOKLETS.contains(&name)
-            || (folder.join(name).is_dir()
-                && files::names_in(&folder.join(name)).iter().all(|n| {
-                    n.starts_with("solution.") || (n.starts_with("problem-") && n.ends_with(".svg"))
-                }))
+    let ours = |name: &str| match name.trim_end_matches('/').split_once('/') {
+        None => name.ends_with('/') || name == MARKER || names::BOOKLETS.contains(&name),
+        Some((_, file)) => {
+            file.starts_with("solution.") || (file.starts_with("problem-") && file.ends_with(".svg"))
+        }
     };
-    let foreign: Vec<&str> = here.iter().map(String::as_str).filter(|n| !ours(out, n)).collect();
-    if foreign.is_empty() {
-        return Ok(());
-    }
-    let what = format!("holds what `slipstick solutions` did not make: {}", foreign.join(", "));
-    Err(finding(&what).hint("move it away"))
+    files::may_write_folder(out, force, &NEW, || {
+        Ok(out.join(MARKER).exists().then(|| files::foreign(out, &ours)))
+    })
 }

@@ -2,11 +2,11 @@
 use crate::bank::Relative;
 use crate::finding::Findings;
 use crate::folder::graded::OpenGrading;
+use crate::folder::grading::run_file;
 use crate::folder::{files, graded};
 use crate::grade::row::AnswerRow;
 use crate::grade::rules::Rules;
-use crate::grade::run;
-use crate::grade::run::{GradeFault, Options};
+use crate::grade::run::Options;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
@@ -16,10 +16,8 @@ use crate::regrade::tolerance::{AnswerUnder, WhatIf};
 use crate::report::tolerances::Trial;
 use crate::report::{gradebook, tolerances};
 use crate::set::dealer::Dealt;
-use std::collections::BTreeMap;
-use std::fs::File;
 use std::io;
-use std::io::{Read, Write as _};
+use std::io::Write as _;
 use std::path::Path;
 use tempfile::NamedTempFile;
 
@@ -104,34 +102,24 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
     // What is graded already may be from a version that did not ask.
     policy.late.unread.get_or_insert(Unread::InTime);
     let rules = Rules::new(table, &policy)?;
-    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(File::open(handed.path())?)) };
     let options = Options {
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         ..Options::default()
     };
-    let mut file = NamedTempFile::new().map_err(|e| trouble(&e))?;
-    let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file_mut());
-    let done =
-        run::grade(&open, table, &rules, &options, &mut out, &mut |_| {}).map_err(|why| match why {
-            GradeFault::Io(e) | GradeFault::Write(e) => trouble(&e).into(),
-            GradeFault::Header(findings) => findings,
-        })?;
+    let file = NamedTempFile::new().map_err(|e| trouble(&e))?;
+    let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file());
+    let names = (graded.folder.as_path(), file.path());
+    let done = run_file(handed.path(), names, (table, &rules, &options), &mut out, &mut |_| {})?;
     out.flush().map_err(|e| trouble(&e))?;
     drop(out);
     let parts = table.columns.len();
-    let column: BTreeMap<(String, &str), usize> =
-        table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
-    let whose: BTreeMap<&str, usize> =
-        table.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
     let mut cells = vec![AnswerUnder::default(); table.students.len() * parts];
     let mut answers = 0;
     graded::each_row(file.path(), &mut |row: AnswerRow| {
         if !row.counts() {
             return;
         }
-        let student = whose.get(&*row.student);
-        let part = column.get(&(row.problem.into_owned(), &*row.part));
-        let (Some(student), Some(part)) = (student, part) else { return };
+        let Some((student, part)) = table.place_of(&row) else { return };
         answers += 1;
         cells[student * parts + part] =
             AnswerUnder { right: row.verdict == Verdict::Right, methods: row.methods.into_owned() };

@@ -84,7 +84,7 @@ pub(crate) fn awarded(
     winners: &[Winner],
 ) -> (f64, String) {
     let (table, say) = (job.table, job.say);
-    let points = table.quick(job.index(who, what)).1.points;
+    let points = table.points(job.index(who, what));
     let mut words = String::new();
     let mut told: Vec<Cow<str>> = Vec::new();
     let mut word = |text: &str| {

@@ -57,16 +57,9 @@ impl<'w> Feedback<'w> {
         'w: 't,
     {
         match word {
-            "up" => self.words.get("sheet.up"),
-            "down" => self.words.get("sheet.down"),
-            "forward" => self.words.get("sheet.forward"),
-            "back" => self.words.get("sheet.back"),
-            "stays" => self.words.get("sheet.stays"),
-            "yes" => self.words.get("sheet.yes"),
-            "no" => self.words.get("sheet.no"),
             "right" => self.words.get("feedback.to_the_right"),
             "left" => self.words.get("feedback.to_the_left"),
-            other => other,
+            other => self.words.of_key(other),
         }
     }
 

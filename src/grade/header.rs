@@ -29,7 +29,7 @@ fn contained(header: &str, table: &KeyTable) -> Option<(String, String, u32)> {
 
 /// Of several columns for one part that which names it best: told with --columns or with nothing but the part in its header;
 /// or that whose whole header ends the others' (`Points - Problem 2: 2.omega` is about `Problem 2: 2.omega`).
-fn the_best(wide: Vec<WideColumn>) -> Vec<WideColumn> {
+fn best_of_each_part(wide: Vec<WideColumn>) -> Vec<WideColumn> {
     const REMARKS: [&str; 9] =
         ["comment", "remark", "feedback", "points", "score", "marks", "kommentar", "bemerkung", "punkte"];
     let remark = |text: &str| REMARKS.iter().any(|word| text.contains(word));
@@ -233,7 +233,7 @@ impl HeaderReader<'_> {
         }
         wide.extend(told);
         wide.sort_by_key(|w| w.field);
-        the_best(wide)
+        best_of_each_part(wide)
     }
 
     /// Long or wide; `others` are the fields of the student and the time.

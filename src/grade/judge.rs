@@ -2,13 +2,13 @@
 use crate::answer::submissions::Record;
 use crate::grade::attempt::{Winner, line_of};
 use crate::grade::award::{awarded, diagnosed};
-use crate::grade::belongs::{Belongs, Finder};
 use crate::grade::cells::{AnswerCell, GradingJob, lossy};
 use crate::grade::compare::{compare_with, verdict_on};
 use crate::grade::counts::GradedCounts;
+use crate::grade::fast_number::SiReader;
 use crate::grade::layout::{blank, open_quote};
+use crate::grade::owner::{Belongs, Finder};
 use crate::grade::row::{AnswerRow, OF_ANOTHER};
-use crate::grade::si::SiReader;
 use crate::grade::verdict::{Judgement, Verdict};
 use std::borrow::Cow;
 
@@ -103,7 +103,7 @@ impl<'w> Judge<'w> {
             return row;
         };
         let index = self.job.index(who, what);
-        row.max_points = table.quick(index).1.points;
+        row.max_points = table.points(index);
         if of_another && !blank(cell.answer) {
             row.verdict = Verdict::Superseded;
             let (code, counts_code) = (lossy(cell.code), table.code(who as usize, what as usize));

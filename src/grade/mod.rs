@@ -8,10 +8,6 @@ pub mod attempt;
 #[cfg(feature = "program")]
 mod award;
 #[cfg(feature = "program")]
-mod belongs;
-#[cfg(feature = "program")]
-pub mod book;
-#[cfg(feature = "program")]
 mod cells;
 pub mod compare;
 #[cfg(feature = "program")]
@@ -19,23 +15,27 @@ mod counts;
 #[cfg(feature = "program")]
 pub mod credit;
 pub mod diagnose;
+#[cfg(feature = "program")]
+mod fast_number;
 pub mod feedback;
+#[cfg(feature = "program")]
+pub mod gradebook_reader;
 #[cfg(feature = "program")]
 mod header;
 #[cfg(feature = "program")]
-mod ids;
+mod id_index;
 #[cfg(feature = "program")]
 mod judge;
 #[cfg(feature = "program")]
 mod layout;
+#[cfg(feature = "program")]
+mod owner;
 #[cfg(feature = "program")]
 pub mod row;
 #[cfg(feature = "program")]
 pub mod rules;
 #[cfg(feature = "program")]
 pub mod run;
-#[cfg(feature = "program")]
-mod si;
 #[cfg(feature = "program")]
 pub mod table;
 #[cfg(feature = "program")]

@@ -1,8 +1,8 @@
 //! answers.csv: its columns, and one row of it as it is written and as it is read. No other place knows either.
 //!
-//! The csv crate reads. Fields are written by [`crate::guard`], which also keeps a spreadsheet from running them.
+//! The csv crate reads. Fields are written by [`crate::csv_field`], which also keeps a spreadsheet from running them.
+use crate::csv_field::{push_text, unguarded};
 use crate::grade::verdict::Verdict;
-use crate::guard::{push_text, unguarded};
 use std::borrow::Cow;
 use std::io::{Read, Write as _};
 

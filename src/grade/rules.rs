@@ -1,6 +1,6 @@
 //! The settings of a course, resolved against the students and parts of a set.
 use crate::finding::{Finding, Findings};
-use crate::grade::table::KeyTable;
+use crate::grade::table::{Column, KeyTable};
 use crate::policy::{Counts, Policy, PolicyPart, Unread};
 
 /// Settings, ready for many rows.
@@ -29,8 +29,7 @@ impl<'p> Rules<'p> {
         let named = |part: &PolicyPart, field: &str, faults: &mut Findings| {
             let known = table.columns.iter().any(|c| part.means(c.number, &c.problem, &c.part));
             if !known {
-                let all: Vec<String> =
-                    table.columns.iter().take(30).map(|c| format!("{}.{}", c.number, c.part)).collect();
+                let all: Vec<String> = table.columns.iter().take(30).map(Column::label).collect();
                 let fault = Finding::new(field, format!("the set has no part `{}`", part.text()));
                 let (fault, hint) =
                     (fault.at(part.at.0, part.at.1), format!("its parts: {}", all.join(", ")));

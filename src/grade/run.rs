@@ -13,7 +13,7 @@ use crate::grade::layout::FileForm;
 use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
-use crate::grade::threads::{Halt, sweep};
+use crate::grade::threads::{Halt, run_batches};
 use crate::grade::verdict::Verdict;
 use crate::grade::winners::choose_winners;
 use crate::grade::write::{RowWriter, Writing};
@@ -128,7 +128,7 @@ const SHOWN: usize = 3;
 
 /// Refuses to guess: where lateness bears on marks and an answer that counts has no time that can be read, the course must say
 /// what holds.
-fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Result<(), GradeFault> {
+fn need_unread_setting(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Result<(), GradeFault> {
     let (rules, layout) = (job.rules, job.layout);
     if !rules.policy.timed() || rules.policy.late.unread.is_some() {
         return Ok(());
@@ -214,7 +214,7 @@ pub fn grade(
         progress(before + now);
     };
     let mut chosen = choose_winners(open, &job, threads, &mut heard)?;
-    said_of_unread(open, &job, &chosen.winners)?;
+    need_unread_setting(open, &job, &chosen.winners)?;
     if layout.submitted.is_none() && rules.policy.timed() {
         // All are undated, and cost alike: which one counts does not change.
         let width = table.columns.len().max(1);
@@ -229,7 +229,7 @@ pub fn grade(
     let writer = RowWriter::new(&job, &chosen);
     let workers = (0..threads).map(|_| Writing::new(table)).collect();
     let process = |w: &mut Writing, b: &Batch, out: &mut Vec<u8>| writer.batch(w, b, out);
-    let workers = sweep(source, workers, &process, Some(&mut *out), &mut heard)?;
+    let workers = run_batches(source, workers, &process, Some(&mut *out), &mut heard)?;
     out.flush().map_err(GradeFault::Write)?;
     let mut graded = Graded {
         cells: 0,
@@ -248,7 +248,7 @@ pub fn grade(
     // What is given to all is given to those who handed in nothing, too.
     for (index, points) in graded.points.iter_mut().enumerate().filter(|(_, p)| p.is_none()) {
         if let Some((share, _)) = rules.correction(index % table.columns.len().max(1), false) {
-            *points = Some(policy::plain(table.quick(index).1.points * share));
+            *points = Some(policy::plain(table.points(index) * share));
         }
     }
     Ok(graded)

@@ -1,8 +1,9 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::csv_field::unguarded;
 use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
-use crate::grade::ids::Ids;
-use crate::guard::unguarded;
+use crate::grade::id_index::Ids;
+use crate::grade::row::AnswerRow;
 use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey, WrongValue};
 use crate::policy::Policy;
 use crate::units::{Unit, spell};
@@ -29,6 +30,13 @@ pub struct Column {
     pub part: String,
     /// Points for a right answer (those of the first student who has the part).
     pub points: f64,
+}
+
+impl Column {
+    /// `1.omega`
+    pub fn label(&self) -> String {
+        format!("{}.{}", self.number, self.part)
+    }
 }
 
 /// What the quick way needs to know of an entry: little, because rows stand in any order and the time goes into waiting for
@@ -257,6 +265,13 @@ impl KeyTable {
     pub(crate) fn student(&self, id: &[u8]) -> Option<u32> {
         self.by_id.get(id)
     }
+    /// Indices of the student and the column of a row of answers.csv.
+    pub fn place_of(&self, row: &AnswerRow) -> Option<(usize, usize)> {
+        let student = self.student(row.student.as_bytes())?;
+        let mut key = Vec::new();
+        joined(row.problem.as_bytes(), row.part.as_bytes(), &mut key);
+        Some((student as usize, *self.by_part.get(&*key)? as usize))
+    }
     /// Index of a student whose id was guarded against spreadsheets, or differs in upper and lower case alone from one on the
     /// roster, and is no other's; `true`: the case differs.
     #[cold]
@@ -360,6 +375,11 @@ impl KeyTable {
     pub(crate) fn quick(&self, index: usize) -> (&QuickKey, &AskedColumn) {
         let key = &self.quick[index];
         (key, &self.asked[key.asked as usize].1)
+    }
+    /// The most points of an entry.
+    #[inline]
+    pub(crate) fn points(&self, index: usize) -> f64 {
+        self.quick(index).1.points
     }
     /// The points of a column, if they are the same for all of whom a number is asked there.
     pub(crate) fn points_of_all(&self, column: usize) -> Option<f64> {

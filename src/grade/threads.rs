@@ -15,7 +15,7 @@ pub enum Halt {
 }
 
 /// What is done with what the workers wrote.
-struct Output<'a, 'b> {
+struct OrderedOutput<'a, 'b> {
     /// The batch whose turn it is.
     next: u64,
     /// Batches before their turn: their bytes, and how much was read with them.
@@ -37,7 +37,7 @@ pub type Process<'a, W> = &'a (dyn Fn(&mut W, &Batch, &mut Vec<u8>) + Sync);
 ///
 /// # Errors
 /// Reading or writing failed.
-pub fn sweep<'b, W: Send>(
+pub fn run_batches<'b, W: Send>(
     source: RecordSource,
     workers: Vec<W>,
     process: Process<'_, W>,
@@ -46,7 +46,7 @@ pub fn sweep<'b, W: Send>(
 ) -> Result<Vec<W>, Halt> {
     let limit = workers.len() * 4;
     let source = Mutex::new(source);
-    let output = Mutex::new(Output {
+    let output = Mutex::new(OrderedOutput {
         next: 0,
         waiting: BTreeMap::new(),
         spare: Vec::new(),

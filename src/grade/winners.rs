@@ -6,13 +6,13 @@
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
 use crate::grade::attempt;
 use crate::grade::attempt::{Attempt, ByRow, Ordered, Try, Winner};
-use crate::grade::belongs::Finder;
 use crate::grade::cells::{AnswerCell, GradingJob, cells};
 use crate::grade::credit::credit;
+use crate::grade::fast_number::SiReader;
 use crate::grade::layout::{RecordKind, kind_of_record};
+use crate::grade::owner::Finder;
 use crate::grade::run::{GradeFault, Open};
-use crate::grade::si::SiReader;
-use crate::grade::threads::sweep;
+use crate::grade::threads::run_batches;
 use crate::grade::verdict::Verdict;
 use crate::policy::Counts;
 use crate::policy::time::{Evidence, Moment};
@@ -256,7 +256,7 @@ impl AttemptWalk<'_> {
         let process = |w: &mut Collector, b: &Batch, _: &mut Vec<u8>| self.batch(w, b);
         let (mut tally, mut evidence, mut notes) = (None, Evidence::default(), Notes::new());
         let attempts = self.job.rules.policy.attempts;
-        for worker in sweep(source, workers, &process, None, heard)? {
+        for worker in run_batches(source, workers, &process, None, heard)? {
             evidence.join(worker.evidence);
             notes.extend(worker.notes);
             match (&mut tally, worker.tally) {

@@ -1,13 +1,13 @@
 //! The walk that judges and writes: a row of answers.csv for each answer cell, in the order of the input.
 use crate::answer::submissions::{Batch, Record, RecordFault, RecordScratch};
 use crate::grade::attempt::{Winner, line_of};
-use crate::grade::belongs::Finder;
 use crate::grade::cells::{AnswerCell, GradingJob, cells, lossy};
 use crate::grade::counts::GradedCounts;
+use crate::grade::fast_number::SiReader;
 use crate::grade::judge::{Judge, Judging};
 use crate::grade::layout::{FileForm, RecordKind, clean, kind_of_record, trimmed};
+use crate::grade::owner::Finder;
 use crate::grade::row::{AnswerRow, HOLE, RowPattern};
-use crate::grade::si::SiReader;
 use crate::grade::table::{KeyTable, joined};
 use crate::grade::verdict::Verdict;
 use crate::grade::winners::{CellNote, Chosen, QUICK_VERDICTS};
@@ -157,7 +157,7 @@ impl<'w> RowWriter<'w> {
                 let column = &table.columns[what as usize];
                 (of_problem, of_part) = (column.number.to_string().into(), column.part.as_str().into());
                 let who = table.student(student);
-                max_points = who.map_or(0.0, |who| table.quick(self.judge.job.index(who, what)).1.points);
+                max_points = who.map_or(0.0, |who| table.points(self.judge.job.index(who, what)));
             }
         }
         AnswerRow {

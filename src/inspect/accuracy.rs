@@ -1,7 +1,7 @@
 //! What each method gives away for its speed, on one problem with given data: measured, as table, CSV, plot and page.
 use crate::bank::Problem;
+use crate::csv_field::push_line;
 use crate::finding::{Finding, Findings};
-use crate::guard::push_line;
 use crate::inspect::data::{Data, fits, refused};
 use crate::inspect::table::NUMBERS_OF_TIES;
 use crate::inspect::{sentences, table};
@@ -450,8 +450,7 @@ impl StudySheet<'_> {
         });
         view.value("rows", template::list(rows.collect()));
         view.value("notes", template::list(self.refusals().iter().map(|t| text(t)).collect()));
-        let mut out = Vec::new();
-        Templates::english().render("accuracy.html", &view, &mut out)?;
+        let out = Templates::english().made("accuracy.html", &view)?;
         Ok(String::from_utf8(out).unwrap_or_default())
     }
 }

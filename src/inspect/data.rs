@@ -1,7 +1,6 @@
 //! Data of a problem as somebody gives them, or drawn: the case they belong to, values, and how each is shown.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Case, Datum, Draw, Problem};
-use crate::draw::fill;
 use crate::finding::{Finding, Findings};
 use crate::inspect::sentences;
 use crate::inspect::table::unsatisfiable;
@@ -122,7 +121,7 @@ fn constants(problem: &Problem) -> Option<Data> {
     let of_case = |(i, case): (usize, &Case)| {
         let values: Vec<Option<Decimal>> =
             case.draws.iter().map(|draw| draw.as_ref().map(|d| d.range().0)).collect();
-        let number = |(i, v): (usize, &Option<Decimal>)| v.map_or(0.0, |v| fill::number(&problem.data[i], v));
+        let number = |(i, v): (usize, &Option<Decimal>)| v.map_or(0.0, |v| problem.data[i].number(v));
         let data = values.iter().enumerate().map(number).collect();
         (i, data, printed(problem, &values))
     };
@@ -228,7 +227,7 @@ fn constant(problem: &Problem, datum: usize) -> f64 {
     let draw = problem.cases.iter().find_map(|c| c.draws.get(datum)?.as_ref());
     match (draw, problem.data.get(datum)) {
         (Some(Draw::Always { value, decimals }), Some(d)) => {
-            fill::number(d, Decimal { value: *value, decimals: *decimals })
+            d.number(Decimal { value: *value, decimals: *decimals })
         }
         _ => 0.0,
     }
@@ -243,7 +242,7 @@ fn quantity(text: &str, datum: &Datum) -> Result<f64, String> {
         return Ok(q.number);
     }
     if unit.agrees(&q.unit) {
-        Ok(fill::typed(datum, &q))
+        Ok(datum.typed(&q))
     } else {
         Err(format!("`{text}`: {}", unit.mismatch(&q.unit)))
     }
@@ -388,7 +387,7 @@ problems:
                             "theta" => Datum { unit: read.clone(), ..of(&base) },
                             _ => of(&parsed(symbol, &unit)),
                         };
-                        let number = fill::number(&datum, Decimal { value: 3, decimals: 1 });
+                        let number = datum.number(Decimal { value: 3, decimals: 1 });
                         assert_eq!(found, Ok(number), "{symbol}=0.3 {unit}");
                         same += 1;
                         digit += u32::from(unit.ends_with(|c: char| c.is_ascii_digit()));

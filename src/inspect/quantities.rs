@@ -1,5 +1,5 @@
 //! The quantities of a problem's scene: which may be asked, under which name, of what, in which unit and with which sign.
-use crate::bank::{Problem, any, review};
+use crate::bank::{Problem, any, checks};
 use crate::scene::{Label, Owner, Quantity, Scene, Tie};
 use crate::sheet::terminal;
 
@@ -18,8 +18,8 @@ struct Askable {
 /// The labels that every case of a problem can answer, in the order of the list.
 fn askable(problem: &Problem) -> Vec<Askable> {
     let Some(first) = problem.cases.first().map(|case| &case.scene) else { return Vec::new() };
-    let others: Vec<Vec<Label>> = problem.cases.iter().skip(1).map(|c| review::labels(&c.scene)).collect();
-    let mut labels = review::labels(first);
+    let others: Vec<Vec<Label>> = problem.cases.iter().skip(1).map(|c| checks::labels(&c.scene)).collect();
+    let mut labels = checks::labels(first);
     labels.retain(|label| any::is_told(first, *label));
     labels.retain(|label| others.iter().all(|other| other.contains(label)));
     labels.sort_by_key(|label| Quantity::ALL.iter().position(|q| *q == label.quantity));
@@ -73,9 +73,9 @@ fn owner(scene: &Scene, label: Label) -> String {
 fn absent(problem: &Problem, there: &[Askable]) -> Vec<(Quantity, String)> {
     let Some(case) = problem.cases.first() else { return Vec::new() };
     let missing = Quantity::ALL.iter().filter(|q| there.iter().all(|a| a.quantity != **q));
-    let reason = |q: Quantity| match review::labels(&case.scene).iter().any(|label| label.quantity == q) {
+    let reason = |q: Quantity| match checks::labels(&case.scene).iter().any(|label| label.quantity == q) {
         true => "it depends on what is `any`, or not every case has it".to_owned(),
-        false => review::reason(&case.scene, q),
+        false => checks::reason(&case.scene, q),
     };
     missing.map(|q| (*q, reason(*q))).collect()
 }

@@ -6,7 +6,6 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::{Coordinate, Degree, End, Found, Scene, Span, Tie};
-use crate::sheet::statement;
 use crate::solve::ladder;
 use crate::solve::ladder::{Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -445,7 +444,7 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
 /// The right answer of a key, rounded for a person: `30.26 rad/s`, `62.6 N up`, `yes`.
 pub fn right_answer(words: &Words, entry: &KeyEntry, signs: [&str; 2]) -> String {
     match &entry.answer {
-        Answer::Word { right, .. } => statement::said(words, right).to_owned(),
+        Answer::Word { right, .. } => words.of_key(right).to_owned(),
         Answer::Number { value, directed, .. } => {
             let value = entry.unit.from_si(*value);
             if *directed && value != 0.0 {

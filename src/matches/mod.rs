@@ -65,7 +65,7 @@ pub struct Pair {
 
 /// What was found in a class.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Found {
+pub struct PairsFound {
     /// Most striking first; of equal ones by student, then classmate.
     pub pairs: Vec<Pair>,
     /// Wrong answers in numbers that were held against classmates' keys.
@@ -77,7 +77,7 @@ pub struct Found {
 }
 
 /// Holds the wrong answers of a class against the keys of classmates.
-pub fn find(questions: &[AnswerColumn], wrong: &[WrongAnswer]) -> Found {
+pub fn find(questions: &[AnswerColumn], wrong: &[WrongAnswer]) -> PairsFound {
     let known: Vec<Keys> =
         questions.iter().map(|q| Keys::new(q.keys.iter().chain(&q.draws).copied())).collect();
     let students = questions.iter().map(|q| q.keys.len()).max().unwrap_or(0);
@@ -108,7 +108,7 @@ pub fn find(questions: &[AnswerColumn], wrong: &[WrongAnswer]) -> Found {
         b.flagged.cmp(&a.flagged).then(a.expected.total_cmp(&b.expected)).then(who(a).cmp(&who(b)))
     });
     let unclear = class.known.iter().filter(|k| !k.is_empty() && k.len() < luck::ENOUGH).count();
-    Found { pairs, answers: all.len(), unexplained: free.len(), unclear }
+    PairsFound { pairs, answers: all.len(), unexplained: free.len(), unclear }
 }
 
 /// Does any answer hit the key of a classmate at all? If not there is nothing to find, whatever luck may bring.

@@ -53,14 +53,6 @@ impl Catalogue {
         catalogue
     }
 
-    /// The built-in one, in English.
-    ///
-    /// # Panics
-    /// It cannot be read: a bug, found by any test.
-    pub fn built_in() -> Self {
-        Self::of("en").unwrap_or_default()
-    }
-
     /// The built-in one of a language (a code such as `de`); `None` if there is none.
     ///
     /// # Panics

@@ -7,7 +7,8 @@ const AT: f64 = 8.0 * U;
 
 /// A number of the solvers: `f64`, [`Dd`], or [`crate::num::Ball`], which keeps account of its errors.
 ///
-/// A type brings the first seven methods; the others follow from them, and an enclosure has some of its own.
+/// A type brings the first seven methods; the others follow from them, and an enclosure has some of its own. They are inlined where
+/// speed counts; a page is to be small.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -55,53 +56,53 @@ pub trait Real:
         Self::NOISE > f64::EPSILON
     }
     /// An exact double.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn of(value: f64) -> Self {
         Self::constant(Dd::new(value))
     }
     /// Zero.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn zero() -> Self {
         Self::constant(Dd::ZERO)
     }
     /// The value rounded to a double.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn f64(self) -> f64 {
         self.value().hi
     }
     /// Is the value exactly zero?
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn is_zero(self) -> bool {
         self.f64() == 0.0
     }
     /// Is it the same number, so that what was computed from the one holds for the other? No question of what is true: two
     /// enclosures are the same if their ends are.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn same(self, other: Self) -> bool {
         (self - other).is_zero()
     }
     /// Its magnitude.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn size(self) -> f64 {
         self.f64().abs()
     }
     /// Is it infinite or NaN?
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn is_finite(self) -> bool {
         self.f64().is_finite()
     }
     /// Is it nothing beside `scale`, but rounding of double-doubles?
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn negligible(self, scale: f64) -> bool {
         self.size() <= Self::NOISE * scale
     }
     /// At most `limit`, up to what double-doubles leave of a difference of equals; NaN is not.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn at_most(self, limit: Self) -> bool {
         !self.f64().is_nan() && !limit.f64().is_nan() && self.side(limit) <= 0.0
     }
     /// -1 below, 0 at, 1 above the other, up to what double-doubles leave of a difference of equals; 0 beside NaN.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn side(self, other: Self) -> f64 {
         let larger = self.size().max(other.size());
         if larger.is_finite() && (self - other).negligible(larger) {
@@ -115,12 +116,12 @@ pub trait Real:
         }
     }
     /// Absolute value.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn abs(self) -> Self {
         if self.sign() < 0.0 { -self } else { self }
     }
     /// The same with its sign turned if `sign < 0`, zero if `sign == 0`.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn signed(self, sign: f64) -> Self {
         if sign > 0.0 {
             self
@@ -132,30 +133,30 @@ pub trait Real:
     }
     /// -1 below, 0 at, 1 above a boundary of regimes: *at* is within 8 u of it, for a datum that is printed as a decimal is
     /// known no better than to half a u. 0 beside NaN.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn status(self, boundary: Self) -> f64 {
         let larger = self.size().max(boundary.size());
         if larger.is_finite() && (self - boundary).size() <= AT * larger { 0.0 } else { self.side(boundary) }
     }
     /// Difference of two numbers that are equal at a boundary of regimes: exactly zero within 8 u.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn apart(self, other: Self) -> Self {
         let apart = self - other;
         if apart.size() <= AT * self.size().max(other.size()) { Self::zero() } else { apart }
     }
     /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:
     /// what then is left is the rounding of double-doubles.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn cleared(self, scale: f64) -> Self {
         if self.negligible(scale) { Self::zero() } else { self }
     }
     /// Sum of two terms, [`Real::cleared`].
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn balance(self, other: Self) -> Self {
         (self + other).cleared(self.size() + other.size())
     }
     /// Quotient; over exactly zero it is infinite (0 over 0 is 0), whatever the data.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn over(self, under: Self) -> Self {
         if !under.is_zero() {
             self / under
@@ -166,22 +167,22 @@ pub trait Real:
         }
     }
     /// The larger of two.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn larger(self, other: Self) -> Self {
         if self.below(other) { other } else { self }
     }
     /// At least the other, exactly; NaN is not.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn reaches(self, other: Self) -> bool {
         other.below(self) || (self - other).is_zero()
     }
     /// 0 or more; NaN is not.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn not_negative(self) -> bool {
         self.sign() > 0.0 || self.is_zero()
     }
     /// Square.
-    #[inline(always)]
+    #[cfg_attr(feature = "program", inline(always))]
     fn square(self) -> Self {
         self * self
     }

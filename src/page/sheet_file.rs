@@ -53,12 +53,8 @@ impl SheetFile {
     /// # Errors
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
-        let value: Value = serde_json::from_str(text).map_err(|e| {
-            let words = e.to_string();
-            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
-            let fault = Finding::new("", format!("is no sheet file: {words}"));
-            fault.at(e.line().max(1), e.column().max(1)).hint(HINT)
-        })?;
+        let value: Value =
+            serde_json::from_str(text).map_err(|e| Finding::of_json("sheet file", &e).hint(HINT))?;
         Self::of(&value)
     }
 

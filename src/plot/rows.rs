@@ -105,8 +105,8 @@ impl RowChart {
     }
 }
 
-/// A label that fits.
-fn shortened(text: &str, most: usize) -> String {
+/// A text of at most so many letters.
+pub fn shortened(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.to_owned();
     }

@@ -200,26 +200,32 @@ impl Zone {
     }
 }
 
-/// Which of several attempts counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Counts {
-    /// The last one.
-    #[default]
-    Last,
-    /// The one with the most points; of equal ones the first.
-    Best,
-    /// The first one.
-    First,
+/// A setting that is one of some words, in the order in which messages name them.
+macro_rules! worded {
+    ($(#[$about:meta])* $name:ident { $($(#[$of:meta])* $variant:ident $word:literal,)* }) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum $name { $($(#[$of])* $variant,)* }
+        impl $name {
+            /// How each is written.
+            pub const WORDS: &[(&'static str, Self)] = &[$(($word, Self::$variant),)*];
+            /// As it is written.
+            pub const fn as_str(self) -> &'static str { match self { $(Self::$variant => $word,)* } }
+        }
+    };
 }
 
-impl Counts {
-    /// As it is written.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Counts::Last => "last",
-            Counts::Best => "best",
-            Counts::First => "first",
-        }
+worded! {
+    /// Which of several attempts counts.
+    #[derive(Default)]
+    Counts {
+        /// The last one.
+        #[default]
+        Last "last",
+        /// The one with the most points; of equal ones the first.
+        Best "best",
+        /// The first one.
+        First "first",
     }
 }
 
@@ -257,25 +263,15 @@ impl Attempts {
     }
 }
 
-/// For which time the late penalty is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Per {
-    /// Once.
-    Once,
-    /// For each hour that has begun.
-    Hour,
-    /// For each day that has begun.
-    Day,
-}
-
-impl Per {
-    /// As it is written.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Per::Once => "once",
-            Per::Hour => "hour",
-            Per::Day => "day",
-        }
+worded! {
+    /// For which time the late penalty is.
+    Per {
+        /// For each day that has begun.
+        Day "day",
+        /// For each hour that has begun.
+        Hour "hour",
+        /// Once.
+        Once "once",
     }
 }
 
@@ -296,22 +292,13 @@ pub struct Late {
     pub unread: Option<Unread>,
 }
 
-/// An answer of which nobody knows when it was handed in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unread {
-    /// It is taken as in time.
-    InTime,
-    /// It costs what lateness costs at most; after a closing date nothing counts, so neither does it.
-    Late,
-}
-
-impl Unread {
-    /// As it is written.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Unread::InTime => "in time",
-            Unread::Late => "late",
-        }
+worded! {
+    /// An answer of which nobody knows when it was handed in.
+    Unread {
+        /// It is taken as in time.
+        InTime "in time",
+        /// It costs what lateness costs at most; after a closing date nothing counts, so neither does it.
+        Late "late",
     }
 }
 
@@ -361,51 +348,29 @@ impl Credit {
     }
 }
 
-/// What students are told of wrong methods.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Hints {
-    /// Nothing.
-    None,
-    /// A hint that does not give the answer away.
-    #[default]
-    Nudge,
-    /// What was done, how to see that it is wrong, and the hint.
-    Explain,
-}
-
-impl Hints {
-    /// As they are written.
-    pub const WORDS: [(&'static str, Self); 3] =
-        [("none", Self::None), ("nudge", Self::Nudge), ("explain", Self::Explain)];
-    /// As it is written.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Hints::None => "none",
-            Hints::Nudge => "nudge",
-            Hints::Explain => "explain",
-        }
+worded! {
+    /// What students are told of wrong methods.
+    #[derive(Default)]
+    Hints {
+        /// Nothing.
+        None "none",
+        /// A hint that does not give the answer away.
+        #[default]
+        Nudge "nudge",
+        /// What was done, how to see that it is wrong, and the hint.
+        Explain "explain",
     }
 }
 
-/// Which way a total is rounded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RoundingWay {
-    /// To the nearest; from the middle upwards.
-    Nearest,
-    /// In favour of the student.
-    Up,
-    /// Downwards.
-    Down,
-}
-
-impl RoundingWay {
-    /// As it is written.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            RoundingWay::Nearest => "nearest",
-            RoundingWay::Up => "up",
-            RoundingWay::Down => "down",
-        }
+worded! {
+    /// Which way a total is rounded.
+    RoundingWay {
+        /// To the nearest; from the middle upwards.
+        Nearest "nearest",
+        /// In favour of the student.
+        Up "up",
+        /// Downwards.
+        Down "down",
     }
 }
 
@@ -438,13 +403,14 @@ pub fn plain(points: f64) -> f64 {
     format!("{points:.11e}").parse().unwrap_or(points)
 }
 
-/// Whom a correction is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum For {
-    /// Every student of the set.
-    All,
-    /// Those who handed in something for the part.
-    Answered,
+worded! {
+    /// Whom a correction is for.
+    For {
+        /// Every student of the set.
+        All "all",
+        /// Those who handed in something for the part.
+        Answered "answered",
+    }
 }
 
 /// A part that turned out to be faulty: all get so much at least.
@@ -500,7 +466,7 @@ impl Policy {
     }
     /// What an answer that is handed in at `moment` and was due at `due` keeps of its points. Days are those of the zone's
     /// clocks: the same time of the next day is a day later, whether the night had 23 hours or 25.
-    pub fn late_factor(&self, due: i64, moment: i64) -> f64 {
+    fn late_factor(&self, due: i64, moment: i64) -> f64 {
         if moment <= due {
             return 1.0;
         }

@@ -1,4 +1,8 @@
 //! Dates as spreadsheets and form services write them, to seconds that can be compared.
+use crate::policy::DAY;
+use jiff::civil::{Date, date};
+
+const EPOCH: Date = date(1970, 1, 1);
 
 /// Whether a column writes the day or the month first, as far as its dates with slashes or points prove it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -338,7 +342,7 @@ fn worded(text: &str) -> Option<Moment> {
     let clock = clock(&clock_words.join(" "))?;
     let at = midnight(year, month, day)?;
     // 1970 began on a Thursday.
-    let clashes = week.iter().any(|d| *d != (days(year, month, day) + 3).rem_euclid(7));
+    let clashes = week.iter().any(|d| *d != (at.div_euclid(DAY) + 3).rem_euclid(7));
     let moment = certain(at.wrapping_add(clock.micros), clock.zoned, clock.word);
     Some(Moment { whole_day: clock_words.is_empty(), clashes, ..moment })
 }
@@ -359,24 +363,9 @@ fn weekday(word: &str) -> Option<i64> {
 
 /// Microseconds from 1970 to the beginning of a day that exists.
 fn midnight(year: i64, month: i64, day: i64) -> Option<i64> {
-    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let length = match month {
-        2 => 28 + i64::from(leap),
-        4 | 6 | 9 | 11 => 30,
-        1..=12 => 31,
-        _ => return None,
-    };
-    if !(1000..=9999).contains(&year) || !(1..=length).contains(&day) {
-        return None;
-    }
-    Some(days(year, month, day) * 86_400_000_000)
-}
-
-/// Days since 1970-01-01 in the Gregorian calendar.
-fn days(year: i64, month: i64, day: i64) -> i64 {
-    let y = if month <= 2 { year - 1 } else { year };
-    let m = (month + 9) % 12;
-    365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1 - 719_468
+    let date = Date::new(year.try_into().ok()?, month.try_into().ok()?, day.try_into().ok()?).ok()?;
+    let days = date.duration_since(EPOCH).as_hours() / 24;
+    (1000..=9999).contains(&year).then_some(days * DAY)
 }
 
 /// The time of day, and its zone.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
-pub const VANISHING_SHARE: f64 = 1e-3;
+const VANISHING_SHARE: f64 = 1e-3;
 
 /// A list of words of which a sheet asks for one.
 pub type List = &'static [&'static str];
@@ -78,7 +78,7 @@ impl<'p> KeyFrame<'p> {
         let scene = &problem.cases[variant.case].scene;
         let parts = problem.questions.iter().map(|question| {
             let mut entry = entry(problem, question, scene, variant);
-            let magnitude = is_magnitude(question.label.quantity);
+            let magnitude = question.label.quantity.is_magnitude();
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
                 WrongValue {
                     method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
@@ -135,7 +135,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
         directed: quantity.is_directed() && words,
         // Where words give no sign, `down` beside a number that is positive down must not spoil it.
-        magnitude: is_magnitude(quantity) || (quantity.is_directed() && !words && value >= 0.0),
+        magnitude: quantity.is_magnitude() || (quantity.is_directed() && !words && value >= 0.0),
     };
     key
 }
@@ -170,11 +170,11 @@ pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
 }
 
 /// Quantities that can be 0 although the terms that make them up are not: those with a sign, and what slips.
-pub const fn may_vanish(quantity: Quantity) -> bool {
+const fn may_vanish(quantity: Quantity) -> bool {
     match quantity {
         Quantity::SlipDistance | Quantity::SlipSpeed => true,
         Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,
-        other => !is_magnitude(other),
+        other => !other.is_magnitude(),
     }
 }
 
@@ -187,29 +187,6 @@ pub fn words_sign(scene: &Scene, label: Label) -> bool {
     };
     !matches!(label.quantity, Quantity::A | Quantity::ARolling | Quantity::Displacement)
         || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
-}
-
-/// Is it a number that is never negative, whichever way the scene goes?
-pub const fn is_magnitude(quantity: Quantity) -> bool {
-    !matches!(
-        quantity,
-        Quantity::Friction
-            | Quantity::FrictionIfRolled
-            | Quantity::A
-            | Quantity::ARolling
-            | Quantity::Displacement
-            | Quantity::Alpha
-            | Quantity::Rise
-            | Quantity::PinRadial
-            | Quantity::PinTangential
-            | Quantity::SpringForce
-            | Quantity::XG
-            | Quantity::YG
-            | Quantity::WorkPull
-            | Quantity::PowerPull
-            | Quantity::Tension
-            | Quantity::Value
-    )
 }
 
 /// The list of words of which one answers a question in words, on the sheet of this scene.

@@ -1,8 +1,8 @@
 //! The variant of a student: data are drawn until they hold all rules of the problem, tries and refusals counted.
 use crate::bank::decimal::Decimal;
-use crate::bank::{Case, Follow, Problem, Question};
+use crate::bank::{Case, Datum, Follow, Problem, Question};
+use crate::draw::sample;
 use crate::draw::stream::{DrawWords, Source};
-use crate::draw::{fill, sample};
 use crate::key::ProblemKey;
 use crate::misconception;
 use crate::misconception::{Methods, Wrong};
@@ -131,11 +131,8 @@ impl<'p> Maker<'p> {
     ///
     /// Errors: none of the tries held them; the table says which rule refused how often.
     pub fn variant(&self, student: &str) -> Result<Variant, Box<Unsatisfiable>> {
-        let mut words = self.source.student(student);
-        let index = sample::case(&mut words, &self.problem.cases);
+        let (mut words, index, mut values, mut data) = self.begin(student);
         let case = &self.problem.cases[index];
-        let mut data = vec![0.0; self.problem.data.len()];
-        let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
         let mut refusals = Refusals::default();
         // Constants are the same in every draw.
         let constant = case.draws.iter().flatten().all(|d| d.count() == 1);
@@ -169,6 +166,14 @@ impl<'p> Maker<'p> {
         Err(Box::new(self.unsatisfiable(index, most, &refusals, None, constant)))
     }
 
+    /// A student's words, the case by share, and room for the data.
+    fn begin(&self, student: &str) -> (DrawWords, usize, Vec<Option<Decimal>>, Vec<f64>) {
+        let mut words = self.source.student(student);
+        let index = sample::case(&mut words, &self.problem.cases);
+        let n = self.problem.data.len();
+        (words, index, vec![None; n], vec![0.0; n])
+    }
+
     fn draw(
         &self,
         words: &mut DrawWords,
@@ -182,7 +187,7 @@ impl<'p> Maker<'p> {
             if let Some(draw) = draw {
                 let value = sample::value(words, i, draw);
                 values[i] = Some(value);
-                data[i] = fill::number(&self.problem.data[i], value);
+                data[i] = self.problem.data[i].number(value);
             }
         }
     }
@@ -190,10 +195,7 @@ impl<'p> Maker<'p> {
     /// The variant of a student that took so many tries before: the last of them alone, those before it are not made again.
     /// `None` where it does not hold the rules.
     pub fn again(&self, student: &str, tries: u32) -> Option<Variant> {
-        let mut words = self.source.student(student);
-        let index = sample::case(&mut words, &self.problem.cases);
-        let mut data = vec![0.0; self.problem.data.len()];
-        let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
+        let (mut words, index, mut values, mut data) = self.begin(student);
         self.draw(&mut words, tries, &self.problem.cases[index], &mut values, &mut data);
         let mut refusals = Refusals::default();
         let (solved, wrong) = self.solve_within_rules(index, &data, &mut refusals).ok()?;
@@ -205,10 +207,7 @@ impl<'p> Maker<'p> {
     pub fn refused(&self, tries: u32) -> Vec<RefusedDraw> {
         let mut found: Vec<(DrawRule, RefusedDraw)> = Vec::new();
         for n in 1..=tries {
-            let mut words = self.source.student(&format!("refused {n}"));
-            let index = sample::case(&mut words, &self.problem.cases);
-            let mut data = vec![0.0; self.problem.data.len()];
-            let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
+            let (mut words, index, mut values, mut data) = self.begin(&format!("refused {n}"));
             self.draw(&mut words, n, &self.problem.cases[index], &mut values, &mut data);
             let mut refusals = Refusals::default();
             let Err(refused) = self.solve_within_rules(index, &data, &mut refusals) else { continue };
@@ -322,8 +321,7 @@ impl<'p> Maker<'p> {
             let cond = if least { 0.0 } else { entry.cond };
             let half = make_key::half_width(q, entry.value(), entry.scale, cond);
             // Where a magnitude is asked, a sign is no answer.
-            let value =
-                if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
+            let value = if q.label.quantity.is_magnitude() { wrong.value.abs() } else { wrong.value };
             (value - entry.value()).abs() < APART * half
         };
         self.problem.questions.iter().enumerate().filter(move |(_, q)| near(q)).map(|(i, _)| i)
@@ -554,7 +552,8 @@ fn of_values(
     values: &[Option<Decimal>],
     solve: impl FnOnce(&Scene, &[f64]) -> Result<Solved, Refusal>,
 ) -> Result<Variant, Refusal> {
-    let number = |(i, datum)| values.get(i).copied().flatten().map_or(0.0, |v| fill::number(datum, v));
+    let number =
+        |(i, datum): (usize, &Datum)| values.get(i).copied().flatten().map_or(0.0, |v| datum.number(v));
     let data: Vec<f64> = problem.data.iter().enumerate().map(number).collect();
     let scene = problem.cases.get(case).map(|c| &c.scene).ok_or(Refusal::Freedoms(0))?;
     let solved = solve(scene, &data)?;

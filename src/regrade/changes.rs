@@ -1,11 +1,11 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
-use crate::grade::book;
+use crate::csv_field::{push_line, unguarded};
+use crate::grade::gradebook_reader;
 use crate::grade::row::{AnswerRow, Unreadable};
+use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
-use crate::guard::{push_line, unguarded};
 use crate::key::{Answer, KeyEntry};
 use serde::Deserialize;
-use std::collections::BTreeMap;
 use std::io::Read;
 
 /// The answer that counts for one student and part.
@@ -25,7 +25,7 @@ pub struct CountedAnswer {
     pub credit: String,
 }
 
-/// A grading as far as it is compared; students and parts are those of a common list.
+/// A grading as far as it is compared; students and parts are those of the new key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grading {
     parts: usize,
@@ -37,51 +37,24 @@ pub struct Grading {
     pub totals: Vec<Option<(f64, f64)>>,
 }
 
-/// The students and parts (number of the problem, id of the part) of both gradings.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Who {
-    /// Ids.
-    pub students: Vec<String>,
-    /// Parts in the order of the sheet.
-    pub parts: Vec<(usize, String)>,
-    by_student: BTreeMap<String, usize>,
-    by_part: BTreeMap<(String, String), usize>,
-}
-
-impl Who {
-    /// From the lists.
-    pub fn new(students: Vec<String>, parts: Vec<(usize, String)>) -> Self {
-        let by_student = students.iter().enumerate().map(|(i, s)| (s.clone(), i)).collect();
-        let by_part = parts.iter().enumerate().map(|(i, (n, p))| ((n.to_string(), p.clone()), i)).collect();
-        Self { students, parts, by_student, by_part }
-    }
-    /// `1.omega`
-    pub fn label(&self, part: usize) -> String {
-        let (number, id) = &self.parts[part];
-        format!("{number}.{id}")
-    }
-}
-
 impl Grading {
     /// Nothing known yet.
-    pub fn new(who: &Who) -> Self {
-        let size = who.students.len() * who.parts.len();
+    pub fn new(keys: &KeyTable) -> Self {
+        let size = keys.students.len() * keys.columns.len();
         Self {
-            parts: who.parts.len(),
+            parts: keys.columns.len(),
             cells: vec![None; size],
             points: vec![None; size],
-            totals: vec![None; who.students.len()],
+            totals: vec![None; keys.students.len()],
         }
     }
 
     /// Takes a row of answers.csv.
-    pub fn take(&mut self, who: &Who, row: AnswerRow) {
+    pub fn take(&mut self, keys: &KeyTable, row: AnswerRow) {
         if !row.counts() {
             return;
         }
-        let student = who.by_student.get(&*row.student);
-        let part = who.by_part.get(&(row.problem.into_owned(), row.part.into_owned()));
-        if let (Some(s), Some(p)) = (student, part) {
+        if let Some((s, p)) = keys.place_of(&row) {
             self.cells[s * self.parts + p] = Some(CountedAnswer {
                 line: row.line,
                 column: row.column.into_owned(),
@@ -97,12 +70,12 @@ impl Grading {
     ///
     /// # Errors
     /// It is no gradebook.
-    pub fn book(&mut self, who: &Who, gradebook: impl Read) -> Result<(), Unreadable> {
-        let parts: Vec<String> = (0..who.parts.len()).map(|p| who.label(p)).collect();
-        book::each_row(gradebook, &parts, true, &mut |row| {
-            if let Some(s) = who.by_student.get(&row.student) {
+    pub fn book(&mut self, keys: &KeyTable, gradebook: impl Read) -> Result<(), Unreadable> {
+        let parts: Vec<String> = keys.columns.iter().map(Column::label).collect();
+        gradebook_reader::each_row(gradebook, &parts, true, &mut |row| {
+            if let Some(s) = keys.student(row.student.as_bytes()).map(|s| s as usize) {
                 self.points[s * self.parts..][..self.parts].copy_from_slice(&row.points);
-                self.totals[*s] = row.total.zip(row.of);
+                self.totals[s] = row.total.zip(row.of);
             }
             Ok(())
         })
@@ -267,23 +240,23 @@ pub const DUST: f64 = 1e-9;
 /// Keys that differ by no more than this share are equal.
 const SAME: f64 = 1e-12;
 
-/// All marks whose points or verdicts differ, by student, then part. `keys` gives the entry before and after.
+/// All marks whose points or verdicts differ, by student, then part. `entries` gives the entry before and after.
 pub fn compare<'k>(
-    who: &Who,
+    keys: &KeyTable,
     old: &Grading,
     new: &Grading,
     settings: Settings,
-    keys: &dyn Fn(usize, usize) -> [Option<&'k KeyEntry>; 2],
+    entries: &dyn Fn(usize, usize) -> [Option<&'k KeyEntry>; 2],
 ) -> Vec<MarkChange> {
     let mut found = Vec::new();
-    for student in 0..who.students.len() {
-        for part in 0..who.parts.len() {
+    for student in 0..keys.students.len() {
+        for part in 0..keys.columns.len() {
             let (before, after) = (old.points(student, part), new.points(student, part));
             let (a, b) = (old.cell(student, part), new.cell(student, part));
             let (was, is) = (a.map(|c| c.verdict), b.map(|c| c.verdict));
             let moved = (after.unwrap_or(0.0) - before.unwrap_or(0.0)).abs() > DUST;
             if moved || was != is {
-                let why = why(a, b, settings, keys(student, part), moved);
+                let why = why(a, b, settings, entries(student, part), moved);
                 found.push(MarkChange { student, part, before, after, was, is, why });
             }
         }
@@ -388,9 +361,28 @@ pub fn of_key([old, new]: [Option<&KeyEntry>; 2]) -> Vec<Why> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::key::{ProblemKey, SheetKey};
+    use crate::units::Unit;
 
-    fn who() -> Who {
-        Who::new(["a", "b"].map(str::to_owned).to_vec(), vec![(1, "v".to_owned()), (1, "t".to_owned())])
+    fn who() -> KeyTable {
+        let part = |id: &str| KeyEntry {
+            part: id.to_owned(),
+            answer: Answer::Word { right: "", offered: &[] },
+            unit: Unit::one(),
+            unit_required: false,
+            points: 2.0,
+            eom: None,
+            energy: None,
+            gap: None,
+            cond: None,
+            bound: None,
+            wrong: Vec::new(),
+            code: None,
+        };
+        let problem =
+            ProblemKey { id: "p".to_owned(), parts: vec![part("v"), part("t")], ..ProblemKey::default() };
+        let sheet = |id: &str| SheetKey { student: id.to_owned(), problems: vec![problem.clone()] };
+        KeyTable::new(vec![sheet("a"), sheet("b")], &[])
     }
 
     fn grading(rows: &[(&str, &str, u64, Verdict, &str, &str)], book: &str) -> Grading {

@@ -1,12 +1,11 @@
 //! What a regrading changes, in words: rules, parts, students; and changes.csv.
 use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
-
 use crate::key::{Answer, KeyEntry};
 use crate::num::shown;
 use crate::policy::{Correction, Policy};
 use crate::regrade::changes;
-use crate::regrade::changes::{ChangeRow, DUST, Grading, MarkChange, Who, Why};
+use crate::regrade::changes::{ChangeRow, DUST, Grading, MarkChange, Why};
 use crate::report::tolerances;
 use crate::sheet::terminal;
 use std::collections::BTreeMap;
@@ -19,7 +18,8 @@ const SHOWN: usize = 20;
 /// The keys before and after, by the students and parts of the new one.
 pub struct KeysBeforeAfter {
     old: KeyTable,
-    new: KeyTable,
+    /// Its students and parts are those that are compared.
+    pub new: KeyTable,
     /// Where students and parts of the new key are in the old one.
     students: Vec<Option<usize>>,
     parts: Vec<Option<usize>>,
@@ -28,17 +28,11 @@ pub struct KeysBeforeAfter {
 impl KeysBeforeAfter {
     /// Finds the students and parts of the new key in the old one.
     pub fn new(old: KeyTable, new: KeyTable) -> Self {
-        let whose: BTreeMap<&str, usize> =
-            old.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
         let part = |p: &Column| old.columns.iter().position(|c| (c.number, &c.part) == (p.number, &p.part));
-        let students = new.students.iter().map(|s| whose.get(s.id.as_str()).copied()).collect();
+        let students =
+            new.students.iter().map(|s| old.student(s.id.as_bytes()).map(|s| s as usize)).collect();
         let parts = new.columns.iter().map(part).collect();
         Self { old, new, students, parts }
-    }
-    /// Students and parts of the new key.
-    pub fn who(&self) -> Who {
-        let students = self.new.students.iter().map(|s| s.id.clone()).collect();
-        Who::new(students, self.new.columns.iter().map(|c| (c.number, c.part.clone())).collect())
     }
     /// The entries of a student and a part, before and after.
     pub fn entries(&self, student: usize, part: usize) -> [Option<&KeyEntry>; 2] {
@@ -49,8 +43,6 @@ impl KeysBeforeAfter {
 
 /// A regrading, to be told.
 pub struct ChangesTold<'d> {
-    /// Students and parts.
-    pub who: &'d Who,
     /// Id and name of each student.
     pub students: &'d [(String, String)],
     /// The old grading.
@@ -64,6 +56,11 @@ pub struct ChangesTold<'d> {
 }
 
 impl ChangesTold<'_> {
+    /// `1.omega`
+    fn label(&self, part: usize) -> String {
+        self.keys.new.columns[part].label()
+    }
+
     /// What is graded otherwise than before: banks, by their hashes and the file of the new one, and settings.
     pub fn rules(
         &self,
@@ -84,7 +81,7 @@ impl ChangesTold<'_> {
             );
         }
         let mut said = Vec::new();
-        for (p, _) in self.who.parts.iter().enumerate() {
+        for p in 0..self.keys.new.columns.len() {
             said.extend(self.part(p));
         }
         said.extend(settings(then, now));
@@ -104,7 +101,7 @@ impl ChangesTold<'_> {
         let mut counts: BTreeMap<Why, usize> = BTreeMap::new();
         let mut farthest = 0.0f64;
         let mut points: Option<(f64, f64)> = None;
-        for student in 0..self.who.students.len() {
+        for student in 0..self.keys.new.students.len() {
             let keys = self.keys.entries(student, part);
             let [Some(old), Some(new)] = keys else { continue };
             for why in changes::of_key(keys) {
@@ -122,13 +119,13 @@ impl ChangesTold<'_> {
                 points = Some((old.points, new.points));
             }
         }
-        let label = self.who.label(part);
+        let label = self.label(part);
         let mut said = Vec::new();
         for (why, count) in counts {
             said.push(match why {
                 Why::Key => format!(
                     "{label}: the key differs for {count} of {}, by up to {} %",
-                    terminal::count(self.who.students.len(), "student"),
+                    terminal::count(self.keys.new.students.len(), "student"),
                     terminal::per_cent(farthest)
                 ),
                 Why::Tolerance => {
@@ -155,7 +152,7 @@ impl ChangesTold<'_> {
             return;
         }
         let mut rows = vec![["part", "gain", "lose", "points", "why (answers)"].map(str::to_owned).to_vec()];
-        for part in 0..self.who.parts.len() {
+        for part in 0..self.keys.new.columns.len() {
             let of: Vec<&MarkChange> = self.changes.iter().filter(|c| c.part == part).collect();
             if of.is_empty() {
                 continue;
@@ -167,7 +164,7 @@ impl ChangesTold<'_> {
             }
             let whys: Vec<String> = whys.iter().map(|(w, n)| format!("{} ({n})", w.as_str())).collect();
             rows.push(vec![
-                self.who.label(part),
+                self.label(part),
                 count(&|g| g > DUST),
                 count(&|g| g < -DUST),
                 signed(of.iter().map(|c| c.gain()).sum()),
@@ -176,18 +173,18 @@ impl ChangesTold<'_> {
         }
         text.push_str(&terminal::table(&rows, &[0, 4]));
         let total = |g: &Grading, s: usize| g.totals[s].map_or(0.0, |t| t.0);
-        let mut moved: Vec<(usize, f64)> = (0..self.who.students.len())
+        let mut moved: Vec<(usize, f64)> = (0..self.keys.new.students.len())
             .map(|s| (s, total(self.after, s) - total(self.before, s)))
             .filter(|(_, d)| d.abs() > DUST)
             .collect();
         let (gain, lose) =
             (moved.iter().filter(|(_, d)| *d > 0.0).count(), moved.iter().filter(|(_, d)| *d < 0.0).count());
-        let n = self.who.students.len().max(1) as f64;
-        let mean = |g: &Grading| (0..self.who.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
+        let n = self.keys.new.students.len().max(1) as f64;
+        let mean = |g: &Grading| (0..self.keys.new.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
         let _ = writeln!(
             text,
             "  Totals rise for {gain} and fall for {lose} of {}; their mean goes from {} to {}.",
-            terminal::count(self.who.students.len(), "student"),
+            terminal::count(self.keys.new.students.len(), "student"),
             shown::decimals(mean(self.before), 2),
             shown::decimals(mean(self.after), 2)
         );
@@ -199,7 +196,7 @@ impl ChangesTold<'_> {
             let parts: Vec<String> = of
                 .map(|c| {
                     let why: Vec<&str> = c.why.iter().map(Why::as_str).collect();
-                    format!("{} {} ({})", self.who.label(c.part), signed(c.gain()), why.join(", "))
+                    format!("{} {} ({})", self.label(c.part), signed(c.gain()), why.join(", "))
                 })
                 .collect();
             let (id, name) = &self.students[*student];
@@ -227,12 +224,11 @@ impl ChangesTold<'_> {
     pub fn csv(&self, policy: &Policy) -> Vec<u8> {
         let mut rows = Vec::new();
         for change in self.changes {
-            let (number, part) = &self.who.parts[change.part];
-            let column = &self.keys.new.columns[change.part];
+            let Column { number, problem, part, .. } = &self.keys.new.columns[change.part];
             let why: Vec<String> = change
                 .why
                 .iter()
-                .map(|w| match (w, policy.correction(*number, &column.problem, part, change.is.is_some())) {
+                .map(|w| match (w, policy.correction(*number, problem, part, change.is.is_some())) {
                     (Why::Correction, Some(c)) if !c.why.is_empty() => format!("correction: {}", c.why),
                     _ => w.as_str().to_owned(),
                 })
@@ -240,7 +236,7 @@ impl ChangesTold<'_> {
             let shown = |p: Option<f64>| p.map_or_else(String::new, points);
             let verdict = |v: Option<Verdict>| v.map_or("", |v| v.as_str()).to_owned();
             rows.push(ChangeRow {
-                student: self.who.students[change.student].clone(),
+                student: self.keys.new.students[change.student].id.clone(),
                 problem: number.to_string(),
                 part: part.clone(),
                 points_before: shown(change.before),

@@ -16,11 +16,13 @@ use crate::regrade::changes::ChangeRow;
 use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
-use crate::words::plain::plain;
+use crate::words::plain::{beginning, capital, plain};
 use std::fmt::Write as _;
 
 /// Figures of keys and answers in the text.
 const FIGURES: usize = 9;
+/// Letters of a cell that are shown.
+const LONGEST: usize = 120;
 /// Width of the text.
 const WIDTH: usize = 100;
 
@@ -35,9 +37,9 @@ macro_rules! head {
 
 /// Lines that are wrapped when all is said.
 #[derive(Default)]
-struct Pages(String);
+struct WrappedText(String);
 
-impl Pages {
+impl WrappedText {
     /// A line, a heading at depth 0; below a heading wrapped, further lines set in.
     fn say(&mut self, depth: usize, text: &str) {
         let indent = "  ".repeat(depth);
@@ -115,7 +117,7 @@ impl ExplainedMarks<'_> {
     /// All of it, or what concerns one part, in words.
     pub fn text(&self, part: Option<&str>) -> String {
         let (student, number) = (self.student, self.number);
-        let mut page = Pages::default();
+        let mut page = WrappedText::default();
         let called = if student.name.is_empty() { String::new() } else { format!(" ({})", student.name) };
         head!(
             page,
@@ -151,7 +153,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// How the total of the gradebook is made.
-    fn whole(&self, page: &mut Pages) {
+    fn whole(&self, page: &mut WrappedText) {
         let Some([total, most, dropped]) = &self.total else { return };
         let policy = self.policy;
         let mut text = format!("{total} of {most} points");
@@ -174,7 +176,7 @@ impl ExplainedMarks<'_> {
         page.say(1, &text);
     }
 
-    fn provenance(&self, page: &mut Pages) {
+    fn provenance(&self, page: &mut WrappedText) {
         let made = self.grading;
         say!(
             page,
@@ -211,7 +213,7 @@ impl ExplainedMarks<'_> {
         }
     }
 
-    fn part(&self, page: &mut Pages, index: usize) {
+    fn part(&self, page: &mut WrappedText, index: usize) {
         let entry = &self.key.parts[index];
         let rows: Vec<&AnswerRow> = self.rows.iter().filter(|r| r.part == entry.part).collect();
         let counting = rows.iter().find(|r| r.counts());
@@ -267,7 +269,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// What was asked, the key and its tolerance.
-    fn asked(&self, page: &mut Pages, index: usize) {
+    fn asked(&self, page: &mut WrappedText, index: usize) {
         let entry = &self.key.parts[index];
         let question = self.problem.questions.iter().find(|q| q.id == entry.part);
         let label = question.and_then(|q| {
@@ -316,14 +318,14 @@ impl ExplainedMarks<'_> {
     }
 
     /// One attempt: what was written, how it was read, what it is.
-    fn attempt(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
+    fn attempt(&self, page: &mut WrappedText, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let mut units = UnitCache::default();
         let judged = compare::compare_with(&row.answer, entry, &mut units, Feedback::english());
         let when =
             if row.submitted_at.is_empty() { String::new() } else { format!(", {}", row.submitted_at) };
         let place = if row.column.is_empty() { String::new() } else { format!(", column {}", row.column) };
-        let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
+        let mut text = format!("line {}{place}{when}: `{}`", row.line, beginning(&row.answer, LONGEST));
         // What was written to other data is not held against this key.
         let of_another = row.credit.starts_with(OF_ANOTHER);
         match read(&row.answer, &mut units) {
@@ -364,16 +366,16 @@ impl ExplainedMarks<'_> {
             Reading::Blank | Reading::Unreadable(_) => {}
         }
         let _ = match row.verdict {
-            Verdict::Superseded => write!(text, ". {}", sentence(&row.reason)),
-            verdict => write!(text, ". {}: {}", sentence(verdict.as_str()), row.reason),
+            Verdict::Superseded => write!(text, ". {}", capital(&row.reason)),
+            verdict => write!(text, ". {}: {}", capital(verdict.as_str()), row.reason),
         };
         page.say(2, &text);
     }
 
     /// Methods, slip and how the points of the attempt that counts add up.
-    fn why(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
+    fn why(&self, page: &mut WrappedText, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
-        let catalogue = Catalogue::built_in();
+        let catalogue = Catalogue::shared("en");
         for id in row.methods.split_whitespace() {
             let at = self.key.methods.iter().position(|m| m == id);
             let value = at.and_then(|m| entry.wrong.iter().find(|w| usize::from(w.method) == m));
@@ -457,7 +459,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// What the relation comes to with the student's own answers.
-    fn follows(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
+    fn follows(&self, page: &mut WrappedText, index: usize, row: &AnswerRow) {
         let written = self.problem.follows.iter().find(|f| {
             self.problem.questions.get(f.question).is_some_and(|q| q.id == self.key.parts[index].part)
         });
@@ -534,22 +536,6 @@ fn signed_per_cent(share: f64) -> String {
     let share = share * 100.0;
     let sign = if share < 0.0 { "-" } else { "+" };
     format!("{sign}{} %", shown::significant(share.abs(), 3))
-}
-
-fn sentence(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
-}
-
-/// A long cell is shown by its beginning; nothing in it moves the cursor.
-fn shortened(text: &str) -> String {
-    const LONGEST: usize = 120;
-    let clean = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
-    let mut short: String = clean.take(LONGEST).collect();
-    if text.chars().nth(LONGEST).is_some() {
-        short.push('…');
-    }
-    short
 }
 
 /// The column `slip` in words.

@@ -14,9 +14,10 @@ use crate::sheet::document::{Document, Head};
 use crate::template;
 use crate::template::{Templates, Value, View};
 use crate::words::Words;
+use crate::words::plain::{capital, in_places};
 
 /// What is the same for all students.
-pub struct FeedbackDesk<'d> {
+pub struct FeedbackWriter<'d> {
     /// The marks.
     pub marks: &'d Marks,
     /// Title of the course or bank, in the language of the feedback.
@@ -35,7 +36,7 @@ pub struct FeedbackDesk<'d> {
     pub corrections: &'d [(usize, String)],
 }
 
-impl FeedbackDesk<'_> {
+impl FeedbackWriter<'_> {
     /// The feedback of a student.
     ///
     /// # Errors
@@ -61,10 +62,7 @@ impl FeedbackDesk<'_> {
         let problems =
             (0..self.marks.class.problems.len()).map(|i| self.problem(student, i, dropped)).collect();
         view.value("problems", template::list(problems));
-        let mut out = Vec::new();
-        self.templates.render("feedback.md", &view, &mut out)?;
-        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-        markdown.push('\n');
+        let markdown = self.templates.markdown("feedback.md", &view)?;
         Ok((head, Document::new(markdown, Vec::new())))
     }
 
@@ -254,10 +252,8 @@ fn quoted(text: &str) -> String {
 
 /// Begins with a capital and ends with a point.
 fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let Some(first) = letters.next() else { return String::new() };
-    let mut out: String = first.to_uppercase().chain(letters).collect();
-    if !out.ends_with(['.', '!', '?']) {
+    let mut out = capital(text);
+    if !out.is_empty() && !out.ends_with(['.', '!', '?']) {
         out.push('.');
     }
     out
@@ -290,31 +286,9 @@ const CREDIT: &[&str] = &[
 
 /// Is a piece of a reason one of these phrases, in any language?
 fn is_one_of(phrases: &[&str], piece: &str) -> bool {
-    Words::languages()
-        .filter_map(Words::built_in)
-        .any(|words| phrases.iter().any(|name| fits(words.get(&format!("feedback.{name}")), piece)))
-}
-
-/// Is this the phrase, whatever stands in its places?
-fn fits(phrase: &str, text: &str) -> bool {
-    let mut rest = text;
-    for (i, piece) in phrase.split('{').enumerate() {
-        let fixed = if i == 0 { piece } else { piece.split_once('}').map_or("", |(_, fixed)| fixed) };
-        if i == 0 {
-            match rest.strip_prefix(fixed) {
-                Some(after) => rest = after,
-                None => return false,
-            }
-        } else if fixed.is_empty() {
-            rest = "";
-        } else {
-            match rest.find(fixed) {
-                Some(at) => rest = &rest[at + fixed.len()..],
-                None => return false,
-            }
-        }
-    }
-    rest.is_empty()
+    Words::languages().filter_map(Words::built_in).any(|words| {
+        phrases.iter().any(|name| in_places(words.get(&format!("feedback.{name}")), piece).is_some())
+    })
 }
 
 #[cfg(test)]
@@ -323,6 +297,7 @@ mod tests {
 
     #[test]
     fn phrases_are_recognised_with_anything_in_their_places() {
+        let fits = |phrase: &str, text: &str| in_places(phrase, text).is_some();
         assert!(fits(
             "the right number in {from}, given in {to}",
             "the right number in rev/min, given in rad/s"

@@ -1,8 +1,8 @@
 //! Marks as CSV: a row for each student of the set, those who handed in nothing too.
+use crate::csv_field::push_text;
 use crate::grade::row::push_points;
 use crate::grade::run::Graded;
 use crate::grade::table::KeyTable;
-use crate::guard::push_text;
 use crate::policy::{Policy, Total, plain};
 
 /// A student's total over the problems, by the settings of the course.
@@ -34,7 +34,7 @@ pub fn gradebook(table: &KeyTable, graded: &Graded, policy: &Policy) -> Vec<u8> 
     let mut out = b"student,name".to_vec();
     for column in &table.columns {
         out.push(b',');
-        push_text(&mut out, format!("{}.{}", column.number, column.part).as_bytes());
+        push_text(&mut out, column.label().as_bytes());
     }
     out.extend_from_slice(b",total,max_total");
     let drops = policy.drop_lowest > 0;

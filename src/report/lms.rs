@@ -1,6 +1,6 @@
 //! Gradebooks as Canvas and Moodle import them: one total for each student of the set.
+use crate::csv_field::push_text;
 use crate::grade::row::push_points;
-use crate::guard::push_text;
 
 /// A student's line of a gradebook.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,6 +11,8 @@ pub struct GradebookLine<'l> {
     pub name: &'l str,
     /// Points, `None` if nothing was handed in and nothing was given.
     pub points: Option<f64>,
+    /// SIS id, login and number on Canvas, if it said so itself; empty where there is none.
+    pub canvas: Option<&'l [String; 3]>,
     /// A short text for the student.
     pub feedback: String,
 }
@@ -18,8 +20,8 @@ pub struct GradebookLine<'l> {
 /// The CSV file that Canvas imports: `Student,ID,SIS User ID,SIS Login ID,Section` and the assignment, a row `Points Possible`,
 /// then the students.
 ///
-/// Canvas looks a student up by `ID` (its own number, left empty: nobody else knows it), by `SIS User ID`, by `SIS Login ID`,
-/// then by the name; the id of the roster stands in both SIS columns. An assignment of this name is filled, or a new one is
+/// Canvas looks a student up by `ID` (its own number), by `SIS User ID`, by `SIS Login ID`, then by the name. Of a quiz that was
+/// taken there all three are known; else the id of the roster stands in both SIS columns. An assignment of this name is filled, or a new one is
 /// made with these points (instructure/canvas-lms, `lib/gradebook_importer.rb`). An empty cell changes nothing.
 pub fn canvas(assignment: &str, most: f64, lines: &[GradebookLine]) -> Vec<u8> {
     let mut out = b"Student,ID,SIS User ID,SIS Login ID,Section,".to_vec();
@@ -29,10 +31,13 @@ pub fn canvas(assignment: &str, most: f64, lines: &[GradebookLine]) -> Vec<u8> {
     out.push(b'\n');
     for line in lines {
         push_text(&mut out, if line.name.is_empty() { line.id } else { line.name }.as_bytes());
-        out.push(b',');
-        for _ in 0..2 {
+        let ids = match line.canvas {
+            Some([sis, login, number]) => [number.as_str(), sis, login],
+            None => ["", line.id, line.id],
+        };
+        for id in ids {
             out.push(b',');
-            push_text(&mut out, line.id.as_bytes());
+            push_text(&mut out, id.as_bytes());
         }
         out.extend_from_slice(b",,");
         if let Some(points) = line.points {
@@ -63,10 +68,11 @@ fn canvas_name(name: &str) -> String {
 /// Moodle asks which column identifies the user (`Map from`) and with which field (`Map to`: user id, ID number, email address
 /// or username), and which column goes into which grade item; a cell `-` is no grade (moodle,
 /// `grade/import/csv/classes/load_data.php`). Grades and feedback of an item must be imported together, else the grades are
-/// lost (Moodle documentation, Grade import). The first column is called `Email address` if every id is one, else `ID number`.
-pub fn moodle(item: &str, lines: &[GradebookLine]) -> Vec<u8> {
+/// lost (Moodle documentation, Grade import). The first column is called `first`, or else `Email address` if every id is one, or else `ID number`.
+pub fn moodle(item: &str, first: Option<&str>, lines: &[GradebookLine]) -> Vec<u8> {
     let emails = !lines.is_empty() && lines.iter().all(|l| l.id.contains('@'));
-    let mut out = if emails { b"Email address,Name,".to_vec() } else { b"ID number,Name,".to_vec() };
+    let first = first.unwrap_or(if emails { "Email address" } else { "ID number" });
+    let mut out = format!("{first},Name,").into_bytes();
     push_text(&mut out, item.as_bytes());
     out.push(b',');
     push_text(&mut out, format!("{item} (Feedback)").as_bytes());
@@ -92,7 +98,7 @@ mod tests {
     use super::*;
 
     fn line<'l>(id: &'l str, name: &'l str, points: Option<f64>) -> GradebookLine<'l> {
-        GradebookLine { id, name, points, feedback: "1.v right".to_owned() }
+        GradebookLine { id, name, points, canvas: None, feedback: "1.v right".to_owned() }
     }
 
     #[test]
@@ -112,12 +118,13 @@ mod tests {
     #[test]
     fn moodle_has_its_columns() {
         let text =
-            String::from_utf8(moodle("week-3", &[line("a@b.c", "A", Some(1.0)), line("@d", "", None)]))
+            String::from_utf8(moodle("week-3", None, &[line("a@b.c", "A", Some(1.0)), line("@d", "", None)]))
                 .unwrap();
         assert_eq!(
             text,
             "Email address,Name,week-3,week-3 (Feedback)\na@b.c,A,1,1.v right\n'@d,,-,1.v right\n"
         );
-        assert!(moodle("x", &[line("17", "", None)]).starts_with(b"ID number,"));
+        assert!(moodle("x", None, &[line("17", "", None)]).starts_with(b"ID number,"));
+        assert!(moodle("x", Some("Username"), &[line("a", "", None)]).starts_with(b"Username,"));
     }
 }

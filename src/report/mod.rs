@@ -1,5 +1,4 @@
 //! What teacher and students get back.
-pub mod alike;
 pub mod changes;
 pub mod charts;
 pub mod class;
@@ -8,6 +7,7 @@ pub mod feedback;
 pub mod gradebook;
 pub mod lms;
 pub mod marks;
+pub mod matches;
 pub mod proved;
 pub mod settings;
 pub mod stats;

@@ -8,10 +8,7 @@ use crate::sheet::terminal;
 /// Verdicts, a row for each part, and what is odd about the submissions.
 pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String {
     let form = if graded.wide { "wide" } else { "long" };
-    let mut text = format!(
-        "{} in {form} form:",
-        terminal::count(usize::try_from(graded.cells).unwrap_or(usize::MAX), "answer cell")
-    );
+    let mut text = format!("{} in {form} form:", terminal::count(graded.cells, "answer cell"));
     let mut first = true;
     for verdict in Verdict::ALL {
         let n = graded.count(*verdict);
@@ -35,7 +32,7 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
         let unreadable = of(&[Verdict::Unreadable]);
         let counting = right + wrong + unreadable;
         rows.push(vec![
-            format!("{}.{}", column.number, column.part),
+            column.label(),
             right.to_string(),
             wrong.to_string(),
             unreadable.to_string(),
@@ -55,26 +52,26 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
     }
     let strangers = graded.count(Verdict::UnknownStudent);
     if strangers > 0 {
-        let answers = terminal::count(usize::try_from(strangers).unwrap_or(usize::MAX), "answer");
+        let answers = terminal::count(strangers, "answer");
         text.push_str(&format!(
             "\n  Not counted: {answers} under an id that is not on the roster (`unknown student` in answers.csv). Spreadsheets turn 0017 into 17."
         ));
     }
     if graded.respelled > 0 {
-        let answers = terminal::count(usize::try_from(graded.respelled).unwrap_or(usize::MAX), "answer");
+        let answers = terminal::count(graded.respelled, "answer");
         text.push_str(&format!(
             "\n  {answers} came under an id that differs from the roster's in upper and lower case alone, and count."
         ));
     }
     if graded.undated > 0 {
-        let answers = terminal::count(usize::try_from(graded.undated).unwrap_or(usize::MAX), "answer");
+        let answers = terminal::count(graded.undated, "answer");
         text.push_str(&format!(
             "\n  {answers} that count have no submitted_at that can be read, and are taken as {}.",
             policy.late.unread.map_or("in time", Unread::as_str)
         ));
     }
     if graded.untimed > 0 {
-        let parts = terminal::count(usize::try_from(graded.untimed).unwrap_or(usize::MAX), "answer");
+        let parts = terminal::count(graded.untimed, "answer");
         text.push_str(&format!(
             "\n  The attempts at {parts} were ordered by row, because a submitted_at cannot be read."
         ));

@@ -1,5 +1,5 @@
 //! Tables of the class report: as data for the page, and as CSV with the numbers unrounded.
-use crate::guard::push_text;
+use crate::csv_field::push_text;
 use crate::num::shown;
 use crate::words::Words;
 use serde::Serialize;

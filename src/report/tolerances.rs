@@ -62,7 +62,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
     let mut rows = vec![vec!["part".to_owned(), "tolerance now".to_owned()]];
     rows[0].extend(trials.iter().map(|t| format!("{} %", terminal::per_cent(t.share))));
     for (i, column) in now.columns.iter().enumerate() {
-        let mut row = vec![format!("{}.{}", column.number, column.part), tolerance(now, i)];
+        let mut row = vec![column.label(), tolerance(now, i)];
         if row[1] == "-" {
             continue;
         }
@@ -88,13 +88,13 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
     line("answers of wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
     line("sheets where a wrong method would pass", String::new(), &|t| t.what.total().within.to_string());
     text.push_str(&terminal::table(&rows, &[0]));
-    let catalogue = Catalogue::built_in();
+    let catalogue = Catalogue::shared("en");
     for trial in trials.iter().filter(|t| !t.what.methods.is_empty()) {
         let total = trial.what.total();
         text.push_str(&format!(
             "  warning: at {} % {} of a known wrong method would be right:\n",
             terminal::per_cent(trial.share),
-            terminal::count(usize::try_from(total.methods).unwrap_or(usize::MAX), "answer")
+            terminal::count(total.methods, "answer")
         ));
         let mut list: Vec<(&String, &u64)> = trial.what.methods.iter().collect();
         list.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));

@@ -6,14 +6,14 @@ use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
 use crate::problem::sweep;
 use crate::problem::sweep::{Seldom, Sweep};
-use crate::review::texts::TextNote;
+use crate::review::tried_texts::TextNote;
 use crate::sheet;
 use crate::sheet::texts::Texts;
 use crate::sheet::{statement, terminal};
 use rayon::prelude::*;
 
 pub mod page;
-pub mod texts;
+pub mod tried_texts;
 
 /// A class for which the chance of equal sheets is told.
 pub const CLASS: u32 = 500;
@@ -303,7 +303,7 @@ pub fn faults(
     }
     let mut notes = Vec::new();
     if findings.is_empty() {
-        let tried = texts::whole_bank(bank, own)?;
+        let tried = tried_texts::whole_bank(bank, own)?;
         findings.extend(tried.faults);
         notes = tried.notes;
         for (problem, sweep) in bank.problems.iter().zip(sweeps) {

@@ -13,9 +13,9 @@ use crate::review;
 use crate::review::SweepTables;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
-use crate::sheet::page::{Room, Sheets};
+use crate::sheet::key_table;
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
-use crate::sheet::{key_table, statement};
 use crate::solve::outcome::Motion;
 use crate::template;
 use crate::template::{Value, View};
@@ -49,7 +49,7 @@ pub fn page(
     let mut missing = Findings::default();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, chosen)?;
     let mut converter = Converter::new(&texts.words);
-    let mut room = Room::default();
+    let mut scratch = SheetScratch::default();
     let mut shown = Vec::with_capacity(problems.len());
     for (i, (problem, sweep)) in problems.iter().zip(sweeps).enumerate() {
         let maker = Maker::new(problem, 1, &bank.id);
@@ -66,7 +66,7 @@ pub fn page(
         }
         let mut statement = Vec::new();
         if let Some(first) = variants.first() {
-            sheets.problem(i, first, &mut room, &mut statement)?;
+            sheets.problem(i, first, &mut scratch, &mut statement)?;
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
         let place = PlaceInPage { lower: 1, prefix: &problem.id, boxes: &[] };
@@ -106,8 +106,7 @@ pub fn page(
     view.value("words", template::map(names.iter().map(phrase)));
     view.value("problems", template::list(shown));
     view.foreign("chance", review::chance(sweeps).first().map_or("", String::as_str));
-    let mut page = Vec::new();
-    texts.templates.render("gallery.html", &view, &mut page)?;
+    let page = texts.templates.made("gallery.html", &view)?;
     Ok(Gallery { page: String::from_utf8_lossy(&page).into_owned(), missing })
 }
 
@@ -128,7 +127,7 @@ fn card(
         .iter()
         .zip(&variant.values)
         .filter_map(|(datum, drawn)| {
-            let digits = phrases.tex_number(&statement::decimal_text((*drawn)?));
+            let digits = phrases.tex_number(&(*drawn)?.text());
             Some(format!("{} = {}", datum.tex, datum.unit.tex_with(&digits)))
         })
         .collect();

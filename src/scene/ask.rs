@@ -33,8 +33,21 @@ pub struct Label {
     pub of: Owner,
 }
 
+/// What the sign of a quantity means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Never negative, whichever way the scene goes.
+    Magnitude,
+    /// A direction along the line of the body, so that `62.6 N down` is an answer.
+    Directed,
+    /// Positive or negative, and no word says which.
+    Signed,
+    /// The answer is a word (`up`, `yes`) and no number.
+    Word,
+}
+
 macro_rules! quantities {
-    ($($variant:ident $name:literal $unit:literal $doc:literal;)*) => {
+    ($($variant:ident $name:literal $unit:literal $sign:ident $doc:literal;)*) => {
         /// The quantities that the solvers give.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Quantity {
@@ -53,6 +66,10 @@ macro_rules! quantities {
             pub const fn unit(self) -> &'static str {
                 match self { $(Quantity::$variant => $unit,)* Quantity::Value => "1" }
             }
+            /// What its sign means.
+            pub const fn sign(self) -> Sign {
+                match self { $(Quantity::$variant => Sign::$sign,)* Quantity::Value => Sign::Signed }
+            }
             /// What it is, in words.
             pub const fn meaning(self) -> &'static str {
                 match self { $(Quantity::$variant => $doc,)* Quantity::Value => "an expression that is asked" }
@@ -61,53 +78,53 @@ macro_rules! quantities {
     };
 }
 quantities! {
-    Omega "omega" "rad/s" "angular speed at the end, a magnitude";
-    V "v" "m/s" "speed of the mass centre at the end, a magnitude";
-    A "a" "m/s^2" "acceleration of the mass centre at the end, positive forward";
-    Alpha "alpha" "rad/s^2" "angular acceleration at the end, positive with rolling forward or with growing angle";
-    Friction "friction" "N" "friction force on the body at the end, positive up the incline";
-    Normal "normal" "N" "normal force of the surface";
-    MuRequired "mu_required" "1" "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
-    T "t" "s" "time from the start to the end";
-    Tension "tension" "N" "tension of the cord at the end";
-    CordTravel "cord_travel" "m" "distance that the pulled end of the cord moves";
-    SlipDistance "slip_distance" "m" "distance that the contact slips, a magnitude";
-    SlipSpeed "slip_speed" "m/s" "speed at which the contact slips at the start, a magnitude";
-    Displacement "displacement" "m" "displacement of the mass centre from start to end, positive forward";
-    ARolling "a_rolling" "m/s^2" "acceleration of the mass centre once it rolls, positive forward";
-    Phi "phi" "rad" "angle turned, a magnitude";
-    Heat "heat" "J" "heat of sliding friction";
-    WorkPull "work_pull" "J" "work of the pull";
-    PowerPull "power_pull" "W" "power of the pull at the end";
-    FrictionIfRolled "friction_if_rolled" "N" "friction that rolling without slipping would need, positive up the incline";
-    KBound "k_bound" "m" "radius of gyration below which friction points up the incline at this pull";
-    XEq "x_eq" "m" "stretch of the spring at equilibrium";
-    VMax "v_max" "m/s" "greatest speed of the motion";
-    DAtVMax "D_at_v_max" "m" "distance from release at which the speed is greatest";
-    DTurn "D_turn" "m" "distance from release to the turning point";
-    KineticEnergy "kinetic_energy" "J" "kinetic energy at the end";
-    RotationalFraction "rotational_fraction" "1" "share of the kinetic energy that is rotational";
-    Rise "rise" "m" "height gained by the mass centre, negative when it sinks";
-    XG "x_G" "m" "x of the mass centre";
-    YG "y_G" "m" "y of the mass centre";
-    IG "I_G" "kg*m^2" "moment of inertia about the mass centre";
-    IO "I_O" "kg*m^2" "moment of inertia about the pin";
-    PinRadial "pin_radial" "N" "force of the pin on the body along the line to the mass centre, positive toward the pin";
-    PinTangential "pin_tangential" "N" "force of the pin on the body across that line, positive with growing angle";
-    PinForce "pin_force" "N" "force of the pin on the body, a magnitude";
-    SpringForce "spring_force" "N" "force of the spring, positive if it pulls";
-    OmegaMax "omega_max" "rad/s" "greatest angular speed of the motion";
-    Period "period" "s" "time of a full swing to and fro, or of a full turn where it goes over the top";
-    PeriodSmall "period_small" "s" "period of small swings";
-    OmegaSmall "omega_small" "rad/s" "angular frequency of small swings";
-    VX "v_x" "m/s" "velocity of the mass centre to the right at the end";
-    VY "v_y" "m/s" "velocity of the mass centre up at the end";
-    AX "a_x" "m/s^2" "acceleration of the mass centre to the right at the end";
-    AY "a_y" "m/s^2" "acceleration of the mass centre up at the end";
-    PinX "pin_x" "N" "force of the pin on the body to the right, at the end";
-    PinY "pin_y" "N" "force of the pin on the body up, at the end";
-    Direction "direction" "" "up or down (forward or back on a level)";
-    Rolls "rolls" "" "yes if it could roll without slipping, else no";
+    Omega "omega" "rad/s" Magnitude "angular speed at the end, a magnitude";
+    V "v" "m/s" Magnitude "speed of the mass centre at the end, a magnitude";
+    A "a" "m/s^2" Directed "acceleration of the mass centre at the end, positive forward";
+    Alpha "alpha" "rad/s^2" Signed "angular acceleration at the end, positive with rolling forward or with growing angle";
+    Friction "friction" "N" Directed "friction force on the body at the end, positive up the incline";
+    Normal "normal" "N" Magnitude "normal force of the surface";
+    MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
+    T "t" "s" Magnitude "time from the start to the end";
+    Tension "tension" "N" Signed "tension of the cord at the end";
+    CordTravel "cord_travel" "m" Magnitude "distance that the pulled end of the cord moves";
+    SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
+    SlipSpeed "slip_speed" "m/s" Magnitude "speed at which the contact slips at the start, a magnitude";
+    Displacement "displacement" "m" Directed "displacement of the mass centre from start to end, positive forward";
+    ARolling "a_rolling" "m/s^2" Directed "acceleration of the mass centre once it rolls, positive forward";
+    Phi "phi" "rad" Magnitude "angle turned, a magnitude";
+    Heat "heat" "J" Magnitude "heat of sliding friction";
+    WorkPull "work_pull" "J" Signed "work of the pull";
+    PowerPull "power_pull" "W" Signed "power of the pull at the end";
+    FrictionIfRolled "friction_if_rolled" "N" Directed "friction that rolling without slipping would need, positive up the incline";
+    KBound "k_bound" "m" Magnitude "radius of gyration below which friction points up the incline at this pull";
+    XEq "x_eq" "m" Magnitude "stretch of the spring at equilibrium";
+    VMax "v_max" "m/s" Magnitude "greatest speed of the motion";
+    DAtVMax "D_at_v_max" "m" Magnitude "distance from release at which the speed is greatest";
+    DTurn "D_turn" "m" Magnitude "distance from release to the turning point";
+    KineticEnergy "kinetic_energy" "J" Magnitude "kinetic energy at the end";
+    RotationalFraction "rotational_fraction" "1" Magnitude "share of the kinetic energy that is rotational";
+    Rise "rise" "m" Signed "height gained by the mass centre, negative when it sinks";
+    XG "x_G" "m" Signed "x of the mass centre";
+    YG "y_G" "m" Signed "y of the mass centre";
+    IG "I_G" "kg*m^2" Magnitude "moment of inertia about the mass centre";
+    IO "I_O" "kg*m^2" Magnitude "moment of inertia about the pin";
+    PinRadial "pin_radial" "N" Signed "force of the pin on the body along the line to the mass centre, positive toward the pin";
+    PinTangential "pin_tangential" "N" Signed "force of the pin on the body across that line, positive with growing angle";
+    PinForce "pin_force" "N" Magnitude "force of the pin on the body, a magnitude";
+    SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
+    OmegaMax "omega_max" "rad/s" Magnitude "greatest angular speed of the motion";
+    Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";
+    PeriodSmall "period_small" "s" Magnitude "period of small swings";
+    OmegaSmall "omega_small" "rad/s" Magnitude "angular frequency of small swings";
+    VX "v_x" "m/s" Signed "velocity of the mass centre to the right at the end";
+    VY "v_y" "m/s" Signed "velocity of the mass centre up at the end";
+    AX "a_x" "m/s^2" Signed "acceleration of the mass centre to the right at the end";
+    AY "a_y" "m/s^2" Signed "acceleration of the mass centre up at the end";
+    PinX "pin_x" "N" Signed "force of the pin on the body to the right, at the end";
+    PinY "pin_y" "N" Signed "force of the pin on the body up, at the end";
+    Direction "direction" "" Word "up or down (forward or back on a level)";
+    Rolls "rolls" "" Word "yes if it could roll without slipping, else no";
 }
 
 impl Quantity {
@@ -115,9 +132,17 @@ impl Quantity {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|q| q.name() == name)
     }
-    /// Is its answer a word (`up`, `yes`) and not a number?
+    /// Is its answer a word and not a number?
     pub const fn is_word(self) -> bool {
-        matches!(self, Self::Direction | Self::Rolls)
+        matches!(self.sign(), Sign::Word)
+    }
+    /// Is it a number that is never negative, or no number at all?
+    pub const fn is_magnitude(self) -> bool {
+        matches!(self.sign(), Sign::Magnitude | Sign::Word)
+    }
+    /// Is its sign a direction along the line of the body?
+    pub const fn is_directed(self) -> bool {
+        matches!(self.sign(), Sign::Directed)
     }
     /// What it is, and which sign its number has, as far as that is said of it: `positive forward`, `a magnitude`.
     pub fn meaning_and_sign(self) -> (&'static str, &'static str) {
@@ -134,13 +159,6 @@ impl Quantity {
     /// Is it a coordinate of a point?
     pub const fn is_place(self) -> bool {
         matches!(self, Self::XG | Self::YG)
-    }
-    /// Is its sign a direction along the line of the body, so that `62.6 N down` is an answer?
-    pub const fn is_directed(self) -> bool {
-        matches!(
-            self,
-            Self::Friction | Self::FrictionIfRolled | Self::A | Self::ARolling | Self::Displacement
-        )
     }
 }
 

@@ -17,6 +17,14 @@ pub struct Dealt {
     pub key: SheetKey,
 }
 
+impl Dealt {
+    /// From variant and key of each problem.
+    pub fn new(student: &str, drawn: Vec<(Variant, ProblemKey)>) -> Self {
+        let (variants, problems) = drawn.into_iter().unzip();
+        Self { variants, key: SheetKey { student: student.to_owned(), problems } }
+    }
+}
+
 /// Makes the variants of a set, problem by problem.
 pub struct Dealer<'b> {
     makers: Vec<(&'b Problem, Maker<'b>)>,
@@ -34,33 +42,25 @@ impl<'b> Dealer<'b> {
     /// # Errors
     /// The bank cannot be satisfied: the table of refusals.
     pub fn deal(&self, student: &str) -> Result<Dealt, Box<Unsatisfiable>> {
-        let mut variants = Vec::with_capacity(self.makers.len());
-        let mut keys = Vec::with_capacity(self.makers.len());
-        for (problem, maker) in &self.makers {
+        let drawn = self.makers.iter().map(|(problem, maker)| -> Result<_, Box<Unsatisfiable>> {
             let variant = maker.variant(student)?;
-            keys.push(coded(maker.key(&variant), &stored(problem, &variant)));
-            variants.push(variant);
-        }
-        Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+            let key = coded(maker.key(&variant), &stored(problem, &variant));
+            Ok((variant, key))
+        });
+        Ok(Dealt::new(student, drawn.collect::<Result<Vec<_>, _>>()?))
     }
 
     /// Deals once more what is stored: of each problem only the draw that was taken, not the refused ones before it. `None`
     /// where anything differs; [`Dealer::deal`] then tells what.
     pub fn deal_again(&self, old: &StoredStudent) -> Option<Dealt> {
-        let mut variants = Vec::with_capacity(self.makers.len());
-        let mut keys = Vec::with_capacity(self.makers.len());
-        if old.problems.len() != self.makers.len() {
-            return None;
-        }
-        for ((problem, maker), old_variant) in self.makers.iter().zip(&old.problems) {
+        let drawn = self.makers.iter().zip(&old.problems).map(|((problem, maker), old_variant)| {
             let variant = maker.again(&old.student, old_variant.tries)?;
-            if old_variant.difference(&stored(problem, &variant)).is_some() {
-                return None;
-            }
-            keys.push(coded(maker.key(&variant), old_variant));
-            variants.push(variant);
-        }
-        Some(Dealt { variants, key: SheetKey { student: old.student.clone(), problems: keys } })
+            let same = old_variant.difference(&stored(problem, &variant)).is_none();
+            let key = coded(maker.key(&variant), old_variant);
+            same.then_some((variant, key))
+        });
+        let drawn = drawn.collect::<Option<Vec<_>>>()?;
+        (old.problems.len() == self.makers.len()).then(|| Dealt::new(&old.student, drawn))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Draw, Problem};
 use crate::finding::{Finding, Findings};
-use crate::key::{ProblemKey, SheetKey};
+use crate::key::ProblemKey;
 use crate::problem::maker::Variant;
 use crate::problem::{make_key, maker};
 use crate::set::dealer::{Dealt, coded, indices};
@@ -55,8 +55,13 @@ pub enum GivenFault {
 pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Vec<GivenFault>> {
     let problems = indices(bank, &set.problems, "problems")
         .map_err(|faults| faults.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>())?;
-    let solved: Vec<Result<Dealt, Vec<GivenFault>>> =
-        set.students.par_iter().map(|s| one(bank, &problems, &s.student, &s.problems)).collect();
+    let one = |s: &StoredStudent| {
+        one(bank, &problems, s, &|index, case, values| {
+            let lost = |why| GivenFault::Lost(Lost { student: s.student.clone(), problem: index, case, why });
+            solved(&bank.problems[index], case, values).map_err(lost)
+        })
+    };
+    let solved: Vec<Result<Dealt, Vec<GivenFault>>> = set.students.par_iter().map(one).collect();
     let (mut found, mut faults) = (Vec::with_capacity(solved.len()), Vec::new());
     for result in solved {
         match result {
@@ -75,73 +80,57 @@ pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Vec<GivenFault>> 
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
-/// Solves what is stored.
-type Solve<'s, E> = dyn Fn(&StoredVariant) -> Result<(Variant, ProblemKey), E> + 's;
+/// Solves a problem (an index) of a case with data as they are stored.
+type Solve<'s> = dyn Fn(usize, usize, &[Option<Decimal>]) -> Result<(Variant, ProblemKey), GivenFault> + 's;
 
-/// The variant of a student and its key; parts that were asked with other data have theirs from those.
-fn with_parts<E>(old: &StoredVariant, solve: &Solve<E>) -> Result<(Variant, ProblemKey), E> {
-    let (variant, mut key) = solve(old)?;
-    for (part, other) in &old.parts {
-        key.take_part(part, &solve(other)?.1);
-    }
-    Ok((variant, key))
-}
-
+/// Variants and key of a student; parts that were asked with other data have theirs from those.
 fn one(
     bank: &Bank,
     problems: &[usize],
-    student: &str,
-    stored: &[StoredVariant],
+    student: &StoredStudent,
+    solve: &Solve,
 ) -> Result<Dealt, Vec<GivenFault>> {
-    let mut faults = Vec::new();
-    let (mut variants, mut keys) = (Vec::with_capacity(problems.len()), Vec::with_capacity(problems.len()));
+    let (id, stored) = (&student.student, &student.problems);
+    let misfit = |what: String| GivenFault::Misfit(Finding::new("students", what));
     if stored.len() != problems.len() {
-        let what = format!("{student} has {} problems, the set {}", stored.len(), problems.len());
-        return Err(vec![GivenFault::Misfit(Finding::new("students", what))]);
+        return Err(vec![misfit(format!("{id} has {} problems, the set {}", stored.len(), problems.len()))]);
     }
+    let (mut found, mut faults) = (Vec::with_capacity(problems.len()), Vec::new());
     for (index, old) in problems.iter().zip(stored) {
         let problem = &bank.problems[*index];
         if old.id != problem.id {
-            let what = format!("{student} has `{}` where the set has `{}`", old.id, problem.id);
-            faults.push(GivenFault::Misfit(Finding::new("students", what)));
+            faults.push(misfit(format!("{id} has `{}` where the set has `{}`", old.id, problem.id)));
             continue;
         }
-        let solve = |old: &StoredVariant| {
+        let solve = |old: &StoredVariant| -> Result<_, Vec<GivenFault>> {
             let misfits = |more: Findings| more.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>();
             let (case, values) = values(problem, old).map_err(misfits)?;
-            let lost = |why| {
-                vec![GivenFault::Lost(Lost { student: student.to_owned(), problem: *index, case, why })]
-            };
-            let (variant, key) = solved(problem, case, &values).map_err(lost)?;
+            let (variant, key) = solve(*index, case, &values).map_err(|fault| vec![fault])?;
             Ok((variant, coded(key, old)))
         };
-        match with_parts(old, &solve) {
-            Ok((variant, key)) => {
-                variants.push(variant);
-                keys.push(key);
+        let with_parts = || -> Result<_, Vec<GivenFault>> {
+            let (variant, mut key) = solve(old)?;
+            for (part, other) in &old.parts {
+                key.take_part(part, &solve(other)?.1);
             }
-            Err(more) => faults.extend::<Vec<GivenFault>>(more),
+            Ok((variant, key))
+        };
+        match with_parts() {
+            Ok(both) => found.push(both),
+            Err(more) => faults.extend(more),
         }
     }
-    if faults.is_empty() {
-        Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
-    } else {
-        Err(faults)
-    }
+    if faults.is_empty() { Ok(Dealt::new(id, found)) } else { Err(faults) }
 }
 
 /// All students of a set that an earlier version drew, see [`as_stored`].
 ///
 /// # Errors
-/// Those of [`as_stored`].
+/// Those of [`as_stored`], of the first student who has any.
 pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Findings> {
     let problems = indices(bank, &set.problems, "problems")?;
-    let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
-    let mut found = Vec::with_capacity(set.students.len());
-    for given in set.students.par_iter().map(one).collect::<Vec<_>>() {
-        found.push(given?);
-    }
-    Ok(found)
+    let all: Vec<_> = set.students.par_iter().map(|s| as_stored(bank, &problems, s)).collect();
+    all.into_iter().collect()
 }
 
 /// A stored student of a set that an earlier version drew: variants and key from the stored data. What counts is the stored
@@ -149,39 +138,21 @@ pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Finding
 ///
 /// # Errors
 /// Bank and data do not fit each other, or the scene has no answer.
-pub fn as_stored(
-    bank: &Bank,
-    problems: &[usize],
-    student: &str,
-    stored: &[StoredVariant],
-) -> Result<Dealt, Findings> {
-    let field = |id: &str| format!("students {student}, {id}");
-    if stored.len() != problems.len()
-        || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
-    {
-        return Err(Finding::new(format!("students {student}"), "has other problems than the set").into());
-    }
-    let (mut variants, mut keys) = (Vec::new(), Vec::new());
-    let mut faults = Findings::default();
-    for (index, old) in problems.iter().zip(stored) {
-        let problem = &bank.problems[*index];
-        let solve = |old: &StoredVariant| {
-            let (case, values) = values(problem, old)?;
-            let variant = maker::from_values(problem, case, &values).map_err(|_| {
-                Finding::new(field(&old.id), "the stored data have no answer by this version")
-            })?;
-            let key = coded(make_key::key(problem, &variant), old);
-            Ok((variant, key))
-        };
-        match with_parts(old, &solve) {
-            Ok((variant, key)) => {
-                keys.push(key);
-                variants.push(variant);
-            }
-            Err(more) => faults.extend::<Findings>(more),
-        }
-    }
-    faults.into_result(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+pub fn as_stored(bank: &Bank, problems: &[usize], student: &StoredStudent) -> Result<Dealt, Findings> {
+    let solve = |index: usize, case: usize, values: &[Option<Decimal>]| {
+        let problem = &bank.problems[index];
+        let variant = maker::from_values(problem, case, values).map_err(|_| {
+            let field = format!("students {}, {}", student.student, problem.id);
+            GivenFault::Misfit(Finding::new(field, "the stored data have no answer by this version"))
+        })?;
+        let key = make_key::key(problem, &variant);
+        Ok((variant, key))
+    };
+    let misfit = |fault| match fault {
+        GivenFault::Misfit(finding) => Some(finding),
+        GivenFault::Lost(_) => None,
+    };
+    one(bank, problems, student, &solve).map_err(|faults| faults.into_iter().filter_map(misfit).collect())
 }
 
 /// Case and data as the bank's problem takes them. Findings are the same for every student with the same trouble.

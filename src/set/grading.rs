@@ -2,13 +2,10 @@
 use crate::finding::Finding;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// Version of the layout of grading.json.
 pub const FORMAT: u32 = 1;
-
-/// Folder of a grading that holds copies of what it was made from: set.json, bank.yaml, key.csv and course.yaml, and
-/// the answers where they came in many files.
-pub const BASIS: &str = "basis";
 
 /// Answers that came in many files, joined: the lines that answers.csv tells are lines of this.
 pub const JOINED: &str = "basis/submissions.csv";
@@ -53,6 +50,12 @@ pub struct StoredGrading {
     /// They are the download of a quiz: the set in the basis has the variants that it asked.
     #[serde(default, skip_serializing_if = "is_no")]
     pub quiz: bool,
+    /// Who the students are on Canvas, where the quiz was taken there: SIS id, login, Canvas's own number.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub canvas: BTreeMap<String, [String; 3]>,
+    /// What the ids are on Moodle, where the quiz was taken there and they are neither ID numbers nor e-mail addresses.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moodle: Option<String>,
     /// SHA-256 of the submissions, hex; left out of large gradings, as the next two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub submissions_sha256: Option<String>,
@@ -101,10 +104,7 @@ impl StoredGrading {
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         let grading: Self = serde_json::from_str(text).map_err(|e| {
-            let words = e.to_string();
-            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
-            Finding::new("", format!("is no grading: {words}"))
-                .at(e.line().max(1), e.column().max(1))
+            Finding::of_json("grading", &e)
                 .hint("grading.json is written by `slipstick grade` and not meant to be edited")
         })?;
         if grading.format == FORMAT {

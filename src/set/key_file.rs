@@ -1,6 +1,6 @@
 //! key.csv: one row for each part of each student, numbers in the asked unit.
+use crate::csv_field::{push_line, unguarded};
 use crate::finding::{Finding, Findings, FirstFindings};
-use crate::guard::{push_line, unguarded};
 use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::problem::make_key;
 use rayon::prelude::*;

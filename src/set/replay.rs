@@ -61,7 +61,7 @@ pub fn each<T: Send>(
             Findings::from(f)
         };
         if earlier {
-            let dealt = given::as_stored(bank, &problems, &student.student, &student.problems)?;
+            let dealt = given::as_stored(bank, &problems, student)?;
             return make(i, student, dealt).map_err(by_make);
         }
         if let Some(dealt) = dealer.deal_again(student) {

@@ -160,10 +160,7 @@ impl StoredSet {
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         let set: Self = serde_json::from_str(text).map_err(|e| {
-            let words = e.to_string();
-            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
-            Finding::new("", format!("is no set: {words}"))
-                .at(e.line().max(1), e.column().max(1))
+            Finding::of_json("set", &e)
                 .hint("set.json is written by `slipstick generate` and not meant to be edited")
         })?;
         if set.format == FORMAT {

@@ -6,7 +6,7 @@ use crate::sheet::self_check::Tools;
 use crate::template;
 use crate::template::{Templates, View};
 use crate::words::Words;
-use pulldown_cmark::{Alignment, CowStr, Event, HeadingLevel, Parser, Tag, TagEnd};
+use pulldown_cmark::{Alignment, Event, HeadingLevel, Parser, Tag, TagEnd};
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::event::{Content, Event as Formula};
 use pulldown_latex::{RenderConfig, Storage};
@@ -18,7 +18,7 @@ pub use crate::sheet::document::MARKDOWN;
 /// Turns documents into HTML and remembers formulas: the same few occur in every sheet.
 pub struct Converter<'w> {
     words: &'w Words,
-    formulas: FxHashMap<String, String>,
+    formulas: Formulas,
 }
 
 /// Formulas remembered at most, so that memory does not grow with the class.
@@ -29,7 +29,7 @@ const PHONE: usize = 28;
 pub const PAPER: usize = 70;
 
 /// Where a document stands in a page.
-#[derive(Debug, Clone, Copy)]
+#[derive(Default, Debug, Clone, Copy)]
 pub struct PlaceInPage<'p> {
     /// Levels that its headings go down: 0 for a page of its own, 1 in a booklet.
     pub lower: usize,
@@ -42,7 +42,7 @@ pub struct PlaceInPage<'p> {
 impl<'w> Converter<'w> {
     /// A converter that names tables and formulas in these words.
     pub fn new(words: &'w Words) -> Self {
-        Self { words, formulas: FxHashMap::default() }
+        Self { words, formulas: Formulas::default() }
     }
 
     /// The body of a page.
@@ -137,7 +137,7 @@ impl<'w> Converter<'w> {
     ) {
         let html = |text: String| Event::InlineHtml(text.into());
         match event {
-            Event::InlineMath(tex) => out.push(Event::InlineHtml(self.formula(&tex, DisplayMode::Inline))),
+            Event::InlineMath(tex) => out.push(Event::InlineHtml(self.formulas.html(&tex, false).into())),
             Event::DisplayMath(tex) => {
                 walk.formulas += 1;
                 let signs = signs(&tex);
@@ -151,7 +151,7 @@ impl<'w> Converter<'w> {
                 } else {
                     String::new()
                 };
-                let math = self.formula(&tex, DisplayMode::Block);
+                let math = formula(&tex, true);
                 out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
             }
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
@@ -246,20 +246,27 @@ impl<'w> Converter<'w> {
             "<span class=\"box\"><span class=\"answer\"></span><input name=\"{part}\" form=\"answers\" aria-label=\"{label}\" autocomplete=\"off\" autocapitalize=\"none\" spellcheck=\"false\" maxlength=\"200\"></span>"
         )
     }
+}
 
-    fn formula<'e>(&mut self, tex: &str, display_mode: DisplayMode) -> CowStr<'e> {
-        let inline = display_mode == DisplayMode::Inline;
-        if inline && let Some(known) = self.formulas.get(tex) {
-            return known.clone().into();
+/// Formulas within lines as HTML, remembered: the same few occur in every sheet.
+#[derive(Default)]
+pub struct Formulas(FxHashMap<String, String>);
+
+impl Formulas {
+    /// A formula, in a line of its own or within one.
+    pub fn html(&mut self, tex: &str, of_its_own: bool) -> String {
+        if of_its_own {
+            return formula(tex, true);
         }
-        let html = mathml(tex, display_mode);
-        if inline {
-            if self.formulas.len() >= REMEMBERED {
-                self.formulas.clear();
-            }
-            self.formulas.insert(tex.to_owned(), html.clone());
+        if let Some(known) = self.0.get(tex) {
+            return known.clone();
         }
-        html.into()
+        if self.0.len() >= REMEMBERED {
+            self.0.clear();
+        }
+        let html = formula(tex, false);
+        self.0.insert(tex.to_owned(), html.clone());
+        html
     }
 }
 
@@ -382,9 +389,7 @@ pub fn page(
     view.text("code", &head.code);
     view.text("running", &running_head(head));
     view.text("body", body.trim_end());
-    let mut out = Vec::new();
-    templates.render("sheet.html", &view, &mut out)?;
-    Ok(out)
+    templates.made("sheet.html", &view)
 }
 
 /// One page with all of a set: each document, its headings lowered by one, is an article with the id `s1`, `s2`, ...
@@ -417,9 +422,7 @@ pub fn booklet<'p>(
         ])
     });
     view.value("sheets", template::list(list.collect()));
-    let mut out = Vec::new();
-    templates.render("booklet.html", &view, &mut out)?;
-    Ok(out)
+    templates.made("booklet.html", &view)
 }
 
 /// Figures bring their style along; in one page each style is needed once, and counts for all figures.

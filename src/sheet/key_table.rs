@@ -5,7 +5,6 @@ use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::num::shown::significant;
 use crate::problem::maker::Variant;
 use crate::sheet::document::{Document, Head};
-use crate::sheet::statement;
 use crate::solve::outcome::Motion;
 use crate::template;
 use crate::template::{Templates, View};
@@ -88,10 +87,7 @@ pub fn document<'k>(
         ])
     });
     view.value("problems", template::list(list.collect()));
-    let mut out = Vec::new();
-    templates.render("key-table.md", &view, &mut out)?;
-    let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-    markdown.push('\n');
+    let markdown = templates.markdown("key-table.md", &view)?;
     let title = format!("{}: {}", words.get("sheet.key"), bank.title);
     let head = Head { title, set: set.to_owned(), ..Head::default() };
     Ok((head, Document::new(markdown, Vec::new())))
@@ -101,7 +97,7 @@ pub fn document<'k>(
 pub fn shown(words: &Words, problem: &Problem, entry: &KeyEntry) -> String {
     let directed = problem.questions.iter().any(|q| q.id == entry.part && q.label.quantity.is_directed());
     match &entry.answer {
-        Answer::Word { right, .. } => statement::said(words, right).to_owned(),
+        Answer::Word { right, .. } => words.of_key(right).to_owned(),
         Answer::Number { value, .. } => {
             let number = words.number(&significant(entry.unit.from_si(*value), FIGURES));
             // A sign that means a direction is shown in both cases.

@@ -5,7 +5,7 @@ use crate::key::SheetKey;
 use crate::sheet::document::{Document, Head};
 use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::key_table::KeyTableRow;
-use crate::sheet::pdf::Press;
+use crate::sheet::pdf::PdfCompiler;
 use crate::sheet::self_check::Tools;
 use crate::sheet::texts::Texts;
 use crate::sheet::{html, key_table, pdf, tex};
@@ -69,12 +69,12 @@ pub fn stored(endings: &[String]) -> Vec<Format> {
 }
 
 /// Writes documents in some formats.
-pub struct Output<'o> {
+pub struct DocumentWriter<'o> {
     texts: &'o Texts,
     formats: &'o [Format],
     /// Name of the files, `sheet` or `solution`.
     name: &'static str,
-    press: Option<Press>,
+    press: Option<PdfCompiler>,
 }
 
 /// One document written: its files, and its part of the booklets.
@@ -89,14 +89,14 @@ pub struct WrittenDocument {
     document: Document,
 }
 
-impl<'o> Output<'o> {
+impl<'o> DocumentWriter<'o> {
     /// Gets ready.
     ///
     /// # Errors
     /// PDF is asked for and not built in, or the instructor's `print.typ` is faulty.
     pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Finding> {
         let press = match formats.contains(&Format::Pdf) {
-            true => Some(Press::new(&texts.words, texts.print())?),
+            true => Some(PdfCompiler::new(&texts.words, texts.print())?),
             false => None,
         };
         Ok(Self { texts, formats, name, press })
@@ -217,8 +217,7 @@ impl<'o> Output<'o> {
         if self.wants(Format::Pdf) {
             files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
         }
-        let body =
-            Converter::new(words).body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+        let body = Converter::new(words).body(&document, &[], PlaceInPage::default());
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body, None)?));
         Ok(files)
     }

@@ -1,6 +1,6 @@
 //! Documents to PDF: keeper of the Typst compiler, which comes only with the Cargo feature `pdf`.
 //!
-//! Without the feature everything here is there too, and [`Press::new`] says how to get it, so that callers need no
+//! Without the feature everything here is there too, and [`PdfCompiler::new`] says how to get it, so that callers need no
 //! conditions. The same documents give the same bytes on every machine: no clock, no fonts but the built-in ones.
 use crate::finding::Finding;
 use crate::sheet::document::{Document, Head};
@@ -10,9 +10,9 @@ use crate::words::Words;
 pub const BUILT_IN: bool = cfg!(feature = "pdf");
 
 /// Makes PDFs. Made once, shared by all threads.
-pub struct Press(machine::Machine);
+pub struct PdfCompiler(machine::Machine);
 
-impl Press {
+impl PdfCompiler {
     /// Loads fonts and the prelude: `own` is the instructor's `print.typ`, with its path for messages, instead of the
     /// built-in one.
     ///

@@ -8,13 +8,12 @@
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
 use crate::bank::node::Node;
-use crate::bank::{Bank, Case, Mistake, Problem, node, review, yaml};
+use crate::bank::{Bank, Case, Mistake, Problem, checks, node, yaml};
 use crate::finding::Finding;
 use crate::page::sheet_file::FORMAT;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{Label, Scene};
-use crate::sheet::statement;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -73,7 +72,7 @@ impl<'b> Writer<'b> {
                 if let Some(number) = variant.values.get(d).copied().flatten() {
                     let comma = if first { "" } else { ", " };
                     first = false;
-                    let value = statement::decimal_text(number);
+                    let value = number.text();
                     let (symbol, unit) = (quote(&datum.symbol), quote(datum.unit.ascii()));
                     let _ = write!(out, "{comma}{symbol}: {{\"value\": \"{value}\", \"unit\": {unit}}}");
                 }
@@ -128,7 +127,7 @@ fn is_everywhere(problem: &Problem, mistake: &Mistake) -> bool {
     let labels = expressions.flat_map(|e| e.quantities()).chain(mistake.of.iter().copied());
     let mut labels: Vec<Label> = labels.chain(mistake.values.iter().map(|(label, _)| *label)).collect();
     labels.dedup();
-    let known = |scene: &Scene, label: Label| review::label(scene, &scene.name_of(label)).is_ok();
+    let known = |scene: &Scene, label: Label| checks::label(scene, &scene.name_of(label)).is_ok();
     problem.cases.iter().all(|case| labels.iter().all(|label| known(&case.scene, *label)))
 }
 

@@ -7,7 +7,6 @@ use crate::policy::Hints;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Head;
-use crate::sheet::statement;
 use crate::template;
 use crate::words::Words;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
@@ -174,6 +173,6 @@ impl<'t> SelfCheck<'t> {
     fn offered(&self, problem: &Problem, question: usize, variant: &Variant) -> Vec<String> {
         let quantity = problem.questions[question].label.quantity;
         let list = make_key::offered(problem, quantity, &problem.cases[variant.case].scene);
-        list.iter().map(|word| statement::said(self.words, word).to_owned()).collect()
+        list.iter().map(|word| self.words.of_key(word).to_owned()).collect()
     }
 }

@@ -23,11 +23,6 @@ use crate::template::{Templates, View};
 use crate::words::Words;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::fmt::Write as _;
-
-/// Names that a statement may use besides the symbols of its problem.
-pub const RESERVED: &[&str] =
-    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "series", "questions"];
 
 /// What all problems of one sheet have in common, so that it is said once.
 #[derive(Debug, Clone, PartialEq)]
@@ -239,7 +234,7 @@ impl<'b> Statement<'b> {
                 text.clear();
                 text.push_str(before);
                 let digits = text.len();
-                push_decimal(text, value, decimals);
+                Decimal { value, decimals }.push(text);
                 if self.words.decimal() != '.' {
                     let number = self.words.tex_number(&text[digits..]);
                     text.truncate(digits);
@@ -351,7 +346,7 @@ impl<'b> Statement<'b> {
     /// `$40\ \mathrm{kg}$`
     fn value_tex(&self, datum: usize, drawn: &[Option<Decimal>]) -> String {
         let Some(drawn) = drawn.get(datum).copied().flatten() else { return String::new() };
-        let digits = self.words.tex_number(&decimal_text(drawn));
+        let digits = self.words.tex_number(&drawn.text());
         self.problem.data.get(datum).map_or_else(String::new, |d| format!("${}$", d.unit.tex_with(&digits)))
     }
 
@@ -449,20 +444,6 @@ pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'
     }
 }
 
-/// A word of a key (`up`, `yes`) as the sheet says it.
-pub fn said<'w>(words: &'w Words, word: &'w str) -> &'w str {
-    match word {
-        "up" => words.get("sheet.up"),
-        "down" => words.get("sheet.down"),
-        "forward" => words.get("sheet.forward"),
-        "back" => words.get("sheet.back"),
-        "stays" => words.get("sheet.stays"),
-        "yes" => words.get("sheet.yes"),
-        "no" => words.get("sheet.no"),
-        other => other,
-    }
-}
-
 /// How each answer is to be written, with these relative tolerances.
 fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
     let form = |(q, within): (&Question, &f64)| form(words, problem, q, scene, common, *within);
@@ -481,7 +462,7 @@ fn form(
     let [forward, back] = direction_words(words, scene, q.label.of);
     if q.label.quantity.is_word() {
         let list = make_key::offered(problem, q.label.quantity, scene);
-        let said: Vec<&str> = list.iter().map(|word| said(words, word)).collect();
+        let said: Vec<&str> = list.iter().map(|word| words.of_key(word)).collect();
         let text = match said.as_slice() {
             [a, b, c] => words.say("sheet.one_of_three", &[("a", a), ("b", b), ("c", c)]),
             [a, b] => words.say("sheet.one_of_two", &[("a", a), ("b", b)]),
@@ -536,29 +517,8 @@ pub fn percent(share: f64) -> String {
     format!("{} %", shown::per_cent(share, 4))
 }
 
-/// Appends `int * 10^-decimals` exactly.
-pub fn push_decimal(out: &mut String, int: i64, decimals: u8) {
-    let digits = int.unsigned_abs();
-    if int < 0 {
-        out.push('-');
-    }
-    if decimals == 0 || decimals > 19 {
-        let _ = write!(out, "{digits}");
-        return;
-    }
-    let ten = 10u64.pow(u32::from(decimals.min(19)));
-    let _ = write!(out, "{}.{:0width$}", digits / ten, digits % ten, width = usize::from(decimals));
-}
-
-/// `0.30` for 30 and 2 decimals.
-pub fn decimal_text(number: Decimal) -> String {
-    let mut text = String::new();
-    push_decimal(&mut text, number.value, number.decimals);
-    text
-}
-
 /// Digits and unit as printed: `0.30 m`, `30 deg`, `0.55`.
 pub fn printed(problem: &Problem, datum: usize, drawn: Decimal) -> String {
-    let digits = decimal_text(drawn);
+    let digits = drawn.text();
     problem.data.get(datum).map_or_else(|| digits.clone(), |d| d.unit.text_with(&digits))
 }

@@ -41,7 +41,8 @@ pub fn per_cent(share: f64) -> String {
 }
 
 /// `1 sheet`, `2 sheets`
-pub fn count(n: usize, one: &str) -> String {
+pub fn count(n: impl TryInto<u64>, one: &str) -> String {
+    let n = n.try_into().unwrap_or(u64::MAX);
     if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
 }
 

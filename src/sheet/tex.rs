@@ -19,9 +19,7 @@ pub fn page(templates: &Templates, words: &Words, head: &Head, body: &str) -> Re
     view.text("body", body.trim_end());
     view.text("babel", babel(words));
     view.text("language", words.language());
-    let mut out = Vec::new();
-    templates.render("sheet.tex", &view, &mut out)?;
-    Ok(out)
+    templates.made("sheet.tex", &view)
 }
 
 /// One document of LaTeX with all of a set, each from a new page.
@@ -45,9 +43,7 @@ pub fn booklet<'p>(
     view.value("sheets", template::list(list.collect()));
     view.text("babel", babel(words));
     view.text("language", words.language());
-    let mut out = Vec::new();
-    templates.render("booklet.tex", &view, &mut out)?;
-    Ok(out)
+    templates.made("booklet.tex", &view)
 }
 
 /// Name of the language for the package babel.

@@ -1,5 +1,5 @@
 //! In which words a bank is told.
-use crate::bank::Bank;
+use crate::bank::{Bank, TEMPLATE_NAMES};
 use crate::finding::{Finding, Findings};
 use crate::sheet::statement;
 use crate::template::Templates;
@@ -31,7 +31,7 @@ pub fn unknown_names(bank: &Bank, templates: &Templates) -> Findings {
         match templates.variables(&name) {
             Ok(used) => {
                 for unknown in used.iter().filter(|u| {
-                    !statement::RESERVED.contains(&u.as_str()) && problem.data.iter().all(|d| d.symbol != **u)
+                    !TEMPLATE_NAMES.contains(&u.as_str()) && problem.data.iter().all(|d| d.symbol != **u)
                 }) {
                     let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
                     findings.push(

@@ -1,5 +1,5 @@
 //! The class: ids and names as they occur, also those that are awkward as file names and in CSV.
-use crate::guard::push_line;
+use crate::csv_field::push_line;
 
 /// Id and name.
 pub const STUDENTS: [(&str, &str); 24] = [

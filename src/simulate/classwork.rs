@@ -1,9 +1,9 @@
 //! A whole made-up class: what each student hands in, who copies from whom, when, and the two files of it, submissions and truth.
-use crate::guard::{push_field, push_line};
+use crate::csv_field::{push_field, push_line};
 use crate::key::SheetKey;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
-use crate::simulate::student::HandedIn;
+use crate::simulate::student::SimulatedAnswer;
 use crate::simulate::truth::{HEADER, TrueKind, Truth};
 use crate::simulate::written::WrittenCell;
 use crate::simulate::{moment, written};
@@ -15,7 +15,7 @@ pub struct Work {
     /// The student's key.
     pub key: SheetKey,
     /// What is handed in, in the student's own order; empty for one who is absent.
-    pub handed: Vec<HandedIn>,
+    pub handed: Vec<SimulatedAnswer>,
 }
 
 /// The files of a class.
@@ -44,7 +44,7 @@ pub fn copy(habits: &Habits, seed: u64, works: &mut [Work]) {
     }
     for group in present.chunks_exact(copying.size.max(2)).take(copying.groups) {
         let Some((source, copiers)) = group.split_first() else { continue };
-        let last: Vec<HandedIn> = last_attempts(&works[*source].handed);
+        let last: Vec<SimulatedAnswer> = last_attempts(&works[*source].handed);
         let name = works[*source].key.student.clone();
         for copier in copiers {
             let work = &mut works[*copier];
@@ -79,15 +79,15 @@ pub fn copy(habits: &Habits, seed: u64, works: &mut [Work]) {
                 work.handed.retain(|h| (h.problem, h.part) != (from.problem, from.part));
                 let place = place.min(work.handed.len());
                 let (problem, part) = (from.problem, from.part);
-                work.handed.insert(place, HandedIn { problem, part, attempt: 1, cell, truth });
+                work.handed.insert(place, SimulatedAnswer { problem, part, attempt: 1, cell, truth });
             }
         }
     }
 }
 
 /// The last attempt at each part, in the order of the sheet.
-fn last_attempts(handed: &[HandedIn]) -> Vec<HandedIn> {
-    let mut last: Vec<HandedIn> = Vec::new();
+fn last_attempts(handed: &[SimulatedAnswer]) -> Vec<SimulatedAnswer> {
+    let mut last: Vec<SimulatedAnswer> = Vec::new();
     for one in handed {
         match last.iter_mut().find(|h| (h.problem, h.part) == (one.problem, one.part)) {
             Some(old) if old.attempt < one.attempt => *old = one.clone(),
@@ -102,7 +102,7 @@ fn last_attempts(handed: &[HandedIn]) -> Vec<HandedIn> {
 /// A row before it is written.
 struct HandedRow<'w> {
     student: &'w str,
-    handed: &'w HandedIn,
+    handed: &'w SimulatedAnswer,
     part: &'w str,
     verdict: &'static str,
     minute: Option<i64>,

@@ -10,6 +10,9 @@ use crate::units::spell;
 /// The habits that are taken where none are given, and the example that is printed: every field, with its meaning.
 pub const EXAMPLE: &str = include_str!("habits.yaml");
 
+/// The habits of the class of demonstrations.
+const DEMO: &str = include_str!("demo.yaml");
+
 /// Things and how often each is met, as weights >= 0 of which one at least is > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mix<T>(Vec<(T, f64)>);
@@ -44,7 +47,7 @@ impl<T: Copy> Mix<T> {
 
 /// In which unit a number is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Written {
+pub enum UnitHabit {
     /// In the unit asked, which is written.
     Asked,
     /// In another unit of the same kind.
@@ -77,7 +80,7 @@ pub struct HandInTimes {
     pub late: f64,
     /// By at most this many minutes, > 0.
     pub by: i64,
-    /// Written behind each time, such as `+01:00`; may be empty.
+    /// UnitHabit behind each time, such as `+01:00`; may be empty.
     pub zone: String,
 }
 
@@ -107,19 +110,19 @@ pub struct Habits {
     /// Who copies.
     pub copying: Option<Copying>,
     /// Units.
-    pub units: Mix<Written>,
+    pub units: Mix<UnitHabit>,
     /// Share of the answers with a direction that give it by a word instead of a sign.
     pub words: f64,
     /// Share of the students who write a decimal comma.
     pub commas: f64,
-    /// Written as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
+    /// UnitHabit as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
     pub spreadsheet: bool,
     /// When; `None`: no such column.
     pub times: Option<HandInTimes>,
 }
 
-const UNITS: [(&str, Written); 3] =
-    [("asked", Written::Asked), ("other", Written::Other), ("none", Written::Without)];
+const UNITS: [(&str, UnitHabit); 3] =
+    [("asked", UnitHabit::Asked), ("other", UnitHabit::Other), ("none", UnitHabit::Without)];
 
 /// Most figures that can be asked for.
 const MOST_FIGURES: u32 = 15;
@@ -128,11 +131,18 @@ const MOST_ATTEMPTS: u32 = 20;
 
 impl Habits {
     /// Those of [`EXAMPLE`].
-    ///
+    pub fn usual() -> Self {
+        Self::built_in(EXAMPLE)
+    }
+    /// Those of the class of demonstrations: everything that may become of an answer is met.
+    pub fn demo() -> Self {
+        Self::built_in(DEMO)
+    }
+
     /// # Panics
     /// It cannot be read: a bug, found by any test.
-    pub fn usual() -> Self {
-        match Self::read(EXAMPLE, "habits.yaml") {
+    fn built_in(text: &str) -> Self {
+        match Self::read(text, "habits.yaml") {
             Ok(habits) => habits,
             Err(faults) => panic!("the built-in habits cannot be read: {faults:?}"),
         }
@@ -218,7 +228,7 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
         figures: figures.unwrap_or(Some(Mix::only(4)))?,
         on_the_way: on_the_way.unwrap_or(Some(Mix::only(3)))?,
         copying,
-        units: units.unwrap_or(Some(Mix::only(Written::Asked)))?,
+        units: units.unwrap_or(Some(Mix::only(UnitHabit::Asked)))?,
         words,
         commas,
         spreadsheet,

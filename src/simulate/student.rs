@@ -19,7 +19,7 @@ const SENSIBLE: u32 = 3;
 
 /// One answer that is handed in.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HandedIn {
+pub struct SimulatedAnswer {
     /// Index of the problem in the sheet.
     pub problem: usize,
     /// Index of the part.
@@ -94,11 +94,11 @@ impl<'h> SimulatedStudent<'h> {
 
     /// Works on the problems of a sheet: first attempts at all parts in the order of the sheet, then second ones and so on. Somebody
     /// who is absent hands in nothing.
-    pub fn work(&mut self, problems: &[(&Problem, &Variant, &ProblemKey)]) -> Vec<HandedIn> {
+    pub fn work(&mut self, problems: &[(&Problem, &Variant, &ProblemKey)]) -> Vec<SimulatedAnswer> {
         if self.chance.meets(self.habits.absent) {
             return Vec::new();
         }
-        let mut rounds: Vec<Vec<HandedIn>> = Vec::new();
+        let mut rounds: Vec<Vec<SimulatedAnswer>> = Vec::new();
         for (at, (problem, variant, key)) in problems.iter().enumerate() {
             let mut memory = Memory::default();
             for index in 0..key.parts.len() {
@@ -120,7 +120,7 @@ impl<'h> SimulatedStudent<'h> {
                     if rounds.len() <= round {
                         rounds.push(Vec::new());
                     }
-                    rounds[round].push(HandedIn { problem: at, part: index, attempt, cell, truth });
+                    rounds[round].push(SimulatedAnswer { problem: at, part: index, attempt, cell, truth });
                     if done {
                         break;
                     }

@@ -3,7 +3,7 @@ use crate::key::{Answer, KeyEntry};
 use crate::num::U;
 use crate::num::shown::significant;
 use crate::simulate::chance::Chance;
-use crate::simulate::habits::Written;
+use crate::simulate::habits::UnitHabit;
 use crate::units::Unit;
 
 /// An answer before it is written into a cell.
@@ -128,16 +128,16 @@ pub fn strange_unit(asked: &Unit, chance: &mut Chance) -> Option<Unit> {
 pub fn in_habit(
     cell: WrittenCell,
     asked: &Unit,
-    written: Written,
+    written: UnitHabit,
     figures: u32,
     chance: &mut Chance,
 ) -> WrittenCell {
     let Some(si) = cell.si(asked) else { return cell };
     match (written, cell) {
-        (Written::Without, WrittenCell::Number { digits, way, .. }) => {
+        (UnitHabit::Without, WrittenCell::Number { digits, way, .. }) => {
             WrittenCell::Number { digits, unit: None, way }
         }
-        (Written::Other, cell) => match other_unit(asked, chance) {
+        (UnitHabit::Other, cell) => match other_unit(asked, chance) {
             Some(unit) => WrittenCell::number(si, &unit, figures),
             None => cell,
         },
@@ -243,7 +243,7 @@ mod tests {
         let asked = Unit::parse("rad/s").unwrap();
         let cell = WrittenCell::number(-30.0, &asked, 6);
         assert_eq!(cell.si(&asked), Some(-30.0));
-        let other = in_habit(cell.clone(), &asked, Written::Other, 6, &mut chance);
+        let other = in_habit(cell.clone(), &asked, UnitHabit::Other, 6, &mut chance);
         assert!((other.si(&asked).unwrap() + 30.0).abs() < 1e-3, "{other:?}");
         assert_eq!(by_word(cell.clone(), false).si(&asked), Some(-30.0));
         assert_eq!(by_word(cell, true).si(&asked), Some(-30.0));

@@ -1,7 +1,6 @@
 //! Mistakes to beware of: wrong methods of the problem and what each comes to with this student's data. Both are the grader's,
 //! the values those that are stored with the draw, the words those of its feedback.
 use crate::misconception::catalogue::{Catalogue, Entry};
-use crate::problem::make_key;
 use crate::solution::draft::Draft;
 use crate::solution::text::{Block, SolutionSection};
 use crate::solution::told;
@@ -48,7 +47,7 @@ fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c Entry,
         };
         let spoilt = questions.iter().enumerate().find_map(|(at, q)| {
             let wrong = draft.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
-            let magnitude = make_key::is_magnitude(q.label.quantity);
+            let magnitude = q.label.quantity.is_magnitude();
             let wrong = told(draft, q, if magnitude { wrong.value.abs() } else { wrong.value });
             let known =
                 right[at].as_ref() == Some(&wrong) || of_question[at].iter().any(|(_, w)| *w == wrong);

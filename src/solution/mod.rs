@@ -147,7 +147,8 @@ fn made(
     };
     let mut view = View::new();
     view.text("number", &number.to_string());
-    view.text("title", &problem.title);
+    // A title is a text: nothing in it is a tag.
+    view.text("title", &problem.title.replace('<', "\\<"));
     view.text("case", &problem.cases[variant.case].name);
     for (symbol, whole) in draft.whole() {
         view.text(symbol, &whole);

@@ -14,7 +14,6 @@ use crate::misconception;
 use crate::misconception::MethodWords;
 use crate::num::shown;
 use crate::policy::Hints;
-use crate::problem::make_key;
 use crate::problem::maker::{APART, Variant};
 use crate::scene::{End, Label, Num, Quantity};
 use crate::solve::agree;
@@ -26,7 +25,7 @@ pub type FindWords<'a, 'w> = &'a dyn Fn(&str) -> Option<MethodWords<'w>>;
 
 /// What a hint does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
+pub enum HintKind {
     /// It names a slip: a unit, a power of ten, a sign.
     Slip,
     /// It asks a question.
@@ -39,15 +38,15 @@ pub enum Step {
     Do,
 }
 
-impl Step {
+impl HintKind {
     /// As a word for machines.
     pub const fn as_str(self) -> &'static str {
         match self {
-            Step::Slip => "slip",
-            Step::Nudge => "nudge",
-            Step::Limit => "limit",
-            Step::Where => "where",
-            Step::Do => "do",
+            HintKind::Slip => "slip",
+            HintKind::Nudge => "nudge",
+            HintKind::Limit => "limit",
+            HintKind::Where => "where",
+            HintKind::Do => "do",
         }
     }
 }
@@ -56,7 +55,7 @@ impl Step {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hint {
     /// What it does.
-    pub step: Step,
+    pub step: HintKind,
     /// Markdown with formulas in `$...$`.
     pub text: String,
 }
@@ -157,9 +156,12 @@ impl<'a, 'w> Tutor<'a, 'w> {
             let found = diagnose::diagnose(judgement.number, cell, part, &self.parts);
             let index = found.methods.iter().map(|m| usize::from(*m));
             told.methods = index.filter_map(|m| self.ids.get(m).cloned()).collect();
-            self.of_number(part, entry, told.verdict, &told.methods, found.slip, &mut hints);
+            // That a number of one or two figures is the right one rounded would give away the next figure of the key.
+            let rounded = |slip: &AnswerSlip| matches!(slip, AnswerSlip::FewerFigures(n) if *n < FIGURES);
+            let slip = found.slip.filter(|slip| !rounded(slip));
+            self.of_number(part, entry, told.verdict, &told.methods, slip, &mut hints);
         } else {
-            hints.push((Step::Nudge, self.of_group("nudge", part)));
+            hints.push((HintKind::Nudge, self.of_group("nudge", part)));
             self.of_place(part, &mut hints);
         }
         for (step, text) in hints {
@@ -181,7 +183,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         verdict: Verdict,
         methods: &[String],
         slip: Option<AnswerSlip>,
-        hints: &mut Vec<(Step, String)>,
+        hints: &mut Vec<(HintKind, String)>,
     ) {
         let slip_text = match (verdict, slip) {
             (Verdict::WrongDirection, _) => {
@@ -193,8 +195,8 @@ impl<'a, 'w> Tutor<'a, 'w> {
             _ => None,
         };
         let slipped = slip_text.is_some();
-        hints.extend(slip_text.map(|text| (Step::Slip, text)));
-        // Who has the right digits needs no hint about the method.
+        hints.extend(slip_text.map(|text| (HintKind::Slip, text)));
+        // Who has the right digits needs no hint about the method, nor does who has but the sign to mend.
         let digits = matches!(
             slip,
             Some(
@@ -205,17 +207,17 @@ impl<'a, 'w> Tutor<'a, 'w> {
             )
         );
         let known: Vec<MethodWords> = methods.iter().filter_map(|id| (self.find)(id)).collect();
-        if digits && known.is_empty() {
+        if (digits || verdict == Verdict::WrongDirection) && known.is_empty() {
             return;
         }
         let single = match known.as_slice() {
             [one] => {
-                hints.push((Step::Nudge, one.hint.to_owned()));
+                hints.push((HintKind::Nudge, one.hint.to_owned()));
                 methods.first().and_then(|id| self.ids.iter().position(|i| i == id)).map(|i| (i, *one))
             }
             [] => {
                 if !slipped {
-                    hints.push((Step::Nudge, self.unknown(entry)));
+                    hints.push((HintKind::Nudge, self.unknown(part, entry)));
                 }
                 None
             }
@@ -230,7 +232,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
                     [one] => (*one).to_owned(),
                     all => self.words.say("tutor.one_of", &[("questions", &all.join(" "))]),
                 };
-                hints.push((Step::Nudge, text));
+                hints.push((HintKind::Nudge, text));
                 None
             }
         };
@@ -240,7 +242,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
             None => self.right_in_a_limit(label).map(|text| (text, false)),
         });
         let named = limit.as_ref().is_some_and(|(_, named)| *named);
-        hints.extend(limit.map(|(text, _)| (Step::Limit, text)));
+        hints.extend(limit.map(|(text, _)| (HintKind::Limit, text)));
         self.of_place(part, hints);
         if let (Some((_, words)), Some((_, last))) = (single, hints.last_mut()) {
             // A method is named once.
@@ -251,9 +253,9 @@ impl<'a, 'w> Tutor<'a, 'w> {
     }
 
     /// Where to look, and what to do.
-    fn of_place(&self, part: usize, hints: &mut Vec<(Step, String)>) {
-        hints.push((Step::Where, self.of_group("where", part)));
-        hints.push((Step::Do, self.of_group("step", part)));
+    fn of_place(&self, part: usize, hints: &mut Vec<(HintKind, String)>) {
+        hints.push((HintKind::Where, self.of_group("where", part)));
+        hints.push((HintKind::Do, self.of_group("step", part)));
     }
 
     fn of_group(&self, what: &str, part: usize) -> String {
@@ -272,9 +274,13 @@ impl<'a, 'w> Tutor<'a, 'w> {
     }
 
     /// That nothing known fits, and which check would show what is wrong.
-    fn unknown(&self, entry: &KeyEntry) -> String {
+    fn unknown(&self, part: usize, entry: &KeyEntry) -> String {
         let signed = matches!(entry.answer, Answer::Number { magnitude: false, .. });
-        let check = if signed { "tutor.check.sign" } else { "tutor.check.dimension" };
+        let check = match self.problem.questions.get(part).map(|q| group(q.label.quantity)) {
+            Some("centre") => "tutor.check.place",
+            _ if signed => "tutor.check.sign",
+            _ => "tutor.check.dimension",
+        };
         format!("{} {}", self.words.get("tutor.unknown"), self.words.get(check))
     }
 
@@ -338,7 +344,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         entry: &KeyEntry,
         did: &str,
     ) -> Option<(String, bool)> {
-        let magnitude = make_key::is_magnitude(label.quantity);
+        let magnitude = label.quantity.is_magnitude();
         let here = self.variant.solved.get(label)?;
         let before = self.wrong(method, label);
         let mut odd: Option<(u8, Limit, f64)> = None;

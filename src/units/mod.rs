@@ -217,7 +217,7 @@ impl Unit {
         self.scale
     }
     /// Is it an angle, and nothing else?
-    pub fn is_angle(&self) -> bool {
+    fn is_angle(&self) -> bool {
         self.dimension.0 == [0, 0, 0, 1]
     }
     /// Is it a pure number (`1`, `%`)?
@@ -289,6 +289,12 @@ impl Unit {
             return false;
         }
         mine[..3] != [0; 3] || (self.scale.pi == 0 && other.scale.pi == 0)
+    }
+    /// How many of the other it is, from the exact scales: 3.6 km/h to a m/s.
+    #[cfg(feature = "program")]
+    pub(crate) fn per(&self, other: &Unit) -> f64 {
+        let ratio = other.scale.inverse().and_then(|inverse| self.scale.times(inverse));
+        ratio.map_or_else(|| other.from_si(self.to_si(1.0)), |ratio| ratio.apply(false, 1, 0))
     }
     /// Is it a power of ten of the other?
     pub(crate) fn by_tens(&self, other: &Unit) -> bool {

@@ -15,13 +15,19 @@ pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     others.map(|k| (slips(k), k)).filter(|(d, _)| *d <= allowed).min().map(|(_, k)| k)
 }
 
-/// A hint for a word that is not known here: the closest one, if one is close.
+/// A hint for a word that is not known here: the closest one, if one is close. For findings only, of which a page tells none.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    if cfg!(not(feature = "program")) {
+        return None;
+    }
     closest(word, known).map(|near| format!("did you mean `{near}`?"))
 }
 
 /// The same, or all that are known behind what they are (`its parts: a, omega`).
 pub fn hint<'a>(word: &str, what: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    if cfg!(not(feature = "program")) {
+        return String::new();
+    }
     did_you_mean(word, known.clone())
         .unwrap_or_else(|| format!("{what}: {}", known.collect::<Vec<_>>().join(", ")))
 }

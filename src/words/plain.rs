@@ -51,3 +51,41 @@ pub fn plain(markdown: &str) -> String {
     }
     out
 }
+/// The beginning of a text, at most so many letters, without signs that neither a page nor a reader can show.
+pub fn beginning(text: &str, most: usize) -> String {
+    let shown = |c: char| match c {
+        '\n' | '\r' | '\t' => ' ',
+        c if c.is_control() || noncharacter(c) => '\u{fffd}',
+        c => c,
+    };
+    let mut out: String = text.chars().take(most).map(shown).collect();
+    if text.chars().nth(most).is_some() {
+        out.push('…');
+    }
+    out
+}
+
+fn noncharacter(c: char) -> bool {
+    let code = u32::from(c);
+    (0xfdd0..=0xfdef).contains(&code) || code & 0xfffe == 0xfffe
+}
+
+/// What stands in the places of a phrase, `rounded to {n} figures`, if a text is that phrase; a last place takes all that follows.
+pub fn in_places<'t>(phrase: &str, text: &'t str) -> Option<Vec<&'t str>> {
+    let mut pieces = phrase.split('{');
+    let mut rest = text.strip_prefix(pieces.next()?)?;
+    let mut found = Vec::new();
+    for piece in pieces {
+        let fixed = piece.split_once('}').map_or("", |(_, fixed)| fixed);
+        let end = if fixed.is_empty() { rest.len() } else { rest.find(fixed)? };
+        found.push(&rest[..end]);
+        rest = &rest[end + fixed.len()..];
+    }
+    rest.is_empty().then_some(found)
+}
+
+/// The first letter large.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

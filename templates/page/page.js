@@ -124,7 +124,7 @@
   let undo = null;
   const settle = () => { undo = null; if ($('delete')) $('delete').textContent = say('page.delete'); };
   for (const box of boxes) {
-    box.addEventListener('input', () => { forget(box.name); echo(box.name); settle(); keep(); });
+    box.addEventListener('input', () => { forget(box.name); echo(box.name); settle(); keep(); tell(''); });
   }
   $('answers').addEventListener('submit', (event) => {
     event.preventDefault();
@@ -142,14 +142,14 @@
   const filing = () => {
     const guarded = (text) => (/^['\s]*[=+@-]/.test(text) && !/^[+-][\d.,]+( ?[a-z%°µ].*)?$/i.test(text) ? `'${text}` : text);
     const field = (text) => (/[",;\r\n]|^\s|\s$/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-    const { student } = data.sheet;
+    const { student, set } = data.sheet;
     $('save').addEventListener('click', () => {
       const saved = new Date().toISOString();
       const rows = Object.entries(answers()).map(([name, text]) => {
         const at = name.indexOf('.');
-        return [student, name.slice(0, at), name.slice(at + 1), text, saved].map((one) => field(guarded(one))).join(',');
+        return [student, name.slice(0, at), name.slice(at + 1), text, saved, set].map((one) => field(guarded(one))).join(',');
       });
-      const text = ['student,problem,part,answer,saved_at', ...rows, ''].join('\r\n');
+      const text = ['student,problem,part,answer,saved_at,set', ...rows, ''].join('\r\n');
       const link = document.createElement('a');
       link.href = URL.createObjectURL(new Blob(['\ufeff', text], { type: 'text/csv' }));
       link.download = data.file;
@@ -185,11 +185,14 @@
       if ([who, problem, part, answer].includes(-1)) return tell(say('page.not_a_file'));
       const other = rows.find((row) => row[who] !== student && row[who] !== `'${student}`);
       if (other) return tell(say('page.of_another', { student: other[who], own: student }));
+      const from = column('set');
+      const foreign = rows.map((row) => row[from]).find((one) => one && one !== set && one !== `'${set}`);
+      if (foreign) return tell(say('page.of_another_set', { set: foreign, own: set }));
       const given = rows.map((row) => [`${row[problem]}.${row[part]}`, row[answer].replace(/^'(?=['\s]*[=+@-])/, '')]);
       fill({ ...answers(), ...Object.fromEntries(given.filter(([name]) => parts.has(name))) });
       keep();
       settle();
-      tell(say('page.loaded', { n: given.length }));
+      tell(say('page.loaded', { n: given.filter(([name]) => parts.has(name)).length }));
     });
     $('delete').addEventListener('click', () => {
       if (undo) { fill(undo); keep(); settle(); tell(say('page.ready')); return; }
@@ -201,8 +204,7 @@
     });
   };
 
-  // Practice: one problem at a time. One that is passed on before all of it is right, or whose solution was opened, comes again.
-  const AGAIN = 3;
+  // Practice: one problem at a time. One that is passed on before all of it is right, or whose solution was opened, comes again after all others.
   const practise = (open) => {
     const order = keeper(`${data.keep} order`);
     const fresh = () => ({ queue: tasks.map((_, i) => i), looked: false });
@@ -250,7 +252,7 @@
       const told = program({ check: own.map((box) => [box.name, box.value]) });
       const missed = state.looked || told.some((one) => one.verdict !== 'right');
       if (missed) {
-        state.queue.splice(AGAIN, 0, now);
+        state.queue.push(now);
         clear(tasks[now]);
       }
       state.looked = false;

@@ -4,7 +4,7 @@
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
 use slipstick::problem::maker::Maker;
 use slipstick::set::key_file::shortest;
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;
 use std::fmt::Write as _;
@@ -31,7 +31,7 @@ fn main() {
             .map(|t| {
                 let (sheets, maker) = (&sheets, &maker);
                 scope.spawn(move || {
-                    let mut room = Room::default();
+                    let mut room = SheetScratch::default();
                     let (mut statements, mut key, mut tries) = (Vec::new(), String::new(), 0);
                     for i in t * share..((t + 1) * share).min(count) {
                         let variant = maker.variant(&i.to_string()).expect("satisfiable");

@@ -4,8 +4,8 @@ use divan::Bencher;
 use slipstick::bank::{Bank, load};
 use slipstick::problem::maker::Maker;
 use slipstick::sheet::document::{Document, Head};
-use slipstick::sheet::page::{Room, Sheets};
-use slipstick::sheet::pdf::Press;
+use slipstick::sheet::pdf::PdfCompiler;
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::typst;
 use slipstick::template::Templates;
 use slipstick::words::Words;
@@ -24,7 +24,7 @@ fn sheets(students: usize) -> Vec<(Head, Document)> {
     let all: Vec<usize> = (0..bank.problems.len()).collect();
     let sheets = Sheets::new(&templates, &words, &bank, "bench", &all).expect("templates");
     let makers: Vec<Maker> = bank.problems.iter().map(|p| Maker::new(p, 1, "bench")).collect();
-    let mut room = Room::default();
+    let mut room = SheetScratch::default();
     (0..students)
         .map(|i| {
             let student = format!("s{i}");
@@ -37,7 +37,7 @@ fn sheets(students: usize) -> Vec<(Head, Document)> {
 /// A sheet of four problems, each time another student's.
 #[divan::bench(sample_count = 40, sample_size = 1)]
 fn one_sheet(bencher: Bencher) {
-    let press = Press::new(&Words::english(), None).expect("the built-in prelude");
+    let press = PdfCompiler::new(&Words::english(), None).expect("the built-in prelude");
     let all = sheets(41);
     let mut next = all.iter().cycle();
     bencher.bench_local(|| {
@@ -49,7 +49,7 @@ fn one_sheet(bencher: Bencher) {
 /// Fifty sheets in one file.
 #[divan::bench(sample_count = 4, sample_size = 1)]
 fn booklet_of_fifty(bencher: Bencher) {
-    let press = Press::new(&Words::english(), None).expect("the built-in prelude");
+    let press = PdfCompiler::new(&Words::english(), None).expect("the built-in prelude");
     let all = sheets(50);
     let documents: Vec<(&Head, &Document)> = all.iter().map(|(h, d)| (h, d)).collect();
     bencher.bench_local(|| press.press(&documents).expect("a PDF"));

@@ -3,7 +3,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use slipstick::bank::Bank;
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;
 
@@ -40,7 +40,7 @@ fn statement_in_markdown(bencher: Bencher, id: &str) {
     let maker = Maker::new(&bank.problems[index], 1, "bench");
     let variants: Vec<_> = (0..EACH).map(|s| maker.variant(&s.to_string()).expect("satisfiable")).collect();
     let sheets = Sheets::new(&templates, &words, &bank, "bench", &[index]).expect("templates");
-    let mut room = Room::default();
+    let mut room = SheetScratch::default();
     let mut out = Vec::new();
     bencher.counter(ItemsCount::new(EACH)).bench_local(|| {
         out.clear();

@@ -7,7 +7,6 @@ use slipstick::grade::verdict::Verdict;
 use slipstick::key::KeyEntry;
 use slipstick::misconception;
 use slipstick::num::shown;
-use slipstick::problem::make_key;
 use slipstick::problem::maker::Maker;
 use slipstick::scene::Label;
 
@@ -143,7 +142,7 @@ fn hints_name_what_was_done_and_nothing_else() {
                         misconception::values(with, variant.case, &variant.data, &variant.solved, &labels);
                     for w in all.iter().filter(|w| w.mistake >= problem.mistakes.len()) {
                         let p = labels.iter().position(|l| *l == w.label).unwrap();
-                        let magnitude = make_key::is_magnitude(w.label.quantity);
+                        let magnitude = w.label.quantity.is_magnitude();
                         let value = if magnitude { w.value.abs() } else { w.value };
                         if let Some(named) = told(value, figures, (p, &parts), None) {
                             strange[i].add(named);

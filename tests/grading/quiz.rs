@@ -222,8 +222,8 @@ fn a_canvas_quiz_draws_each_part_by_itself() {
     room.graded(quiz.as_bytes(), "g", &[]);
     assert_eq!(of("S-17", "1.omega"), "wrong 0");
     let canvas = room.read("g/gradebook-canvas.csv");
-    assert!(canvas.contains("Amina Yusuf,,S-17,S-17,,"), "{canvas}");
-    assert!(canvas.contains("\"O'Neil, =cmd()\",,S-23,S-23,,"), "{canvas}");
+    assert!(canvas.contains("Amina Yusuf,5001,S-17,,,"), "{canvas}");
+    assert!(canvas.contains("\"O'Neil, =cmd()\",5002,S-23,,,"), "{canvas}");
     // Every mark can be explained, with the data that were asked.
     let g = room.at("g");
     let (exit, page, err) = run(&["explain", &g, "S-23", "1"]);
@@ -240,6 +240,58 @@ fn a_canvas_quiz_draws_each_part_by_itself() {
     assert_eq!((exit, err.as_str()), (Exit::Fine, ""));
     let first = page.lines().find(|l| l.contains("line 2")).unwrap();
     assert!(!first.contains("from the key"), "{first}");
+}
+
+/// The second of two problems is asked, on Canvas, of students without a SIS id; one of them has one.
+#[test]
+fn what_nobody_was_asked_does_not_count() {
+    let room = Room::pool();
+    let place = |text: &str| room.place(text);
+    let quiz = format!(
+        "name,id,sis_id,submitted,attempt,\"7: A wheel. Code: {}\",14,n correct\n\
+         Amina Yusuf,501,,2026-03-01 09:40:00 UTC,1,\"{},{},,,,\",2,2\n\
+         Bo Ek,502,S-2,2026-03-01 09:40:00 UTC,1,\"{},,,,,\",1,1\n",
+        place("code v0002 2"),
+        place("key v0002 2 direction"),
+        place("key v0002 2 x_eq"),
+        place("key v0002 2 direction"),
+    );
+    let told = room.graded(quiz.as_bytes(), "g", &[]);
+    let left = "the quiz did not ask, and that do not count: 1 (pulled-rolling); in the grades 2 (spring-released) is problem 1";
+    assert!(told.contains(left) && told.contains("by Canvas's own number"), "{told}");
+    // The second problem gives 7 points, both together 14.
+    let most = "7";
+    let book = rows(&room.read("g/gradebook.csv"));
+    assert!(book.iter().all(|r| r["max_total"] == most), "{book:?}");
+    assert!(book[0].keys().all(|column| !column.starts_with("2.")) && book[0]["1.x_eq"] == "1");
+    assert_eq!(room.counts("g", "501", "1.direction"), "right 1");
+    let canvas = room.read("g/gradebook-canvas.csv");
+    for line in
+        [format!("Points Possible,,,,,{most}"), "Amina Yusuf,501,,,,2".into(), "Bo Ek,502,S-2,,,1".into()]
+    {
+        assert!(canvas.lines().any(|l| l == line), "{line}\n{canvas}");
+    }
+    let basis: serde_json::Value = serde_json::from_str(&room.read("g/basis/set.json")).unwrap();
+    assert_eq!(basis["problems"], serde_json::json!(["spring-released"]));
+    assert!(!room.read("g/report.html").contains("pulled-rolling"));
+    // Graded again, it is the same.
+    let (set, g, file, again) = (room.at("set"), room.at("g"), room.at("quiz.csv"), room.at("again"));
+    let (exit, told, err) = run(&["regrade", &set, &g, &file, "--out", &again]);
+    assert_eq!((exit, err.as_str()), (Exit::Fine, ""), "{told}");
+    for name in ["answers.csv", "gradebook.csv", "gradebook-canvas.csv"] {
+        assert_eq!(room.read(&format!("g/{name}")), room.read(&format!("again/{name}")), "{name}");
+    }
+    // An attempt at which nothing was typed was not judged, and Moodle finds nobody by name.
+    let code = place("code v0002 2");
+    let opened = format!(
+        "Last name,First name,Completed,Question 1,Response 1\nYusuf,Amina,-,Code: {code},part 1: ; part 2: ; part 3: ; part 4: ; part 5: ; part 6: \n"
+    );
+    let told = room.graded(opened.as_bytes(), "m", &[]);
+    assert!(
+        !told.contains("never submitted") && told.contains("Moodle cannot import grades by name"),
+        "{told}"
+    );
+    assert!(room.read("m/gradebook-moodle.csv").starts_with("Full name,Name,"));
 }
 
 #[test]
@@ -259,7 +311,7 @@ fn a_quiz_is_graded_again_by_the_same_variants() {
     };
     let (exit, told, err) = regrade(&at("set"), "again");
     assert_eq!((exit, err.as_str()), (Exit::Fine, ""), "{told}");
-    assert!(told.contains("3 of 5 students gain"), "{told}");
+    assert!(told.contains("Totals rise for 3 and fall for 0 of 5 students"), "{told}");
     let (before, after) = (room.answers("g"), room.answers("again"));
     assert_eq!(before.len(), after.len());
     for (a, b) in before.iter().zip(&after) {
@@ -313,7 +365,8 @@ fn files_that_say_too_little_are_named() {
     fs::write(other.at("quiz.csv"), &quiz).unwrap();
     let (exit, _, err) = other.grade("quiz.csv", "never", &[]);
     assert_eq!(exit, Exit::Faulty);
-    assert!(err.contains("give the set that was exported"), "{err}");
+    assert!(err.contains("codes are of another set: give the set that was exported"), "{err}");
+    assert!(!err.contains("tick"), "{err}");
     // Columns in another order, and none but those that are needed, do as well.
     let mut out = csv::Writer::from_writer(Vec::new());
     for record in &table {

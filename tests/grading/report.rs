@@ -370,7 +370,7 @@ fn a_class_of_sixty() {
     for cell in parsed.select(&select("#mistakes td, .mistakes p")) {
         let text: String = cell.text().collect();
         let alone = |id: &str| text.trim() == id;
-        assert!(!Catalogue::built_in().entries().iter().any(|e| alone(&e.id)), "{text}");
+        assert!(!Catalogue::shared("en").entries().iter().any(|e| alone(&e.id)), "{text}");
     }
     let folded = parsed.select(&select("#fairness details figure")).count();
     assert_eq!(folded == 0, page.contains("these stand out:"), "{folded}");
@@ -404,7 +404,7 @@ fn a_class_of_sixty() {
 
 /// none says nothing of methods, nudge the hint alone, explain all three.
 fn hint_levels(graded: &Graded, explained: &Path) {
-    let catalogue = Catalogue::built_in();
+    let catalogue = Catalogue::shared("en");
     let answers = graded.rows("grades/answers.csv");
     let mistaken = answers
         .iter()

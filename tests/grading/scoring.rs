@@ -17,8 +17,8 @@ use slipstick::problem::make_key;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::simulate::chance::Chance;
 use slipstick::simulate::classwork::Work;
-use slipstick::simulate::habits::{Habits, Written};
-use slipstick::simulate::student::{HandedIn, SimulatedStudent as Student};
+use slipstick::simulate::habits::{Habits, UnitHabit};
+use slipstick::simulate::student::{SimulatedAnswer, SimulatedStudent as Student};
 use slipstick::simulate::truth::{TrueKind as Kind, Truth};
 use slipstick::simulate::written::WrittenCell as Cell;
 use slipstick::simulate::{classwork, written};
@@ -90,7 +90,7 @@ struct Score {
     faults: Vec<String>,
 }
 
-fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -> HandedIn {
+fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -> SimulatedAnswer {
     let verdict = cell.verdict(entry);
     let truth = Truth {
         kind,
@@ -100,7 +100,7 @@ fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -
         right: kind.deserves(),
         verdict,
     };
-    HandedIn { problem: 0, part, attempt: 1, cell, truth }
+    SimulatedAnswer { problem: 0, part, attempt: 1, cell, truth }
 }
 
 /// The made-up students of one draw, and how the one who rounds on the way fares on either road.
@@ -112,7 +112,7 @@ fn students(
     score: &mut Score,
 ) -> Vec<Work> {
     let mut works = Vec::new();
-    let mut add = |role: &str, handed: Vec<HandedIn>| {
+    let mut add = |role: &str, handed: Vec<SimulatedAnswer>| {
         let key = SheetKey { student: format!("{draw}-{role}"), problems: vec![key.clone()] };
         works.push(Work { key, handed });
     };
@@ -150,10 +150,10 @@ fn students(
     }
     let mut chance = Chance::of(u64::from(draw), "units");
     for (role, figures, unit) in [
-        ("right-4", 4, Written::Asked),
-        ("right-5", 5, Written::Other),
-        ("right-9", 9, Written::Asked),
-        ("right-4-other", 4, Written::Other),
+        ("right-4", 4, UnitHabit::Asked),
+        ("right-5", 5, UnitHabit::Other),
+        ("right-9", 9, UnitHabit::Asked),
+        ("right-4-other", 4, UnitHabit::Other),
     ] {
         let mut answers = Vec::new();
         for (i, entry) in key.parts.iter().enumerate() {

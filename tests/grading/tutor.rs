@@ -8,7 +8,7 @@ use slipstick::misconception::catalogue::{Catalogue, Entry};
 use slipstick::num::shown;
 use slipstick::policy::Hints;
 use slipstick::problem::maker::{Maker, Variant};
-use slipstick::tutor::{Hint, Step, Told, Tutor};
+use slipstick::tutor::{Hint, HintKind, Told, Tutor};
 use slipstick::words::Words;
 
 /// What is told of a cell at a level, in a language.
@@ -81,12 +81,12 @@ fn hints_to_known_methods_lead_on_step_by_step() {
                         }
                         let steps: Vec<u8> = told.hints.iter().map(|h| h.step as u8).collect();
                         assert!(steps.is_sorted(), "{name}: {:?}", told.hints);
-                        if told.methods == [id.clone()] && told.hints[0].step != Step::Slip {
+                        if told.methods == [id.clone()] && told.hints[0].step != HintKind::Slip {
                             single += 1;
                             let words = Catalogue::shared(language).get(id).unwrap();
                             assert_eq!(told.hints[0].text, words.hint, "{name}");
                             assert!(told.hints.last().unwrap().text.contains(&words.see), "{name}");
-                            let Some(limit) = told.hints.iter().find(|h| h.step == Step::Limit) else {
+                            let Some(limit) = told.hints.iter().find(|h| h.step == HintKind::Limit) else {
                                 continue;
                             };
                             limits += 1;
@@ -145,8 +145,8 @@ fn slips_come_first_and_the_bank_rules_how_much_is_told() {
                     }
                     let first = told.hints.first().map(|h| h.step);
                     if slip {
-                        assert_eq!(first, Some(Step::Slip), "{name} {cell}: {told:?}");
-                    } else if first == Some(Step::Nudge) {
+                        assert_eq!(first, Some(HintKind::Slip), "{name} {cell}: {told:?}");
+                    } else if first == Some(HintKind::Nudge) {
                         let unknown = Words::english().get("tutor.unknown").to_owned();
                         assert!(told.hints[0].text.starts_with(&unknown), "{name} {cell}: {told:?}");
                     }

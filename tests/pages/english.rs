@@ -4,7 +4,7 @@
 //! Earlier tests looked at texts only for places that nothing filled: a sentence of wrong words is as whole as any.
 use crate::support;
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::solution;
 use slipstick::words::Words;
 use std::collections::BTreeSet;
@@ -225,7 +225,7 @@ fn no_sheet_or_solution_is_english_of_another_language() {
         for (index, problem) in bank.problems.iter().enumerate() {
             let maker = Maker::new(problem, 11, "english");
             let sheets = Sheets::new(&templates, &words, &bank, "english", &[index]).expect("templates");
-            let mut room = Room::default();
+            let mut room = SheetScratch::default();
             for student in 0..16 {
                 let Ok(variant) = maker.variant(&student.to_string()) else { continue };
                 let one = std::slice::from_ref(&variant);

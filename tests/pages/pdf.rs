@@ -7,8 +7,8 @@ use slipstick::bank::Problem;
 use slipstick::figure::scene;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{Document, Head};
-use slipstick::sheet::page::{Room, Sheets};
-use slipstick::sheet::pdf::Press;
+use slipstick::sheet::pdf::PdfCompiler;
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::statement;
 use slipstick::words::Words;
 use std::path::Path;
@@ -72,13 +72,13 @@ fn a_thousand_sheets_of_every_family_can_be_read_in_their_pdfs() {
 fn read_again(seeds: u32) {
     for language in Words::languages() {
         let words = Words::of(language).expect("a language");
-        let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
+        let press = PdfCompiler::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
         for bank in support::banks_in(language) {
             let templates = support::templates(language, &bank);
             bank.problems.par_iter().enumerate().for_each(|(index, problem)| {
                 let maker = Maker::new(problem, 11, "pdf");
                 let sheets = Sheets::new(&templates, &words, &bank, "pdf", &[index]).expect("templates");
-                let mut room = Room::default();
+                let mut room = SheetScratch::default();
                 let made: Vec<(Variant, (Head, Document))> = (0..seeds)
                     .map(|i| {
                         let student = format!("s{i}");
@@ -149,7 +149,7 @@ fn ink(bytes: &[u8]) -> (usize, usize, usize, usize) {
 #[test]
 fn figures_are_drawn_with_their_labels() {
     let words = Words::english();
-    let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
+    let press = PdfCompiler::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
     for bank in support::banks_in("en") {
         for problem in &bank.problems {
             let variant = Maker::new(problem, 3, "pdf").variant("figure").expect("satisfiable");
@@ -187,7 +187,7 @@ fn figures_are_drawn_with_their_labels() {
 #[test]
 fn the_same_documents_give_the_same_bytes_on_any_thread() {
     let words = Words::of("de").expect("German");
-    let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
+    let press = PdfCompiler::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
     let documents: Vec<(Head, Document)> = (0..8)
         .map(|i| {
             let head = Head { title: "Räder".into(), name: format!("N{i}"), ..Head::default() };
@@ -220,7 +220,7 @@ fn the_same_documents_give_the_same_bytes_on_any_thread() {
 #[test]
 fn many_documents_need_no_more_stack_than_one() {
     let words = Words::english();
-    let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
+    let press = PdfCompiler::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).stack_size(1 << 20).build().expect("a pool");
     let sizes: Vec<usize> = pool.install(|| {
         let documents = (0..300).into_par_iter();
@@ -253,7 +253,7 @@ fn a_faulty_prelude_is_told_with_its_place() {
         // What is not there has no place.
         ("#let book(..any, body) = body\n".to_owned(), None, "unknown variable: sheet"),
     ] {
-        let press = Press::new(&words, Some((mine, &text)));
+        let press = PdfCompiler::new(&words, Some((mine, &text)));
         let fault = press.and_then(|p| p.press(&[(&Head::default(), &document)])).expect_err(what);
         let told = fault.to_string();
         assert!(told.contains(what), "{told}");

@@ -4,7 +4,7 @@ use crate::support;
 use slipstick::picture::Picture;
 use slipstick::problem::maker::Maker;
 use slipstick::sheet::document::{Document, Head};
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::typst::{TypstFormula, formula, source};
 use slipstick::solution;
 use slipstick::words::Words;
@@ -161,7 +161,7 @@ fn every_formula_of_every_family_is_translated() {
             for (index, problem) in bank.problems.iter().enumerate() {
                 let maker = Maker::new(problem, 5, "print");
                 let sheets = Sheets::new(&templates, &words, &bank, "print", &[index]).expect("templates");
-                let mut room = Room::default();
+                let mut room = SheetScratch::default();
                 let mut formulas = 0;
                 for student in 0..30 {
                     let variant = maker.variant(&student.to_string()).expect("satisfiable");

@@ -9,7 +9,7 @@ use slipstick::picture::svg;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::{html, statement, tex};
 use slipstick::solution;
 use slipstick::template::{Templates, variables_of};
@@ -49,7 +49,7 @@ fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &
         let sheets = Sheets::new(&told.templates, &told.words, &told.bank, "a set & more", &problems);
         let sheets = sheets.expect("the templates of the program");
         let makers: Vec<Maker> = told.bank.problems.iter().map(|p| Maker::new(p, 5, "sheets")).collect();
-        let mut room = Room::default();
+        let mut room = SheetScratch::default();
         for student in 0..students {
             let id = format!("s{student}");
             let variants: Vec<Variant> =
@@ -180,11 +180,7 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body = converter.body(
-                document,
-                &document.screens(),
-                PlaceInPage { lower: 0, prefix: "", boxes: &[] },
-            );
+            let body = converter.body(document, &document.screens(), PlaceInPage::default());
             let page = html::page(&told.templates, &told.words, "sheet", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
@@ -237,11 +233,8 @@ fn sweep_solutions(students: u32) {
                 assert!(!document.markdown.contains(piece), "{piece:?} in {}", document.markdown);
             }
             assert_eq!(html::faulty_formulas(&document.markdown), Vec::<String>::new());
-            let body = Converter::new(&told.words).body(
-                document,
-                &document.screens(),
-                PlaceInPage { lower: 0, prefix: "", boxes: &[] },
-            );
+            let body =
+                Converter::new(&told.words).body(document, &document.screens(), PlaceInPage::default());
             let page =
                 html::page(&told.templates, &told.words, "solution", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
@@ -409,8 +402,7 @@ fn formulas_bring_their_font() {
     let words = Words::of("en").expect("built in");
     let page = |markdown: &str| {
         let document = Document::new(markdown.to_owned(), Vec::new());
-        let body =
-            Converter::new(&words).body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+        let body = Converter::new(&words).body(&document, &[], PlaceInPage::default());
         let page = html::page(&templates, &words, "sheet", &Head::default(), &body, None).expect("renders");
         String::from_utf8(page).expect("text")
     };

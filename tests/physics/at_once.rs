@@ -5,7 +5,7 @@
 //! looked for a rolling contact of each body alone, and no instant was ever compared with the same scene moving on.
 
 use crate::big::Dice;
-use slipstick::bank::{load, review};
+use slipstick::bank::{checks, load};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
@@ -208,12 +208,12 @@ fn what_an_instant_has_not_is_told_as_that() {
     let text = yo_yo("{yoyo: {speed: v}}", &["w"]);
     let scene = &load::scenes_only(&text, "instants.yaml").unwrap().problems[0].cases[0].scene;
     for name in ["alpha", "a", "t", "phi", "rise", "tension", "direction"] {
-        let (message, hint) = review::label(scene, name).expect_err(name);
+        let (message, hint) = checks::label(scene, name).expect_err(name);
         let said = format!("{message}; {}", hint.unwrap());
         assert!(said.contains("end: at once") && said.contains("kinetic_energy"), "{said}");
         assert!(!said.contains("nothing turns") && !said.contains("nothing moves along"), "{said}");
     }
-    assert!(review::label(scene, "omega").is_ok() && review::label(scene, "v").is_ok());
+    assert!(checks::label(scene, "omega").is_ok() && checks::label(scene, "v").is_ok());
 }
 
 // ---------------------------------------------------------------------------------------------- composed scenes

@@ -46,7 +46,7 @@ fn used() -> BTreeMap<String, Vec<String>> {
 
 #[test]
 fn every_wrong_method_of_a_bank_has_words_and_no_words_are_idle() {
-    let catalogue = Catalogue::built_in();
+    let catalogue = Catalogue::shared("en");
     let used = used();
     let listed: BTreeSet<&str> = ids(&catalogue).into_iter().collect();
     assert_eq!(listed.len(), catalogue.entries().len(), "an id stands twice in the catalogue");
@@ -59,7 +59,7 @@ fn every_wrong_method_of_a_bank_has_words_and_no_words_are_idle() {
 
 #[test]
 fn every_language_has_words_for_the_same_wrong_methods() {
-    let english = Catalogue::built_in();
+    let english = Catalogue::shared("en");
     for language in Words::languages() {
         let other = Catalogue::of(language).unwrap_or_else(|| panic!("no catalogue in {language}"));
         assert_eq!(ids(&english), ids(&other), "{language}");

@@ -12,7 +12,6 @@ use crate::support;
 use rayon::prelude::*;
 use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
-use slipstick::draw::fill;
 use slipstick::scene as program;
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
@@ -45,7 +44,7 @@ fn judge(seed: u64) -> Result<Outcome, String> {
         .zip(&case.draws)
         .map(|(d, draw)| match draw {
             Some(slipstick::bank::Draw::Always { value, decimals }) => {
-                fill::number(d, Decimal { value: *value, decimals: *decimals })
+                d.number(Decimal { value: *value, decimals: *decimals })
             }
             _ => panic!("every datum is given"),
         })

@@ -6,7 +6,6 @@
 use crate::support::program::run_with;
 use slipstick::bank::{Draw, Problem, load};
 use slipstick::cli::tell::Exit;
-use slipstick::draw::fill;
 use slipstick::scene::{Quantity, Span};
 use slipstick::solve::agree::solve;
 use slipstick::solve::outcome::{CheckKind, Solved};
@@ -239,7 +238,7 @@ fn solved(problem: &Problem) -> Option<Solved> {
         .map(|(i, draw)| match draw {
             Some(Draw::Always { value, decimals }) => {
                 let decimal = slipstick::bank::decimal::Decimal { value: *value, decimals: *decimals };
-                fill::number(&problem.data[i], decimal)
+                problem.data[i].number(decimal)
             }
             _ => unreachable!("everything is always the same"),
         })

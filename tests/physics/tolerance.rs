@@ -3,8 +3,8 @@ use crate::support;
 use slipstick::key::Answer;
 use slipstick::problem::make_key;
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::public::Writer;
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::statement;
 use slipstick::template::Templates;
 use slipstick::words::Words;
@@ -22,7 +22,7 @@ fn what_is_printed_is_what_counts() {
     let text = include_str!("../../banks/wheels-on-inclines.yaml");
     let public = Writer::new(bank, text, &[index], "tolerance", "en").expect("the bank");
     let maker = Maker::new(problem, 3, "tolerance");
-    let mut room = Room::default();
+    let mut room = SheetScratch::default();
     let mut seen = std::collections::BTreeSet::new();
     for student in 0..200 {
         let variant = maker.variant(&student.to_string()).expect("satisfiable");

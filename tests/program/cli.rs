@@ -1,7 +1,9 @@
 //! The street door: exit code, standard output and standard error of each verb, in fresh folders.
 use crate::support::program::{Ran, run, run_with, tree};
 use slipstick::cli::tell::Exit;
+use slipstick::simulate::truth::TrueKind;
 use slipstick::words::Words;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -164,7 +166,7 @@ fn a_folder_is_not_overwritten() {
     room.write("set/notes.txt", "mine");
     let ran = room.generate("roster.csv", "set", &["--force"]);
     assert_eq!(ran.exit, Exit::Faulty);
-    assert!(ran.err.contains("holds what generate did not make: notes.txt"), "{}", ran.err);
+    assert!(ran.err.contains("holds what `slipstick generate` did not make: notes.txt"), "{}", ran.err);
     assert_eq!(room.read("set/notes.txt"), "mine");
     fs::create_dir(room.path("other")).unwrap();
     room.write("other/thesis.tex", "mine");
@@ -847,27 +849,25 @@ fn the_demo_runs_twice_and_spares_what_it_did_not_make() {
         "{}",
         first.out
     );
-    // At least ten rows of each kind, and each became what it should.
-    let test = fs::read_to_string(room.path("demo/self-test.txt")).unwrap();
-    let table: Vec<Vec<&str>> = test
-        .lines()
-        .skip_while(|l| !l.starts_with("What the simulated rows were"))
-        .skip(1)
-        .take_while(|l| !l.is_empty())
-        .map(|l| l.split("  ").map(str::trim).filter(|c| !c.is_empty()).collect())
-        .collect();
-    let header = &table[0];
-    for row in &table[1..] {
-        let all: u32 = row.last().unwrap().parse().unwrap();
-        assert!(all >= 10, "{row:?}");
-        let of = |verdict: &str| header.iter().position(|h| *h == verdict).map_or("·", |i| row[i]);
-        match row[0] {
-            "right" | "messy" => assert_eq!(of("right"), all.to_string(), "{row:?}"),
-            "blank" => assert_eq!(of("blank"), all.to_string(), "{row:?}"),
-            "wrong method" | "wrong unit" => assert_eq!(of("right"), "·", "{row:?}"),
-            _ => {}
-        }
+    // Everything that may become of an answer is met, and got the verdict that it should.
+    let rows = |name: &str| -> Vec<BTreeMap<String, String>> {
+        let mut reader = csv::Reader::from_path(room.path(name)).unwrap();
+        reader.deserialize().map(Result::unwrap).collect()
+    };
+    let (truth, answers) = (rows("demo/truth.csv"), rows("demo/grades/answers.csv"));
+    assert_eq!(truth.len(), answers.len());
+    for kind in TrueKind::ALL {
+        let of_kind = truth.iter().filter(|row| row["kind"] == kind.name()).count();
+        assert!(of_kind >= 5, "{}: {of_kind}", kind.name());
     }
+    for (truth, graded) in truth.iter().zip(&answers) {
+        let verdict = &graded["verdict"];
+        assert!(*verdict == truth["verdict"] || verdict == "superseded", "{truth:?} {graded:?}");
+    }
+    let met = |column: &str, what: &str| answers.iter().any(|row| row[column].contains(what));
+    assert!(met("credit", "late:") && met("credit", "follow:") && met("verdict", "superseded"));
+    let test = fs::read_to_string(room.path("demo/self-test.txt")).unwrap();
+    assert!(test.starts_with("What the simulated rows were"), "{test}");
     room.write("demo/mine.txt", "mine");
     assert_eq!(run(&["demo", &dir]).exit, Exit::Faulty);
     fs::create_dir(room.path("thesis")).unwrap();
@@ -1660,17 +1660,20 @@ fn solutions_stand_apart_from_what_students_get() {
         assert!(ran.err.contains(says), "{out}: {}", ran.err);
     }
     // Nor do others write there, whichever set it is.
-    let among = [
-        vec!["templates".to_owned(), "--out".to_owned(), room.path("set/students/x")],
-        ["generate", "slip-and-roll", "--roster", &room.path("roster.csv"), "--seed", "1", "--out"]
-            .iter()
-            .map(|s| (*s).to_owned())
-            .chain([room.path("set/students/set2")])
-            .collect::<Vec<String>>(),
+    let page = room.path("set/students/0017/page.html");
+    let (roster, folder) = (room.path("roster.csv"), room.path("set/students/set2"));
+    let among: [&[&str]; 7] = [
+        &["templates", "--out", &folder],
+        &["generate", "slip-and-roll", "--roster", &roster, "--seed", "1", "--out", &folder],
+        &["demo", &folder],
+        &["gallery", "slip-and-roll", "--variants", "1", "--seeds", "1", "--out", &page],
+        &["practice", "slip-and-roll", "--variants", "1", "--seed", "1", "--page", &page],
+        &["accuracy", "wheels-on-inclines", "spring-released", "--seed", "5", "--no-time", "--out", &page],
+        &["help", "--html", &page],
     ];
     for args in among {
-        let ran = run(&args.iter().map(String::as_str).collect::<Vec<_>>());
-        assert_eq!(ran.exit, Exit::Faulty);
+        let ran = run(args);
+        assert_eq!(ran.exit, Exit::Faulty, "{args:?}");
         assert!(ran.err.contains("is within the folder of what students get"), "{}", ran.err);
     }
     assert!(before == tree(&room.0.path().join("set")), "the set is untouched");

@@ -279,8 +279,11 @@ fn check_moodle(set: &Set, bytes: &[u8], bank: &str) {
                     None => {
                         assert_eq!(kind, "SHORTANSWER");
                         let all = word::spellings(known(&part.value));
-                        assert_eq!(answers, all);
-                        assert!(all.contains(&part.value.as_str()) && all.len() > 3);
+                        // The first is what Moodle shows as the right answer: the word of the sheet.
+                        assert!(part.offered.contains(&answers[0]), "{answers:?}");
+                        assert!(part.value != "up" || all.contains(&"nach oben"));
+                        assert!(all.len() > 3 && answers.len() == all.len());
+                        assert!(all.iter().all(|word| answers.iter().any(|answer| answer == word)));
                     }
                 }
             }
@@ -327,6 +330,8 @@ fn check_canvas(set: &Set, bytes: &[u8]) {
             assert_eq!(section.one("points_per_item").number(), part.points);
             let html = xml::html(&item.one("mattext").text);
             holds_statement(variant, &html, Some(&part.id), &figure);
+            // What is chosen is not typed.
+            assert_eq!(html.text.contains("12.5"), part.tolerance.is_some());
             let about: Vec<String> = item.all("fieldentry").iter().map(|f| f.text.clone()).collect();
             assert_eq!(about[1].parse::<f64>().unwrap(), part.points);
             match part.tolerance {
@@ -463,7 +468,8 @@ fn numerical_questions_take_units_that_come_to_the_same() {
                 words += 1;
                 assert_eq!(question.get("type"), "shortanswer");
                 let all: Vec<&str> = answers.iter().map(|a| a.one("text").text.as_str()).collect();
-                assert_eq!(all, word::spellings(known(&part.value)));
+                assert!(part.offered.iter().any(|said| said == all[0]), "{all:?}");
+                assert_eq!(all.len(), word::spellings(known(&part.value)).len());
                 continue;
             };
             numbers += 1;
@@ -478,7 +484,9 @@ fn numerical_questions_take_units_that_come_to_the_same() {
             for (i, unit) in units.iter().enumerate() {
                 let name = &unit.one("unit_name").text;
                 // Moodle divides what was typed by the multiplier.
-                let typed = Unit::parse(name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+                // `grade` reads turns where a speed of turning is asked.
+                let read = if name == "1/min" { "rpm" } else { name.as_str() };
+                let typed = Unit::parse(read).unwrap_or_else(|e| panic!("{name}: {e:?}"));
                 let by_units = asked.from_si(typed.to_si(1.0));
                 let by_moodle = 1.0 / unit.one("multiplier").number();
                 assert!((by_units - by_moodle).abs() < 1e-12 * by_units, "{name} for {}", part.unit);
@@ -486,7 +494,7 @@ fn numerical_questions_take_units_that_come_to_the_same() {
             }
             let has = |name: &str| units.iter().any(|u| u.one("unit_name").text == name);
             let wanted: &[&str] = match part.unit.as_str() {
-                "rad/s" => &["rpm"],
+                "rad/s" => &["rpm", "U/min", "1/min", "r/min"],
                 "m/s" => &["km/h"],
                 "m" => &["cm"],
                 "rad" => &["deg"],
@@ -494,6 +502,8 @@ fn numerical_questions_take_units_that_come_to_the_same() {
                 _ => &[],
             };
             assert!(wanted.iter().all(|name| has(name)), "{}", part.unit);
+            let kmh = units.iter().find(|u| part.unit == "m/s" && u.one("unit_name").text == "km/h");
+            assert!(kmh.is_none_or(|unit| unit.one("multiplier").text == "3.6"));
         }
     }
     assert!(numbers > 30 && words > 0, "{numbers} {words}");
@@ -655,10 +665,17 @@ fn worked_solutions_come_as_feedback_with_their_figures() {
     let quiz =
         files.iter().find(|(n, _)| n.ends_with(".xml") && n.starts_with("quiz-") && !n.contains("meta"));
     let quiz = xml::read(text(quiz.unwrap().1));
-    for item in quiz.all("item") {
+    let mut explained = Vec::new();
+    for item in quiz.all("item").into_iter().filter(|item| !item.all("itemfeedback").is_empty()) {
         assert_eq!(item.one("displayfeedback").get("linkrefid"), item.one("itemfeedback").get("ident"));
         assert!(xml::html(&item.one("itemfeedback").text).all("h3").len() > 3);
+        explained.push(item.get("title").to_owned());
     }
+    // Once for each variant.
+    explained.sort();
+    let mut codes: Vec<String> = set.variants.iter().map(|v| v.code.clone()).collect();
+    codes.sort();
+    assert_eq!(explained, codes);
 }
 
 /// Titles and questions that would end a section of data, a tag or a field of a cloze question, or act in a browser.
@@ -720,6 +737,10 @@ problems:
     for words in words {
         assert!(page.text.matches(words).count() >= 2, "{words}: {}", page.text);
     }
+    let file = room.export(&set, "moodle", &["--with-solutions"]);
+    let feedback = &xml::read(text(&file)).one("generalfeedback").one("text").text.clone();
+    let heading = xml::html(feedback).one("h2").text.clone();
+    assert!(heading.contains("<script>alert(1)</script>"), "{heading}");
     // No name of a student is anybody's question.
     assert!(!text(&file).contains("Amina"));
 
@@ -820,14 +841,21 @@ problems:
             room.fine(&args);
         } else {
             let told = room.refused(&args);
-            assert!(told.contains("problems.slide.questions.t.unit: the answer 0.00"), "{told}");
-            assert!(
-                told.contains("is too small for Canvas, which takes what is below 0.0001 for 0"),
-                "{told}"
-            );
+            let of_bank =
+                "set-s/bank.yaml: problems.slide.questions.t.unit: the answer or its tolerance is down to";
+            assert_eq!(told.matches(of_bank).count(), 1, "{told}");
+            assert!(told.contains("too small for Canvas, which takes what is below 0.0001 for 0"), "{told}");
             assert!(told.contains("ask for it in ms, or leave the problem out with --problems"), "{told}");
         }
         assert_eq!(Path::new(&zip).exists(), fits);
+        if !fits {
+            // A refused pool leaves nothing, and is told of the bank that was given.
+            let pool = room.at("pool.zip");
+            let draw = ["--variants", "3", "--seed", "1", "--format", "canvas", "--out", &pool];
+            let told = room.refused(&[&["export", &file], &draw[..]].concat());
+            assert!(told.contains("s.yaml: problems.slide.questions.t.unit"), "{told}");
+            assert!(!room.path("pool.zip").exists() && !room.path("pool-set").exists());
+        }
         // The others do not round.
         room.fine(&["export", &out, "--format", "qti3", "--out", &room.at(&format!("{unit}3.zip"))]);
     }
@@ -856,7 +884,14 @@ fn what_a_platform_does_not_carry_is_told_question_by_question() {
     assert!(
         told("moodle", &["--as", "numerical"]).contains("2.omega: only the units offered (rad/s, rpm, rev/s")
     );
-    assert!(!told("qti3", &[]).contains("4.direction"), "a choice loses nothing");
+    let guess = "every question: an answer that is a word is chosen from a list and can be guessed: ";
+    let apart = "every question: each part is a question of its own";
+    let (qti, canvas, numerical) =
+        (told("qti3", &[]), told("canvas", &[]), told("moodle", &["--as", "numerical"]));
+    assert!(qti.contains(guess) && qti.contains("4.direction") && !qti.contains(apart), "{qti}");
+    assert!(canvas.contains(guess) && canvas.matches(apart).count() == 1, "{canvas}");
+    assert!(!numerical.contains(guess) && numerical.contains(apart), "{numerical}");
+    assert!(!numerical.contains(",  ..."), "{numerical}");
     assert_eq!(moodle::weights(&[1.0, 2.0]), [1, 2]);
     assert_eq!(moodle::weights(&[0.5, 1.25]), [2, 5]);
 }

@@ -548,7 +548,7 @@ fn a_bound_that_is_no_expression() {
 fn a_bound_that_adds_apples_to_pears() {
     assert_snapshot!(found(&[("    regimes:", "    bounds: {v + m: {max: 8 m/s}}\n    regimes:")]), @r#"
      20 |     bounds: {v + m: {max: 8 m/s}}
-    test.yaml:20:14: problems.slide.bounds.v + m: `v + m`, character 4: the terms of a sum have different dimensions
+    test.yaml:20:14: problems.slide.bounds.v + m: `v + m`, character 4: the terms of a sum have different dimensions, m s^-1 and kg
     "#);
 }
 

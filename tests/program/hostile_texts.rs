@@ -401,11 +401,7 @@ fn nothing_active_leaves_a_statement() {
         let document = Document::new(raw.clone(), Vec::new());
         // HTML, also where somebody writes a document without the filter.
         for document in [&document, &Document { markdown: raw.clone(), pictures: Vec::new() }] {
-            let body = Converter::new(&words).body(
-                document,
-                &document.screens(),
-                PlaceInPage { lower: 0, prefix: "", boxes: &[] },
-            );
+            let body = Converter::new(&words).body(document, &document.screens(), PlaceInPage::default());
             let page = html::page(&templates, &words, "sheet", &head, &body, None).unwrap();
             let found: Vec<String> = all_acts(&String::from_utf8(page).unwrap());
             let is_filtered = document.markdown != raw;

@@ -465,10 +465,14 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
     let mut args = vec!["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--out", &set];
     args.extend(problems);
     assert_eq!(run(&args).0, Exit::Fine);
-    let files: [(&str, &str); 5] = [
+    let files: [(&str, &str); 6] = [
+        (
+            "Amina_1_file_/answers-0017 (2).csv",
+            "student,problem,part,answer,saved_at,set\r\n0017,1,omega,3 rad/s,2026-03-03T10:00:00.000Z,another\r\n",
+        ),
         (
             "Amina_1_file_/answers-0017 (1).csv",
-            "student,problem,part,answer,saved_at\r\n0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z\r\n",
+            "student,problem,part,answer,saved_at,set\r\n0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z,wheels-on-inclines\r\n",
         ),
         (
             "Amina_1_file_/answers-0017.csv",
@@ -493,7 +497,8 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
         let (exit, told, err) = run(&["grade", &set, &from, "--out", &out]);
         assert_eq!(exit, Exit::Fine, "{err}");
         assert!(told.contains("from 3 files"), "{told}");
-        assert!(told.contains("passed over: Anders_2_file_/notes.csv has not the columns"), "{told}");
+        assert!(told.contains("answers-0017 (2).csv was saved from a sheet of another set"), "{told}");
+        assert!(told.contains("passed over: Anders_2_file_/notes.csv lacks the columns"), "{told}");
         assert!(told.contains("passed over: Anders_2_file_/scan.pdf is no CSV file"), "{told}");
         graded.push(std::fs::read_to_string(Path::new(&out).join("answers.csv")).unwrap());
     }

@@ -2,7 +2,7 @@
 //! template's and the phrases' (`report`).
 //!
 //! `report.html` receives what `page` puts together and includes `report-table.html` for each table, as `t`. What is finished HTML (plots, formulas) it marks as `safe`; all else is escaped.
-mod first;
+mod marks_and_weakest;
 mod mistakes;
 mod tables;
 
@@ -12,10 +12,10 @@ use crate::finding::Finding;
 use crate::matches::FLAGGED;
 use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
-use crate::report::alike::ClassMatches;
 use crate::report::charts;
 use crate::report::charts::ClassCharts;
 use crate::report::marks::Marks;
+use crate::report::matches::ClassMatches;
 use crate::report::stats::{LEAST_FOR_CORRELATION, LEAST_FOR_MEDIAN, LEAST_FOR_SHARE};
 use crate::report::study::{ClassStudy, LEVEL, PartStudy};
 use crate::report::table::{Table, fixed, percent, points};
@@ -78,8 +78,7 @@ impl ClassReporter<'_> {
         let tables = self.tables(&mut *rich);
         let mut view = View::new();
         view.fields(&self.page(about, &tables, rich));
-        let mut html = Vec::new();
-        templates.render("report.html", &view, &mut html)?;
+        let html = templates.made("report.html", &view)?;
         Ok(ClassReport { html, tables })
     }
 

@@ -1,6 +1,7 @@
 //! The tables of the class report: a page shows them, and each is a CSV file.
 use crate::grade::verdict::Verdict;
 use crate::num::shown;
+use crate::plot::rows::shortened;
 use crate::report::class::{ClassReporter, Rich, SHOWN};
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::DatumComparison;
@@ -172,6 +173,7 @@ impl ClassReporter<'_> {
     /// What could not be read: one row for each reason, whatever the part.
     fn unreadable(&self) -> Table {
         const EXAMPLES: usize = 3;
+        const LONGEST: usize = 40;
         const PARTS: usize = 3;
         let mut reasons: BTreeMap<(Verdict, &str), Reason> = BTreeMap::new();
         for ((part, verdict, reason), trouble) in &self.marks.troubles {
@@ -187,7 +189,7 @@ impl ClassReporter<'_> {
         let mut reasons: Vec<_> = reasons.into_iter().collect();
         reasons.sort_by(|a, b| b.1.cells.cmp(&a.1.cells).then_with(|| a.0.cmp(&b.0)));
         let rows = reasons.iter().map(|((verdict, reason), found)| {
-            let codes: Vec<String> = found.examples.iter().map(|e| code(&shortened(e))).collect();
+            let codes: Vec<String> = found.examples.iter().map(|e| code(&shortened(e, LONGEST))).collect();
             let parts: Vec<String> = found.parts.iter().map(|p| self.label(*p)).collect();
             vec![
                 self.word("verdict", verdict.as_str()),
@@ -273,13 +275,4 @@ impl ClassReporter<'_> {
 
 fn code(text: &str) -> String {
     format!("<code>{}</code>", template::in_html(text))
-}
-
-/// An example of the table, at most so long.
-fn shortened(text: &str) -> String {
-    const MOST: usize = 40;
-    if text.chars().count() <= MOST {
-        return text.to_owned();
-    }
-    text.chars().take(MOST - 1).chain(std::iter::once('…')).collect()
 }

@@ -1,11 +1,12 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
-use crate::grade::book;
+use crate::grade::gradebook_reader;
 use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::grade::verdict::Verdict;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::report::marks::{CountingRow, EXAMPLES, LONGEST, MarkedCell, MarkedClass, MarkedPart, Marks};
 use crate::words::Words;
+use crate::words::plain::{beginning, in_places};
 use rustc_hash::FxHashMap;
 use std::io::Read;
 
@@ -106,15 +107,14 @@ impl Marks {
         let odd = [Verdict::Unreadable, Verdict::WrongDimension, Verdict::MissingUnit];
         if let Some(verdict) = counted.filter(|v| odd.contains(v)) {
             let reason = match found.row.verdict {
-                Verdict::Superseded => {
-                    superseded(&shortened(&found.row.reason)).map_or_else(String::new, |(_, why)| why)
-                }
-                _ => shortened(&found.row.reason),
+                Verdict::Superseded => superseded(&beginning(&found.row.reason, LONGEST))
+                    .map_or_else(String::new, |(_, why)| why),
+                _ => beginning(&found.row.reason, LONGEST),
             };
             let key = (found.who.and(found.what), verdict, reason);
             let trouble = self.troubles.entry(key).or_default();
             trouble.cells += 1;
-            let example = shortened(&found.row.answer);
+            let example = beginning(&found.row.answer, LONGEST);
             if trouble.examples.len() < EXAMPLES && !trouble.examples.contains(&example) {
                 trouble.examples.push(example);
             }
@@ -172,7 +172,7 @@ impl Marks {
         let whose: FxHashMap<String, usize> =
             self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
         let mut found = 0;
-        book::each_row(gradebook, &parts, false, &mut |row| {
+        gradebook_reader::each_row(gradebook, &parts, false, &mut |row| {
             let Some(who) = whose.get(&row.student).copied() else {
                 return Err(Unreadable {
                     line: row.line,
@@ -223,8 +223,8 @@ impl PlacedRow<'_> {
             line: row.line,
             verdict: row.verdict,
             points: row.points,
-            answer: shortened(&row.answer),
-            reason: shortened(&row.reason),
+            answer: beginning(&row.answer, LONGEST),
+            reason: beginning(&row.reason, LONGEST),
             methods: words(&row.methods),
             slip: row.slip.clone().into_owned(),
             credit: words(&row.credit),
@@ -235,39 +235,13 @@ impl PlacedRow<'_> {
 /// The verdict that a superseded row names in its reason, and why, in any language: verdicts are not translated.
 fn superseded(reason: &str) -> Option<(Verdict, String)> {
     Words::languages().filter_map(Words::built_in).find_map(|words| {
-        let phrase = words.get("feedback.superseded");
-        let (before, rest) = phrase.split_once("{line}")?;
-        let (between, _) = rest.split_once("{verdict}")?;
-        let rest = reason.strip_prefix(before)?.trim_start_matches(|c: char| c.is_ascii_digit());
-        let rest = rest.strip_prefix(between)?;
+        let [_, rest] = in_places(words.get("feedback.superseded"), reason)?[..] else { return None };
         // `wrong` begins `wrong direction`: the longest fits.
         let fits = Verdict::ALL.iter().filter(|v| rest.starts_with(v.as_str()));
         let verdict = *fits.max_by_key(|v| v.as_str().len())?;
         let why = rest[verdict.as_str().len()..].trim_start_matches([':', ';', ' ']);
         Some((verdict, why.to_owned()))
     })
-}
-
-/// Not longer than [`LONGEST`], without signs that neither HTML nor a reader can show.
-fn shortened(text: &str) -> String {
-    let mut out: String = text
-        .chars()
-        .take(LONGEST)
-        .map(|c| match c {
-            '\n' | '\r' | '\t' => ' ',
-            c if c.is_control() || noncharacter(c) => '\u{fffd}',
-            c => c,
-        })
-        .collect();
-    if text.chars().nth(LONGEST).is_some() {
-        out.push('…');
-    }
-    out
-}
-
-fn noncharacter(c: char) -> bool {
-    let code = u32::from(c);
-    (0xfdd0..=0xfdef).contains(&code) || code & 0xfffe == 0xfffe
 }
 
 #[cfg(test)]

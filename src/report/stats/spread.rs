@@ -54,7 +54,7 @@ pub fn variance(values: &[f64]) -> f64 {
 
 /// Quantile of sorted numbers (at least one), straight between neighbours: type 7 of Hyndman and Fan (1996), that of R, NumPy
 /// and spreadsheets.
-pub fn quantile(sorted: &[f64], share: f64) -> f64 {
+fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = share * (sorted.len() - 1) as f64;
     let below = place.floor();
     let (i, rest) = (below as usize, place - below);

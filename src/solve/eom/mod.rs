@@ -111,6 +111,9 @@ fn alone_by<T: Real>(
     walk.walk()
 }
 
+/// May a road go by steps? Not in a page: what a sheet asks has a closed form or a quadrature, and its page is to be small.
+const STEPS: bool = cfg!(feature = "program");
+
 /// Where an acceleration is so many times smaller than that of the weight, the velocity ratios come from a unit force, not from
 /// the forces that nearly balance.
 const NEAR_BALANCE: f64 = 1e6;
@@ -502,7 +505,7 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// The states at the events by steps, where steps are asked for.
     fn stepped(&self, travel: &Travel<T>, s: Option<T>) -> Result<Option<Path<T>>, Refusal> {
-        let Some((rung, asked)) = self.by else { return Ok(None) };
+        let Some((rung, asked)) = self.by.filter(|_| STEPS) else { return Ok(None) };
         let event = s.and_then(|s| {
             let event = match self.scene.end {
                 End::Travel(..) | End::Position(..) => Event::Place(s.f64()),

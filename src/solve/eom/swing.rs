@@ -10,6 +10,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, elliptic, gauss, root, trig};
 use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
+use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
@@ -135,7 +136,7 @@ pub fn road_by<T: Real>(
         return Ok((teller.road, Count::default()));
     };
     let mut count = Count::default();
-    let (place, speed, time) = if let Some(by) = by {
+    let (place, speed, time) = if let Some(by) = by.filter(|_| STEPS) {
         let swung = turning.filter(|_| pendulum && swing.half_square.is_zero());
         // Only a step of fixed length can go past its event for ever.
         let known = if matches!(by.0, Rung::Fixed(..)) {

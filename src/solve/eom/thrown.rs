@@ -14,6 +14,7 @@ use crate::num::dd::pow2;
 use crate::num::ode::{Count, Formula, Run, Trouble};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
+use crate::solve::eom::STEPS;
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, respond};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Throw};
@@ -128,7 +129,7 @@ pub fn road_by<T: Real>(
     let start = State { t: zero, v: v0, w: w0, x: zero, phi: zero };
     let mut count = Count::default();
     let (mut ended, mut state) = (ended, None);
-    if let (Some((slides, rolls)), Some(rung)) = (ended, by) {
+    if let (Some((slides, rolls)), Some(rung)) = (ended, by.filter(|_| STEPS)) {
         let spread = match (scene.end, rolls) {
             (End::Rolling(_), _) | (_, Some(_)) => slipping.map(|_| sense),
             _ => None,

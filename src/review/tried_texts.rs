@@ -7,8 +7,8 @@ use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::sheet::document::Dropped;
 use crate::sheet::html::Converter;
-use crate::sheet::output::{Format, Output};
-use crate::sheet::page::{Room, Sheets};
+use crate::sheet::output::{DocumentWriter, Format};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{document, html, key_table, statement};
 use crate::solution;
@@ -56,12 +56,12 @@ pub fn short_page(problem: &Problem, case: usize, what: Beyond) -> String {
 /// Faults of the templates.
 pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Findings> {
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
-    let mut room = Room::default();
+    let mut scratch = SheetScratch::default();
     let mut out = Tried::default();
     for (i, problem) in problems.iter().filter_map(|p| bank.problems.get(*p)).enumerate() {
         for variant in one_of_each_case(problem, &bank.id) {
             let mut sheet = Vec::new();
-            match sheets.problem(i, &variant, &mut room, &mut sheet) {
+            match sheets.problem(i, &variant, &mut scratch, &mut sheet) {
                 Ok(()) => {
                     let text = String::from_utf8_lossy(&sheet);
                     add_formulas(&mut out.faults, problem, texts, &text);
@@ -165,14 +165,14 @@ pub fn whole_bank(bank: &Bank, texts: &Texts) -> Result<Tried, Findings> {
     let mut out = tried(bank, texts, &problems)?;
     out.faults.append(&mut out.unsolved);
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
-    let mut room = Room::default();
+    let mut scratch = SheetScratch::default();
     let first = |p: &Problem| one_of_each_case(p, &bank.id).into_iter().next();
     let whole: Vec<Variant> = bank.problems.iter().filter_map(first).collect();
     let findings = &out.faults;
     if findings.is_empty() && whole.len() == problems.len() {
         let formats = [Format::Md, Format::Html, Format::Tex];
-        let output = Output::new(texts, &formats, "sheet")?;
-        let (head, document) = sheets.document("0017", "Name", &whole, &mut room)?;
+        let output = DocumentWriter::new(texts, &formats, "sheet")?;
+        let (head, document) = sheets.document("0017", "Name", &whole, &mut scratch)?;
         let rows = [key_table::row(bank, &problems, &head, &whole)];
         let made = output.make(0, head, document, &mut Converter::new(&texts.words), None)?;
         output.booklets(&bank.title, std::slice::from_ref(&made))?;

@@ -1,5 +1,5 @@
 //! Wrong answers that are the right ones of a classmate, as the instructor is told of them; never for students.
-use crate::guard::push_text;
+use crate::csv_field::push_text;
 use crate::matches;
 use crate::num::shown;
 use crate::words::Words;

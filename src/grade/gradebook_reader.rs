@@ -1,6 +1,6 @@
 //! gradebook.csv of a grading, read back: points of each student as they were given, and totals.
+use crate::csv_field::unguarded;
 use crate::grade::row::Unreadable;
-use crate::guard::unguarded;
 use std::io::Read;
 
 /// A row of gradebook.csv.

@@ -1,4 +1,5 @@
 //! A whole sheet of one student: a document of Markdown and pictures, with its head.
+use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, FigureLabels, Problem, load};
 use crate::figure::scene;
 use crate::finding::{Finding, Findings};
@@ -6,7 +7,7 @@ use crate::picture::Picture;
 use crate::problem::maker::Variant;
 use crate::scene::{Quantity, Slope};
 use crate::sheet::document::{Document, Head};
-use crate::sheet::statement::{Common, Scratch, Statement, decimal_text, percent};
+use crate::sheet::statement::{Common, Scratch, Statement, percent};
 use crate::template;
 use crate::template::{Templates, View};
 use crate::words::Words;
@@ -23,8 +24,8 @@ pub struct Sheets<'b> {
 
 /// Room for writing, one for each thread.
 #[derive(Default)]
-pub struct Room {
-    scratch: Vec<Scratch>,
+pub struct SheetScratch {
+    statements: Vec<Scratch>,
 }
 
 impl<'b> Sheets<'b> {
@@ -61,10 +62,10 @@ impl<'b> Sheets<'b> {
         &self,
         i: usize,
         variant: &Variant,
-        room: &mut Room,
+        scratch: &mut SheetScratch,
         out: &mut Vec<u8>,
     ) -> Result<(), Finding> {
-        self.write(i, variant, None, room, out)
+        self.write(i, variant, None, scratch, out)
     }
 
     /// Appends the Markdown of one problem (counted from 0 in the sheet) with the line of its figure, which is returned.
@@ -72,7 +73,7 @@ impl<'b> Sheets<'b> {
         &self,
         i: usize,
         variant: &Variant,
-        room: &mut Room,
+        scratch: &mut SheetScratch,
         out: &mut Vec<u8>,
     ) -> Result<Option<(String, Picture)>, Finding> {
         let Some((index, _)) = self.statements.get(i) else { return Ok(None) };
@@ -82,7 +83,7 @@ impl<'b> Sheets<'b> {
             (format!("problem-{}", i + 1), picture)
         });
         let line = drawn.as_ref().map(|(name, picture)| format!("![{}]({name}.svg)", alternative(picture)));
-        self.write(i, variant, line.as_deref(), room, out)?;
+        self.write(i, variant, line.as_deref(), scratch, out)?;
         Ok(drawn)
     }
 
@@ -95,10 +96,10 @@ impl<'b> Sheets<'b> {
         i: usize,
         heading: &str,
         variant: &Variant,
-        room: &mut Room,
+        scratch: &mut SheetScratch,
     ) -> Result<Document, Finding> {
         let mut out = heading.to_owned().into_bytes();
-        let picture = self.whole_problem(i, variant, room, &mut out)?;
+        let picture = self.whole_problem(i, variant, scratch, &mut out)?;
         Ok(Document::new(String::from_utf8_lossy(&out).into_owned(), picture.into_iter().collect()))
     }
 
@@ -118,12 +119,12 @@ impl<'b> Sheets<'b> {
         i: usize,
         variant: &Variant,
         figure: Option<&str>,
-        room: &mut Room,
+        scratch: &mut SheetScratch,
         out: &mut Vec<u8>,
     ) -> Result<(), Finding> {
-        room.scratch.resize_with(self.statements.len().max(room.scratch.len()), Scratch::default);
+        scratch.statements.resize_with(self.statements.len().max(scratch.statements.len()), Scratch::default);
         let Some((_, statement)) = self.statements.get(i) else { return Ok(()) };
-        statement.write(variant, i + 1, figure, &mut room.scratch[i], out)
+        statement.write(variant, i + 1, figure, &mut scratch.statements[i], out)
     }
 
     /// The sheet of one student.
@@ -135,7 +136,7 @@ impl<'b> Sheets<'b> {
         student: &str,
         name: &str,
         variants: &[Variant],
-        room: &mut Room,
+        scratch: &mut SheetScratch,
     ) -> Result<(Head, Document), Finding> {
         let head = self.head(student, name, variants);
         let mut pictures = Vec::new();
@@ -145,7 +146,7 @@ impl<'b> Sheets<'b> {
             let Some(variant) = variants.get(i) else { continue };
             body.clear();
             let problem = &self.bank.problems[*index];
-            pictures.extend(self.whole_problem(i, variant, room, &mut body)?);
+            pictures.extend(self.whole_problem(i, variant, scratch, &mut body)?);
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
                 ("title", template::finished(&problem.title)),
@@ -154,10 +155,7 @@ impl<'b> Sheets<'b> {
         }
         let mut view = self.view(&head);
         view.value("problems", template::list(problems));
-        let mut out = Vec::new();
-        self.templates.render("sheet.md", &view, &mut out)?;
-        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-        markdown.push('\n');
+        let markdown = self.templates.markdown("sheet.md", &view)?;
         Ok((head, Document::new(markdown, pictures)))
     }
 
@@ -170,7 +168,7 @@ impl<'b> Sheets<'b> {
             drawn.push_str(&format!("\u{0}{}", problem.id));
             for number in variant.values.iter() {
                 drawn.push('\u{0}');
-                drawn.push_str(&number.map_or_else(String::new, decimal_text));
+                drawn.push_str(&number.map_or_else(String::new, Decimal::text));
             }
         }
         Head {

@@ -2,7 +2,7 @@
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables, asked};
-use crate::finding::Finding;
+use crate::finding::{Finding, told};
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, JointKind, Label, Num, Owner, Quantity,
     RotaryInertia, Scene, Spot, Tie,
@@ -20,17 +20,17 @@ pub fn datum(
     faults: &Faults,
 ) {
     let symbol = &datum.symbol;
-    let in_case = if case.is_empty() { String::new() } else { format!(" of the case `{case}`") };
+    let in_case = if case.is_empty() { String::new() } else { told!(" of the case `{case}`") };
     match (draw, uses.first()) {
         (Some(_), None) => faults.hint(
             node,
-            format!("`{symbol}` is drawn, but the scene{in_case} does not use it"),
+            told!("`{symbol}` is drawn, but the scene{in_case} does not use it"),
             "remove it, or use it in the scene",
         ),
         (None, Some(need)) => faults.hint(
             if case.is_empty() { node } else { case_node },
-            format!("`{symbol}` is used as {}, but it is not drawn", need.words),
-            format!(
+            told!("`{symbol}` is used as {}, but it is not drawn", need.words),
+            told!(
                 "for example `draw: 20 to 40 step 1`{}",
                 if case.is_empty() { "" } else { ", here or in the data" }
             ),
@@ -47,7 +47,7 @@ pub fn datum(
                     if let Err(message) = need.admits(value) {
                         faults.hint(
                             if case.is_empty() { node } else { case_node },
-                            format!(
+                            told!(
                                 "`{symbol}` could be drawn as {}: {message}",
                                 datum.unit.text_with(&end.text())
                             ),
@@ -72,13 +72,13 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
         let (zero, what) = match num {
             Num::Fixed(x) => (x <= 0.0, "its inertia".to_owned()),
             Num::Datum(i) => match draws.get(i) {
-                Some((symbol, Some(draw))) => (draw.range().0.value <= 0, format!("`{symbol}`")),
+                Some((symbol, Some(draw))) => (draw.range().0.value <= 0, told!("`{symbol}`")),
                 _ => (false, String::new()),
             },
             Num::Derived(_) => (false, String::new()),
         };
         if zero {
-            faults.at(node, format!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
+            faults.at(node, told!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
         }
     }
 }
@@ -90,14 +90,14 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
         if scene.bodies.len() > 1 {
             faults.hint(
                 node,
-                format!("`{name}` is pinned, and there is another body"),
+                told!("`{name}` is pinned, and there is another body"),
                 "a pinned body is alone in its scene",
             );
         }
         if !scene.ties.is_empty() {
             faults.hint(
                 node,
-                format!("`{name}` is pinned, and there are ties"),
+                told!("`{name}` is pinned, and there are ties"),
                 "write a spring under `forces`",
             );
         }
@@ -132,13 +132,13 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     if let (Some(name), true) = (slips, springs > 0) {
         faults.hint(
             node,
-            format!("`{name}` slips, and there is a spring; that is not solved"),
+            told!("`{name}` slips, and there is a spring; that is not solved"),
             "let the wheel roll, or take the spring away",
         );
     } else if freedoms > 1 && springs > 0 {
         faults.hint(
             node,
-            format!("a spring holds a scene with {freedoms} freedoms; one is solved"),
+            told!("a spring holds a scene with {freedoms} freedoms; one is solved"),
             "let the wheel roll",
         );
     }
@@ -146,11 +146,11 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     if (freedoms > 1 || slips.is_some()) && !scene.start.is_empty() && scene.thrown().is_none() {
         match slips {
             Some(name) => faults.hint(part(node, "start"),
-                format!("`{name}` slips, so its speed and its spin at the start are both given, or it starts from rest"),
-                format!("write `start: {{{name}: {{speed: v0, spin: w0}}}}` (one of them may be 0), or `start: at rest`"),
+                told!("`{name}` slips, so its speed and its spin at the start are both given, or it starts from rest"),
+                told!("write `start: {{{name}: {{speed: v0, spin: w0}}}}` (one of them may be 0), or `start: at rest`"),
             ),
             None => faults.hint(part(node, "start"),
-                format!("a scene with {freedoms} freedoms starts from rest"),
+                told!("a scene with {freedoms} freedoms starts from rest"),
                 "write `start: at rest`",
             ),
         }
@@ -246,7 +246,7 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
     }
     let name = |c: &Coordinate| {
         let what = if c.degree == Degree::Along { "speed" } else { "spin" };
-        format!("the {what} of `{}`", scene.bodies[c.body].name)
+        told!("the {what} of `{}`", scene.bodies[c.body].name)
     };
     let mut taken = vec![None; coordinates.len()];
     let start = part(node, "start");
@@ -261,7 +261,7 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
         if let (false, true, Some((c, _))) = (found, varies, given) {
             faults.hint(
                 start,
-                format!("the ties and the rest of the start already give {}", name(&c)),
+                told!("the ties and the rest of the start already give {}", name(&c)),
                 "take it away: one speed or spin for each freedom that the ties leave",
             );
         }
@@ -271,8 +271,8 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
             (&scene.bodies[c.body].name, if c.degree == Degree::Along { "speed: v" } else { "spin: w" });
         faults.hint(
             start,
-            format!("the start and the ties leave {} open", name(c)),
-            format!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
+            told!("the start and the ties leave {} open", name(c)),
+            told!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
         );
     }
 }
@@ -293,8 +293,8 @@ fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
             let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
             faults.hint(
                 part(node, "end"),
-                format!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
-                format!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
+                told!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
+                told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
             );
         }
         return;
@@ -303,21 +303,21 @@ fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
     if scene.bodies.len() > 1 || scene.ties.len() > 1 {
         faults.hint(
             part(node, "start"),
-            format!("`{name}` is thrown with slip; that is solved for one body without cords"),
+            told!("`{name}` is thrown with slip; that is solved for one body without cords"),
             "take the other bodies and ties away, or write `start: at rest`",
         );
     }
     if !matches!(scene.end, End::Rolling(_) | End::Time(..)) {
         faults.hint(
             part(node, "end"),
-            format!("`{name}` is thrown with slip; that ends where it begins to roll, or after a time"),
-            format!("write `end: {{rolling: {name}}}` or `end: {{time: {{of: {name}, is: t1}}}}`"),
+            told!("`{name}` is thrown with slip; that ends where it begins to roll, or after a time"),
+            told!("write `end: {{rolling: {name}}}` or `end: {{time: {{of: {name}, is: t1}}}}`"),
         );
     }
     if scene.heading.is_some() {
         faults.hint(
             part(node, "end"),
-            format!("`{name}` is thrown; its speed says which way it goes"),
+            told!("`{name}` is thrown; its speed says which way it goes"),
             "take `heading` away",
         );
     }
@@ -335,19 +335,19 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     let Some(quantity) = Quantity::from_name(bare) else {
         let hint = spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
             let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
-            format!("quantities of this scene: {}", names.join(", "))
+            told!("quantities of this scene: {}", names.join(", "))
         });
-        return Err((format!("`{}` is no quantity", shorten(name)), Some(hint)));
+        return Err((told!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
     let found: Vec<Label> = labels(scene).into_iter().filter(|l| l.quantity == quantity).collect();
     let shown = shorten(name);
     if found.is_empty() {
         return Err((
-            format!("`{shown}` does not exist in this scene"),
-            Some(format!("`{}` is: {}; {}", bare, quantity.meaning(), reason(scene, quantity))),
+            told!("`{shown}` does not exist in this scene"),
+            Some(told!("`{}` is: {}; {}", bare, quantity.meaning(), reason(scene, quantity))),
         ));
     }
-    let names = || found.iter().map(|l| format!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
+    let names = || found.iter().map(|l| told!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
     match owner {
         None => match found
             .iter()
@@ -355,7 +355,7 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
             .or(found.first().filter(|_| found.len() == 1))
         {
             Some(label) => Ok(*label),
-            None => Err((format!("`{shown}`: of what?"), Some(format!("this scene has {}", names())))),
+            None => Err((told!("`{shown}`: of what?"), Some(told!("this scene has {}", names())))),
         },
         Some(owner) => {
             let belongs = |l: &&Label| match l.of {
@@ -369,8 +369,8 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
             match found.iter().find(belongs) {
                 Some(label) => Ok(*label),
                 None => Err((
-                    format!("`{shown}` does not exist in this scene"),
-                    Some(format!("this scene has {}", names())),
+                    told!("`{shown}` does not exist in this scene"),
+                    Some(told!("this scene has {}", names())),
                 )),
             }
         }
@@ -397,7 +397,7 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
         return why(quantity).to_owned();
     }
     let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
-    format!("with `end: at once` only what holds at the start is asked: {}", names.join(", "))
+    told!("with `end: at once` only what holds at the start is asked: {}", names.join(", "))
 }
 
 /// What a quantity needs, for hints.
@@ -605,7 +605,7 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
             for name in &unknown {
                 let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
                 let hint = spell::hint(name, "known names", known());
-                faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
+                faults.hint(node, told!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
             }
             // A statement that lists values or particles may give any of them.
             let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
@@ -619,8 +619,8 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
                 for symbol in symbols.iter().filter(|s| !given(s)) {
                     faults.hint(
                         node,
-                        format!("the statement never gives `{symbol}`"),
-                        format!("write `{{{{ {symbol} }}}}` where it belongs"),
+                        told!("the statement never gives `{symbol}`"),
+                        told!("write `{{{{ {symbol} }}}}` where it belongs"),
                     );
                 }
             }
@@ -631,6 +631,6 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
 fn told(node: &Node, finding: &Finding, faults: &Faults) {
     let place = finding
         .at
-        .map_or_else(String::new, |(line, column)| format!(" (line {line}, column {column} of the text)"));
-    faults.maybe(node, format!("{}{place}", finding.message), finding.hint.clone());
+        .map_or_else(String::new, |(line, column)| told!(" (line {line}, column {column} of the text)"));
+    faults.maybe(node, told!("{}{place}", finding.message), finding.hint.clone());
 }
