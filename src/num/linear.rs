@@ -285,8 +285,7 @@ impl<T: Real> Factors<T> {
         for col in 0..size {
             let share = |place: usize| cells[order[place] * size + col].size() / largest[order[place]];
             let best = (col..size).max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
-            // NaN is no pivot either.
-            if !(share(best) >= POOR) {
+            if share(best).is_nan() || share(best) < POOR {
                 return None;
             }
             order.swap(col, best);

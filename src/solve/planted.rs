@@ -119,7 +119,7 @@ fn guide(at: Spot, direction: f64, mu_k: Option<f64>) -> Joint {
 }
 
 /// A rod in two guides, with a force, a couple and a spring, that may rub.
-fn guided(mu_k: Option<f64>) -> Scene {
+fn guided(mu_k: Option<f64>, end: f64) -> Scene {
     let mut scene = scene(vec![rod("rod", Some(62.0))], Vec::new(), 1.0);
     scene.joints = vec![guide(spot(0, 0), 0.0, mu_k), guide(spot(0, 1), 90.0, mu_k)];
     let push = |force_n, direction_deg, turns| Push {
@@ -138,7 +138,7 @@ fn guided(mu_k: Option<f64>) -> Scene {
         rest: Rest::Length(f(0.4)),
     });
     scene.couples.push(Couple { body: 0, moment_n_m: f(1.5), forward: false });
-    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(38.0));
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(end));
     scene
 }
 
@@ -187,8 +187,9 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
     let mut scene = scene(vec![wheel], Vec::new(), 1.0);
     let radius_m = f(0.4);
     scene.joints.push(joint(JointKind::Contact { at: spot(0, 0), radius_m, surface, rolls: true }));
-    scene.start.push(Start::Speed(Coordinate { body: 0, degree: Degree::Turn }, f(spin)));
-    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(end));
+    let turn = Coordinate { body: 0, degree: Degree::Turn };
+    scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
+    scene.end = End::Angle(turn, f(end));
     scene
 }
 
@@ -316,8 +317,8 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             scene
         }),
         ("pinned body with a spring", pinned_and_tied(40.0, 100.0)),
-        ("rod in two guides", guided(None)),
-        ("rod in two guides that rub", guided(Some(0.15))),
+        ("rod in two guides", guided(None, 38.0)),
+        ("rod in two guides that rub", guided(Some(0.1), 52.0)),
         ("four-bar linkage", linkage(false)),
         ("slider-crank", linkage(true)),
         ("rod on a cord", hanging()),
@@ -326,6 +327,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             rolling(slope, 20.0, -5.0, -50.0)
         }),
         ("wheel off its centre rolls on a cylinder", rolling(cylinder(0.7, false), 70.0, -2.0, 60.0)),
+        ("wheel rolls off a cylinder from rest", rolling(cylinder(0.7, false), 70.0, 0.0, 60.0)),
         ("hoop on a peg", rolling(cylinder(0.15, true), -70.0, -5.0, -100.0)),
     ]
 }

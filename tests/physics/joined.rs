@@ -148,7 +148,7 @@ fn bodies_leave_a_cylinder_where_the_books_say() {
     ] {
         let bank = touching(body, joint, "angle: 1 deg", "{leaves: surface}");
         let (scene, _) = scene(&bank, "p");
-        let solved = agree::solve(scene, &[3.0]).unwrap_or_else(|e| panic!("{body}: {e:?}"));
+        let solved = agree::solve(scene, &[3.0, 9.81]).unwrap_or_else(|e| panic!("{body}: {e:?}"));
         let turned = f64::to_radians(1.0) + value(scene, &solved, "phi");
         near(turned.cos(), share * start, 1e-13);
         let apart = if body.contains("shape") { 0.9 } else { 0.7 };
@@ -172,7 +172,7 @@ fn rolling_inside_a_cylinder_and_on_a_peg() {
     ] {
         let bank = touching(body, joint, "angle: 60 deg", "{angle: {of: body, reaches: 0 deg}}");
         let (scene, _) = scene(&bank, "p");
-        let solved = agree::solve(scene, &[3.0]).unwrap_or_else(|e| panic!("{body}: {e:?}"));
+        let solved = agree::solve(scene, &[3.0, 9.81]).unwrap_or_else(|e| panic!("{body}: {e:?}"));
         let square = 2.0 * 9.81 * apart * 0.5 / (1.0 + beta);
         near(value(scene, &solved, "v").powi(2), square, 1e-13);
         near(value(scene, &solved, "surface.normal"), 3.0 * (9.81 + square / apart), 1e-13);
@@ -193,7 +193,7 @@ fn an_eccentric_wheel_rolls() {
         "{angle: {of: body, reaches: 180 deg}}",
     );
     let (scene, _) = scene(&bank, "p");
-    let solved = agree::solve(scene, &[3.0]).unwrap();
+    let solved = agree::solve(scene, &[3.0, 9.81]).unwrap();
     let (c, e, k, w): (f64, f64, f64, f64) = (0.2, 0.06, 0.13, 9.0);
     let low = (c - e).powi(2) + k * k;
     let high = (c + e).powi(2) + k * k;

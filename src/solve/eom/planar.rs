@@ -501,7 +501,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let at = self.first[b];
             for k in 0..if self.turns(b) { 3 } else { 2 } {
-                let inertia = if k < 2 { numbers.mass } else { numbers.inertia };
+                let inertia = if k < 2 {
+                    plant!("eom: mass of a body in the plane", numbers.mass)
+                } else {
+                    plant!("eom: inertia of a body in the plane", numbers.inertia)
+                };
                 rows.term(at + k, at + k, inertia);
                 rows.right(at + k, CONSTANT, forces[b][k]);
             }
