@@ -579,9 +579,10 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
     }
     let middle = from.middle(to);
     let side = if this.turns { THICK } else { 12.0 };
-    let spots = [-out, out, Vec2::UP, Vec2::DOWN].map(|d| (middle + d * side, d));
-    let more = [0.25, -0.25].map(|s| (middle + (to - from) * s - out * side, -out));
-    board.label(rows, Role::Dot, (LabelTie::Leader, 6.0), spots.into_iter().chain(more).collect());
+    // Beside the middle, where the mass centre has its dot.
+    let places = [0.22, -0.22, 0.33].map(|share| middle + (to - from) * share);
+    let spots = places.iter().flat_map(|p| [-out, out].map(|d| (*p + d * side, d)));
+    board.label(rows, Role::Dot, (LabelTie::Leader, 6.0), spots.collect());
 }
 
 /// Forces, couples and the spin at the start.
