@@ -151,7 +151,12 @@ fn kinetic_energy_is_compared_by_the_names_of_its_own_ways() {
             let head = text
                 .lines()
                 .find(|l| l.starts_with(&format!("| {} |", language.0.get("solution.agree.question"))));
-            let head = head.unwrap_or_else(|| panic!("{text}"));
+            // A page without a worked solution compares nothing.
+            let short = language.0.get("solution.short").split(':').next().expect("a sentence");
+            let Some(head) = head else {
+                assert!(text.contains(short), "{text}");
+                continue;
+            };
             let particles = problem.cases[0].scene.bodies.iter().any(|b| !b.particles.is_empty());
             let (right, wrong) =
                 if particles { (&heads[..2], &heads[2..]) } else { (&heads[2..], &heads[..2]) };
