@@ -680,7 +680,7 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 let angle = say::text(view, direction_deg, "°");
                 let name = match direction_deg {
                     Num::Fixed(d) if d % 180.0 == 0.0 => "level",
-                    Num::Fixed(d) if d % 180.0 == 90.0 || d % 180.0 == -90.0 => "upright",
+                    Num::Fixed(d) if (d % 180.0).abs().to_bits() == 90.0_f64.to_bits() => "upright",
                     _ => "sloped",
                 };
                 let line = say(name, &[("angle", &angle)]);

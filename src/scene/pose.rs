@@ -263,6 +263,9 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 }
 
+/// A line on which a body rolls: its joint, its centre along the axis, a place and the direction of the line, its radius.
+type Track<T> = (usize, T, Point<T>, Point<T>, T);
+
 struct Placer<'l, 'a, T: Real> {
     layout: &'l Layout<'a, T>,
     placed: SmallVec<[Option<Pose<T>>; 2]>,
@@ -319,8 +322,8 @@ impl<'a, T: Real> Placer<'_, 'a, T> {
         })
     }
 
-    /// The line on which a body rolls: its joint, its centre along the axis, a place and the direction of the line, its radius.
-    fn rolls(&self, body: usize) -> Option<(usize, T, Point<T>, Point<T>, T)> {
+    /// The line on which a body rolls.
+    fn rolls(&self, body: usize) -> Option<Track<T>> {
         let layout = self.layout;
         layout.scene.joints.iter().enumerate().find_map(|(j, joint)| match joint.kind {
             JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, rolls: true }

@@ -1,7 +1,7 @@
 //! Bodies that move in the plane, and their joints, forces and springs.
-use super::SceneReader;
 use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, Value, named, shorten};
+use crate::bank::scene::{SceneReader, plain_name};
 use crate::scene::{
     Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot, Strut,
     StrutEnd, Surface,
@@ -51,7 +51,7 @@ impl SceneReader<'_> {
         match fields.get("points") {
             Some(node) => {
                 for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
-                    if !super::plain_name(name) {
+                    if !plain_name(name) {
                         let message = format!("`{}` is no name for a point", shorten(name));
                         f.hint(key, message, "letters, digits and `_`, beginning with a letter");
                     }
@@ -117,7 +117,7 @@ impl SceneReader<'_> {
         let f = self.faults;
         let mut list = Vec::new();
         for (name, key, value) in named(node, "joints by name, such as `{floor: {guides: rod.A}}`", f) {
-            if !super::plain_name(name) {
+            if !plain_name(name) {
                 let message = format!("`{}` is no name for a joint", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }

@@ -45,6 +45,9 @@ struct Account<'a, T: Real> {
     sliding: SmallVec<[f64; 4]>,
 }
 
+/// For each joint: the rows of its conditions.
+type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
+
 /// A possible or virtual motion: velocity of the origin of each body's axis, and rate of its angle counter-clockwise.
 type Motion<T> = SmallVec<[[T; 3]; 2]>;
 
@@ -184,14 +187,10 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// What the joints forbid: the rows of their conditions, where a guide rubs that of its normal force with its friction.
     /// `held` is the motion that the last rows keep from: the leading angle, and a drift.
-    fn conditions(
-        &self,
-        poses: &Poses<T>,
-        virtually: bool,
-    ) -> (Equations<T>, SmallVec<[SmallVec<[usize; 2]>; 4]>) {
+    fn conditions(&self, poses: &Poses<T>, virtually: bool) -> (Equations<T>, OfJoint) {
         let columns = 3 * self.scene.bodies.len();
         let mut rows = Equations::new(columns);
-        let mut of_joint: SmallVec<[SmallVec<[usize; 2]>; 4]> = SmallVec::new();
+        let mut of_joint = OfJoint::new();
         let mut count = 0;
         for (j, (joint, sliding)) in self.scene.joints.iter().zip(&self.sliding).enumerate() {
             let mut rim = T::zero();

@@ -45,11 +45,16 @@ struct Panel<T> {
     /// Integral of the time over it.
     time: T,
     /// For each joint that can only push: its normal force at the nodes.
-    pushes: SmallVec<[(usize, PerNode<T>); 2]>,
+    pushes: Watched<T>,
     smooth: bool,
     /// Is the time smooth too?
     timely: bool,
 }
+
+/// Something of each joint that can only push, at the nodes of a panel.
+type Watched<T> = SmallVec<[(usize, PerNode<T>); 2]>;
+/// Sees a panel and the half square of the rate at its start; true ends the march.
+type Visit<'v, T> = dyn FnMut(&Panel<T>, T) -> Result<bool, Refusal> + 'v;
 
 /// Where a motion stops.
 #[derive(Debug, Clone, Copy)]
@@ -145,16 +150,16 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
     }
-    fn from_rest(&self) -> bool {
+    fn rests(&self) -> bool {
         self.half_square.is_zero()
     }
     /// The way at this value of the variable, and its derivative.
     fn way(&self, x: T) -> (T, T) {
-        if self.from_rest() { (x.square(), x.scale2(1)) } else { (x, T::of(1.0)) }
+        if self.rests() { (x.square(), x.scale2(1)) } else { (x, T::of(1.0)) }
     }
     /// The variable at this way.
     fn variable(&self, way: T) -> T {
-        if self.from_rest() { way.root() } else { way }
+        if self.rests() { way.root() } else { way }
     }
     fn at(&self, way: T) -> Result<(State<T>, Response<T>), Refusal> {
         let state = self.mechanism.state(self.angle(way), true)?;
@@ -165,7 +170,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn panel(&self, ends: (T, T), from: T) -> Result<Panel<T>, Refusal> {
         let width = ends.1 - ends.0;
         let (mut drives, mut growths, mut slopes) = (PerNode::new(), PerNode::new(), PerNode::new());
-        let mut pushes: SmallVec<[(usize, PerNode<(T, T)>); 2]> = SmallVec::new();
+        let mut pushes: Watched<(T, T)> = SmallVec::new();
         for node in gauss::nodes() {
             let (way, slope) = self.way(ends.0 + width * T::constant(*node));
             let slope = slope * width;
@@ -217,7 +222,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         from: T,
         timely: bool,
         left: u32,
-        visit: &mut dyn FnMut(&Panel<T>, T) -> Result<bool, Refusal>,
+        visit: &mut Visit<T>,
     ) -> Result<Option<T>, Refusal> {
         let panel = self.panel(ends, from)?;
         if panel.smooth && (panel.timely || !timely) {
@@ -377,7 +382,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         } else {
             self.stop(far, level, &mut least)?
         };
-        let mut time = stop.time.map(|t| plant!("eom: time of joined bodies", t));
+        let mut time = match stop.time {
+            Some(t) => Some(plant!("eom: time of joined bodies", t)),
+            None => None,
+        };
         if let End::Time(_, t) = scene.end {
             let t = n.get(t);
             let most = match time {
@@ -505,7 +513,10 @@ impl<T: Real> Teller<'_, '_, T> {
     ) -> Result<(), Refusal> {
         let (scene, mechanism) = (self.scene, self.mechanism);
         let square = rate.square();
-        let terms = lead.0.size() + lead.1.size() * square.size();
+        // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
+        let size = mechanism.size();
+        let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
+        let terms = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
         let mut energy = T::zero();
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();

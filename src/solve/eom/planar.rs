@@ -16,7 +16,7 @@ use crate::num::eliminate::Equations;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::scene::pose::{self, Layout, Poses};
-use crate::scene::{JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
+use crate::scene::{JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
 
@@ -474,9 +474,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut values: SmallVec<[Option<(T, T)>; 16]> =
             smallvec![Some((T::zero(), T::zero())); self.unknowns];
         for (b, force) in forces.iter().enumerate() {
-            for k in 0..if self.turns(b) { 3 } else { 2 } {
-                let (mut one, mut two) = (force[k], T::zero());
-                let mut sizes = (force[k].size(), 0.0);
+            for (k, given) in force.iter().enumerate().take(if self.turns(b) { 3 } else { 2 }) {
+                let (mut one, mut two) = (*given, T::zero());
+                let mut sizes = (given.size(), 0.0);
                 for (j, row) in rows.iter().enumerate() {
                     for end in row.ends.iter().filter(|end| end.body == b) {
                         let share = Self::reacts(row, end)[k];
@@ -581,11 +581,19 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let count = self.scene.joints[joint].kind.forces();
         (first..first + count).map(|i| response.values[i].map(|_| response.at(i, square))).collect()
     }
-    /// Sum of the distances of all points from the origins of their axes, m: what lengths and speeds are small beside.
+    /// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.
     pub fn size(&self) -> f64 {
         let bodies = self.scene.bodies.iter().filter_map(|b| b.planar.as_ref());
         let places = bodies.flat_map(|p| p.points.iter().map(|(_, place)| *place).chain([p.centre]));
-        places.map(|place| pose::along(self.n, place).size()).sum()
+        let rods: f64 = places.map(|place| pose::along(self.n, place).size()).sum();
+        let round = self.scene.joints.iter().map(|joint| match joint.kind {
+            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, .. }, .. } => {
+                self.n.get(radius_m).size() + self.n.get(arc).size()
+            }
+            JointKind::Contact { radius_m, .. } => self.n.get(radius_m).size(),
+            _ => 0.0,
+        });
+        rods + round.sum::<f64>()
     }
     /// The normal force of a guide that can only push: constant part, and per square of the rate; `None` for other joints and where
     /// the joints leave it open.
