@@ -187,6 +187,19 @@ impl<'a> SceneView<'a> {
         }
     }
 
+    /// The numbers that give its mass, or the masses of its parts.
+    pub fn masses(&self, body: &Body) -> Vec<(Num, bool)> {
+        let given = |mass: &Mass| match mass {
+            Mass::Kilograms(n) => Some((*n, false)),
+            Mass::Weight(n) => Some((*n, true)),
+            Mass::OfParts => None,
+        };
+        match &body.inertia {
+            Some(RotaryInertia::Parts(parts)) => parts.iter().filter_map(|p| given(&p.mass)).collect(),
+            _ => given(&body.mass).into_iter().collect(),
+        }
+    }
+
     /// Mass of a body, kg.
     pub fn kilograms(&self, body: &Body) -> f64 {
         match (&body.mass, &body.inertia) {

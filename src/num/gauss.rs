@@ -107,7 +107,13 @@ pub fn mean<T: Real>(values: &[T]) -> T {
 /// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
 /// rounding?
 pub fn smooth<T: Real>(values: &[T], share: f64) -> bool {
-    let size: f64 = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum();
+    smooth_beside(values, share, 0.0)
+}
+
+/// The same where the values are added to something of this size: what is small beside it need not be smooth.
+pub fn smooth_beside<T: Real>(values: &[T], share: f64, beside: f64) -> bool {
+    let mean: f64 = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum();
+    let size = mean + beside;
     let of = |row: &[Dd; NODES]| {
         values.iter().zip(row).fold(T::zero(), |sum, (v, r)| sum + *v * T::constant(*r)).size()
     };

@@ -71,6 +71,7 @@ beyond! {
     FastestSlack "fastest_slack";
     FrictionWithSlip "friction_with_slip";
     HeldFast "held_fast";
+    JoinedBodies "joined_bodies";
     LaminaInCompany "lamina_in_company";
     LaminaWithoutMotion "lamina_without_motion";
     LooseSpin "loose_spin";

@@ -466,8 +466,8 @@ impl Trend {
 const fn group(quantity: Quantity) -> &'static str {
     use Quantity as Q;
     match quantity {
-        Q::V | Q::Omega | Q::VMax | Q::OmegaMax => "speed",
-        Q::A | Q::Alpha | Q::ARolling => "acceleration",
+        Q::V | Q::VX | Q::VY | Q::Omega | Q::VMax | Q::OmegaMax => "speed",
+        Q::A | Q::AX | Q::AY | Q::Alpha | Q::ARolling => "acceleration",
         Q::Friction | Q::Normal => "friction",
         Q::FrictionIfRolled | Q::MuRequired | Q::KBound => "rolling",
         Q::T => "time",

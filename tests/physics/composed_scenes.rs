@@ -125,7 +125,7 @@ fn owner(of: program::Owner) -> Owner {
         program::Owner::Scene => Owner::Scene,
         program::Owner::Body(b) => Owner::Body(b),
         program::Owner::Tie(t) => Owner::Tie(t),
-        program::Owner::Asked(_) => panic!("these scenes ask for no expressions"),
+        other => panic!("these scenes ask for nothing of the kind: {other:?}"),
     }
 }
 

@@ -203,12 +203,16 @@ fn scene(kind: Kind) -> Scene {
         turns: true,
         particles: vec![],
         pin: None,
+        planar: None,
     };
     Scene {
         gravity_m_s2: d(5),
         bodies: vec![body],
         ties,
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: vec![],
         end: End::Travel(along, end),
         heading,

@@ -140,12 +140,16 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         turns: true,
         particles: vec![],
         pin: Some(Pin { arm: Arm::Distance(d(1)), from, start_deg: d(4), spring }),
+        planar: None,
     };
     Scene {
         gravity_m_s2: d(3),
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
         end: End::Angle(turn, d(5)),
         heading: None,

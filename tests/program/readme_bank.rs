@@ -81,11 +81,15 @@ fn around(kind: &str, item: &str) -> String {
     )
 }
 
-/// A bank around a scene with a pinned body.
+/// A bank around a scene with a pinned body, or of bodies that are joined in the plane.
 fn swinging(scene: &str) -> String {
     let data = [
         ("m", "kg"),
         ("L", "m"),
+        ("r", "m"),
+        ("k", "m"),
+        ("h", "m"),
+        ("P", "N"),
         ("M", "N*m"),
         ("b", "m"),
         ("x_A", "m"),
@@ -100,9 +104,10 @@ fn swinging(scene: &str) -> String {
         .iter()
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
+    let first = scene.lines().nth(2).and_then(|l| l.trim().split_once(':')).map_or("", |(body, _)| body);
     let scene: String = scene.lines().skip(1).map(|l| format!("      {l}\n")).collect();
     format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{ask: omega}}}}\n    statement: s\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{{first}.omega: {{ask: omega}}}}\n    statement: s\n"
     )
 }
 

@@ -6,6 +6,7 @@
 pub mod account;
 pub mod balance;
 pub mod instant;
+pub mod joined;
 pub mod pinned;
 pub mod quadrature;
 pub mod speeds;
@@ -63,6 +64,9 @@ impl<T: Real> Forward<T> for Here<'_> {
 /// [`road`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return joined::road(scene, &n);
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
     }
@@ -516,7 +520,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => None,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),

@@ -4,7 +4,9 @@
 pub mod equations;
 pub mod instant;
 pub mod integrate;
+pub mod joined;
 pub mod pinned;
+pub mod planar;
 pub mod swing;
 pub mod thrown;
 pub mod travel;
@@ -65,6 +67,9 @@ impl<T: Real> Forward<T> for Here<'_> {
 /// [`road_of`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return joined::road(scene, &n, asked);
+    }
     if let Some((body, pin)) = scene.pinned() {
         return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
@@ -556,7 +561,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
                 }
                 End::TurningPoint(_) => Event::Fall(0.0),
-                End::Angle(..) | End::Rolling(_) | End::AtOnce => return None,
+                End::Angle(..) | End::Rolling(_) | End::AtOnce | End::Leaves(_) => return None,
             };
             Some((event, s))
         });
@@ -584,7 +589,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => (None, None),
         }
     }
 
