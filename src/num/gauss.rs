@@ -40,6 +40,8 @@ struct Panel {
     running: Vec<Dd>,
     /// What makes the last Legendre coefficients of the values at the nodes.
     last: [[Dd; NODES]; LAST],
+    /// Weights of the interpolation between the nodes, in barycentric form.
+    between: [Dd; NODES],
 }
 
 /// Legendre polynomials of degree 0 to `NODES + 1` at a place from -1 to 1.
@@ -62,6 +64,7 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
         weights: [Dd::ZERO; NODES],
         running: Vec::new(),
         last: [[Dd::ZERO; NODES]; LAST],
+        between: [Dd::ZERO; NODES],
     };
     for (j, place) in places.iter_mut().enumerate() {
         let mut x = Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
@@ -74,6 +77,8 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
         *place = x;
         panel.nodes[j] = (x + Dd::ONE) * half;
         panel.weights[j] = Dd::ONE / ((Dd::ONE - x * x) * slope * slope);
+        // 1 over the product of the distances from the other nodes is in proportion to 1 over the slope of the polynomial.
+        panel.between[j] = Dd::ONE / slope;
     }
     let values = places.map(legendre);
     for (row, m) in panel.last.iter_mut().zip(NODES - LAST..) {
@@ -102,6 +107,22 @@ pub fn nodes() -> &'static [Dd; NODES] {
 /// The mean over a panel of what has these values at its nodes.
 pub fn mean<T: Real>(values: &[T]) -> T {
     values.iter().zip(&PANEL.weights).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
+}
+
+/// The value at this share of a panel of the polynomial that has these values at its nodes.
+///
+/// Source: Berrut & Trefethen, *Barycentric Lagrange interpolation*, SIAM Review 46 (2004).
+pub fn at<T: Real>(values: &[T], share: T) -> T {
+    let (mut above, mut below) = (T::zero(), T::zero());
+    for ((value, node), weight) in values.iter().zip(&PANEL.nodes).zip(&PANEL.between) {
+        let apart = share - T::constant(*node);
+        if apart.is_zero() {
+            return *value;
+        }
+        let part = T::constant(*weight) / apart;
+        (above, below) = (above + part * *value, below + part);
+    }
+    above / below
 }
 
 /// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
@@ -216,6 +237,14 @@ mod tests {
                     assert!((r - power * known).hi.abs() < 1e-29, "{degree}");
                 }
             }
+        }
+    }
+    #[test]
+    fn between_the_nodes_a_polynomial_is_itself() {
+        let of = |x: Dd| (0..23).fold(Dd::new(3.0), |p, _| p * x - Dd::new(0.5));
+        let values: Vec<Dd> = nodes().iter().map(|x| of(*x)).collect();
+        for x in [0.0, 1e-3, 0.4, 0.999, 1.0].map(Dd::new).into_iter().chain([nodes()[5]]) {
+            assert!((at(&values, x) - of(x)).hi.abs() < 1e-28, "{x:?}");
         }
     }
     #[test]

@@ -17,6 +17,7 @@ use crate::scene::{
 };
 use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
+use std::cell::RefCell;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -24,8 +25,9 @@ const TURNS: f64 = 2.0;
 const STEP: f64 = 0.0625;
 /// Turns of an iteration after which a panel is too long.
 const TURNS_OF_ITERATION: u32 = 40;
-/// Coefficients of a panel of the collocation that are below this share are rounding of the answer.
-const SMOOTH: f64 = 1e-18;
+/// Coefficients of a panel of the collocation that are below this share are rounding of the answer, in numbers of 32 digits and in
+/// doubles.
+const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
 type Vector<T> = [T; 2];
 
@@ -43,6 +45,18 @@ struct Account<'a, T: Real> {
     sense: f64,
     /// For each joint: sense in which its point slides where it rubs, else 0.
     sliding: SmallVec<[f64; 4]>,
+    /// Where guides rub: the way as far as its balance has been solved.
+    solved: RefCell<Vec<Stretch<T>>>,
+}
+
+/// A part of the way on which the balance has been solved by collocation.
+struct Stretch<T> {
+    /// The way at its ends.
+    ends: (T, T),
+    /// Half the square of the rate at its ends.
+    squares: (T, T),
+    /// What half the square of the rate has gained per way since its start, at the nodes.
+    gains: PerNode<T>,
 }
 
 /// For each joint: the rows of its conditions.
@@ -121,6 +135,7 @@ impl<'a, T: Real> Account<'a, T> {
             natural: SmallVec::new(),
             sense: 1.0,
             sliding: scene.joints.iter().map(|_| 0.0).collect(),
+            solved: RefCell::new(Vec::new()),
         };
         let poses = account.placed()?;
         for strut in &scene.struts {
@@ -345,6 +360,19 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(balance)
     }
 
+    /// Twice the kinetic energy at unit rate of the leading angle.
+    fn inertia(&self, poses: &Poses<T>) -> T {
+        let mut sum = T::zero();
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let half = plant!("energy: inertia over the angle", numbers.mass.scale2(-1));
+            for particle in self.particles(poses, b) {
+                let [x, y] = particle.map(|x| x.first);
+                sum = sum + half * (x.square() + y.square());
+            }
+        }
+        sum
+    }
+
     /// Powers of weights, forces, couples and springs in a motion.
     fn powers(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[T; 6]> {
         let mut powers: SmallVec<[T; 6]> = SmallVec::new();
@@ -443,16 +471,14 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(work.cleared(size))
     }
 
-    /// Half the square of the rate after a way, from that at the start.
-    fn half_square(&self, way: T, from: T) -> Result<T, Refusal> {
+    /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
+    fn half_square(&self, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
         if self.sliding.iter().any(|s| *s != 0.0) {
             return self.collocated(way, from);
         }
-        let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
-        let inertia = |poses: &Poses<T>| Ok::<_, Refusal>(self.balance(poses, &self.rates(poses))?.inertia);
-        let kinetic = inertia(&first)? * from;
-        let work = self.work(&first, &poses, way)?;
-        Ok(kinetic.balance(work) / inertia(&poses)?)
+        let poses = self.poses(way)?;
+        let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
+        Ok(kinetic.balance(self.work(first, &poses, way)?) / self.inertia(&poses))
     }
 
     /// The same where guides rub: the balance of virtual motions, `dy/dq = (force - 2 bend y) / inertia`, by collocation.
@@ -461,29 +487,29 @@ impl<'a, T: Real> Account<'a, T> {
         if widened.radius() > 0.0 {
             return Ok(widened);
         }
-        let (mut at, mut square) = (T::zero(), from);
-        while at.below(way) {
-            let mut next = at + T::of(8.0 * STEP);
-            if !next.below(way) {
-                next = way;
-            }
-            for left in (0..=gauss::halvings()).rev() {
-                if let Some(end) = self.collocate((at, next), square)? {
-                    square = end;
-                    break;
-                }
-                if left == 0 {
-                    return Err(Unsettled { value: square.f64(), gap: f64::INFINITY }.into());
-                }
-                next = (at + next).scale2(-1);
-            }
-            at = next;
+        if way.sign() <= 0.0 {
+            return Ok(from);
         }
-        Ok(square)
+        let mut solved = self.solved.borrow_mut();
+        while solved.last().is_none_or(|s| s.ends.1.below(way)) {
+            let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
+            let mut next = at + T::of(8.0 * STEP);
+            let stretch = (0..=gauss::halvings()).find_map(|_| {
+                let stretch = self.collocate((at, next), square).transpose();
+                next = (at + next).scale2(-1);
+                stretch
+            });
+            let unsettled = || Unsettled { value: square.f64(), gap: f64::INFINITY }.into();
+            solved.push(stretch.unwrap_or_else(|| Err(unsettled()))?);
+        }
+        let within = solved.iter().find(|s| way.at_most(s.ends.1));
+        Ok(within.map_or(from, |Stretch { ends: (a, b), squares: (start, _), gains }| {
+            *start + gauss::at(gains, (way - *a) / (*b - *a)) * (way - *a)
+        }))
     }
 
     /// One panel of the collocation; `None` if it is too long.
-    fn collocate(&self, ends: (T, T), from: T) -> Result<Option<T>, Refusal> {
+    fn collocate(&self, ends: (T, T), from: T) -> Result<Option<Stretch<T>>, Refusal> {
         let width = ends.1 - ends.0;
         let (mut forces, mut bends) = (PerNode::new(), PerNode::new());
         for node in gauss::nodes() {
@@ -493,22 +519,26 @@ impl<'a, T: Real> Account<'a, T> {
             forces.push(balance.force * per);
             bends.push((balance.bend * per).scale2(1));
         }
-        if !gauss::smooth(&forces, SMOOTH)
-            || !bends.iter().all(|b| b.is_zero()) && !gauss::smooth(&bends, SMOOTH)
+        let share = SMOOTH[usize::from(T::is_double())];
+        if !gauss::smooth(&forces, share)
+            || !bends.iter().all(|b| b.is_zero()) && !gauss::smooth(&bends, share)
         {
             return Ok(None);
         }
         // Each turn of the iteration gains a power of the length of the panel over its factorial.
         let mut squares: PerNode<T> = vec![from; gauss::NODES];
         for _ in 0..TURNS_OF_ITERATION {
-            let gained = forces.iter().zip(&bends).zip(&squares).map(|((f, b), y)| *f - *b * *y);
-            let gained: PerNode<T> = gained.collect();
-            let next: PerNode<T> = gauss::running(&gained).into_iter().map(|g| from + g).collect();
+            let rates = forces.iter().zip(&bends).zip(&squares).map(|((f, b), y)| *f - *b * *y);
+            let rates: PerNode<T> = rates.collect();
+            let gained = gauss::running(&rates);
+            let next: PerNode<T> = gained.iter().map(|g| from + *g).collect();
             let size = next.iter().map(|y| y.size()).fold(0.0, f64::max);
             let change = next.iter().zip(&squares).map(|(a, b)| (*a - *b).size()).fold(0.0, f64::max);
             squares = next;
             if change <= T::SETTLED * size {
-                return Ok(Some(from + gauss::mean(&gained)));
+                let gains = gained.iter().zip(gauss::nodes()).map(|(g, x)| *g / (width * T::constant(*x)));
+                let squares = (from, from + gauss::mean(&rates));
+                return Ok(Some(Stretch { ends, squares, gains: gains.collect() }));
             }
         }
         Ok(None)
@@ -595,7 +625,7 @@ impl<'a, T: Real> Account<'a, T> {
     }
 
     /// Time over a way: in an angle whose cosine is the place.
-    fn time(&self, way: T, from: T, rest: bool) -> Result<T, Refusal> {
+    fn time(&self, way: T, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
         if way.is_zero() {
             return Ok(T::zero());
         }
@@ -635,28 +665,35 @@ impl<'a, T: Real> Account<'a, T> {
             End::Time(_, t) => Some(self.n.get(t)),
             _ => None,
         };
-        let backward = far.sign() < 0.0;
-        // Where it comes to rest.
-        let turning = if backward { None } else { self.first(far, &|way| self.half_square(way, from))? };
-        let limit = turning.unwrap_or(far);
+        let (begin, backward) = (self.poses(T::zero())?, far.sign() < 0.0);
+        let from = (&begin, from);
+        // Where it comes to rest within a way.
+        let turning = |far: T| self.first(far, &|way| self.half_square(way, from));
+        // What is met beyond the turning point is not met.
+        let before_rest = |found: Option<T>| match found {
+            Some(way) => Ok::<_, Refusal>(turning(way)?.is_none().then_some(way)),
+            None => Ok(None),
+        };
         let found = match scene.end {
             _ if backward => None,
-            End::Angle(..) => turning.is_none().then_some(far),
-            End::TurningPoint(_) => turning,
+            End::Angle(..) => before_rest(Some(far))?,
+            End::TurningPoint(_) => turning(far)?,
             End::Speed(_, w) => {
                 let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
-                self.first(limit, &|way| Ok(self.half_square(way, from)? - level))?
+                before_rest(self.first(far, &|way| Ok(self.half_square(way, from)? - level))?)?
             }
-            End::Leaves(joint) => self.first(limit, &|way| {
+            End::Leaves(joint) => before_rest(self.first(far, &|way| {
                 let poses = self.poses(way)?;
                 let square = self.half_square(way, from)?.scale2(1);
                 let (rate, _) = self.acceleration(&poses, square)?;
                 let moves = |b: usize, along: T| self.accelerates(&poses, b, along, rate, square);
                 Ok(self.reaction(&poses, joint, &moves).map_or_else(T::zero, |f| f[0].0))
-            })?,
+            })?)?,
             End::Time(_, t) => {
                 let t = self.n.get(t);
-                let most = self.time(limit, from, turning.is_some())?;
+                let rest = turning(far)?;
+                let limit = rest.unwrap_or(far);
+                let most = self.time(limit, from, rest.is_some())?;
                 if proves {
                     None
                 } else if t.at_most(most) {
@@ -684,7 +721,7 @@ impl<'a, T: Real> Account<'a, T> {
             }
             Ok::<_, Refusal>((push, hold))
         })?;
-        let course = Course { sense: self.sense, drive, asked, farthest: limit, reached: found.is_some() };
+        let course = Course { sense: self.sense, drive, asked, farthest: far, reached: found.is_some() };
         road.course = Some(course);
         let Some(way) = found else { return Ok(()) };
         let rest = matches!(scene.end, End::TurningPoint(_));

@@ -16,10 +16,10 @@ use smallvec::SmallVec;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
-/// Angle after which a panel ends at the latest, radians.
-const STRIDE: f64 = 0.5;
-/// Legendre coefficients below this share are rounding of the answer: see [`gauss::smooth`].
-const SMOOTH: f64 = 1e-18;
+/// Angle after which a panel ends at the latest, radians, in numbers of 32 digits and in doubles.
+const STRIDE: [f64; 2] = [0.5, 2.0];
+/// Legendre coefficients below this share are rounding of the answer: see [`gauss::smooth`]; likewise.
+const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
 /// The motion of a mechanism in one sense from a place where half the square of the rate is known.
 #[derive(Clone)]
@@ -168,7 +168,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
 
     fn panel(&self, ends: (T, T), from: T) -> Result<Panel<T>, Refusal> {
-        let width = ends.1 - ends.0;
+        let (width, share) = (ends.1 - ends.0, SMOOTH[usize::from(T::is_double())]);
         let (mut drives, mut growths, mut slopes) = (PerNode::new(), PerNode::new(), PerNode::new());
         let mut pushes: Watched<(T, T)> = SmallVec::new();
         for node in gauss::nodes() {
@@ -208,8 +208,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             last: (from + gauss::mean(&driven)) / whole,
             time: gauss::mean(&times),
             // Growths are exponents: beside 1 they count.
-            smooth: gauss::smooth_beside(&growths, SMOOTH, 1.0)
-                && gauss::smooth_beside(&driven, SMOOTH, from.size()),
+            smooth: gauss::smooth_beside(&growths, share, 1.0)
+                && gauss::smooth_beside(&driven, share, from.size()),
             timely: gauss::smooth(&times, gauss::SMOOTH),
             squares,
         })
@@ -253,7 +253,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let mut time = Some(T::zero());
         while x.below(last) && found.is_none() {
             let (way, _) = self.way(x);
-            let next = self.variable(way + T::of(STRIDE));
+            let next = self.variable(way + T::of(STRIDE[usize::from(T::is_double())]));
             let next = if next.below(last) { next } else { last };
             let mut visit = |panel: &Panel<T>, from: T| {
                 found = self.stopped(panel, from, level, least)?;
@@ -307,17 +307,19 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 }
             }
             if let Some(why) = why {
-                let value = |x: T| -> Result<(T, T), Refusal> {
-                    let part = self.panel((a, x), from)?;
-                    let (way, _) = self.way(x);
-                    let value = match why {
-                        Why::Leaves(joint) => self.contact(joint, way, part.last)?,
-                        Why::Speed => part.last - level.unwrap_or_else(T::zero),
-                        _ => part.last,
-                    };
-                    Ok((value, T::zero()))
+                let value = |x: T, square: T| match why {
+                    Why::Leaves(joint) => self.contact(joint, self.way(x).0, square),
+                    Why::Speed => Ok(square - level.unwrap_or_else(T::zero)),
+                    _ => Ok(square),
                 };
-                let x = secant(before, x, why == Why::Speed && rising == Some(true), value)?;
+                let between = |x: T| value(x, gauss::at(&panel.squares, (x - a) / (b - a)));
+                let rough = secant(before, x, why == Why::Speed && rising == Some(true), |x| {
+                    Ok((between(x)?, T::zero()))
+                })?;
+                // What the interpolation leaves is taken off by one step with the panel up to there.
+                let step = (x - before).scale2(-20);
+                let slope = (between(rough)? - between(rough - step)?) / step;
+                let x = rough - value(rough, self.panel((a, rough), from)?.last)? / slope;
                 let part = self.panel((a, x), from)?;
                 let half_square = if why == Why::Rest { T::zero() } else { part.last };
                 let time = (part.timely && why != Why::Rest).then_some(part.time);

@@ -411,12 +411,18 @@ impl<'a, T: Real> Mechanism<'a, T> {
     ///
     /// Errors: equations that do not determine them.
     pub fn respond(&self, state: &State<T>, sliding: &[f64]) -> Result<Response<T>, Refusal> {
-        let rows = self.rubbing(state, sliding);
+        let rubbing;
+        let rows: &[Row<T>] = if sliding.iter().all(|s| *s == 0.0) {
+            &state.rows
+        } else {
+            rubbing = self.rubbing(state, sliding);
+            &rubbing
+        };
         let forces = self.forces(&state.poses);
         let inward: SmallVec<[T; 8]> = rows.iter().map(|row| self.inward(state, row)).collect();
-        let mut response = match self.eliminated(&rows, &forces, &inward) {
+        let mut response = match self.eliminated(rows, &forces, &inward) {
             Some(response) => response,
-            None => self.general(&rows, &forces, &inward)?,
+            None => self.general(rows, &forces, &inward)?,
         };
         // The acceleration along what leads is that of its point, less what is due to the turn.
         let (leads, speed) = self.leads(&state.poses);
