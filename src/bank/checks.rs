@@ -169,7 +169,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     if let Some(body) = scene.bodies.iter().find(|b| b.planar.is_none()) {
         faults.hint(
             node,
-            format!("`{}` does not move in the plane, and another body does", body.name),
+            told!("`{}` does not move in the plane, and another body does", body.name),
             "write `moves: in the plane` for all of them, with joints",
         );
     }
@@ -181,7 +181,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         faults.hint(
             part(node, "start"),
             "the angle at which the motion starts is missing",
-            format!("write `start: {{{name}: {{angle: phi0}}}}`"),
+            told!("write `start: {{{name}: {{angle: phi0}}}}`"),
         );
     }
 }

@@ -203,8 +203,9 @@ impl SceneReader<'_> {
         let Forces { couples, pushes, struts } = forces;
         let start_node = fields.get("start");
         let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
-        let end =
-            fields.need("end", "{travel: {of: wheel, by: d}}").and_then(|n| self.end(n, &bodies, &ties, &joints));
+        let end = fields
+            .need("end", "{travel: {of: wheel, by: d}}")
+            .and_then(|n| self.end(n, &bodies, &ties, &joints));
         fields.close();
         let (end, heading) = end?;
         if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
@@ -1379,7 +1380,13 @@ impl SceneReader<'_> {
         Some((End::Travel(Coordinate { body: *body, degree: Degree::Turn }, angle?), None))
     }
 
-    fn end(&self, node: &Node, bodies: &[Body], ties: &[Tie], joints: &[Joint]) -> Option<(End, Option<Heading>)> {
+    fn end(
+        &self,
+        node: &Node,
+        bodies: &[Body],
+        ties: &[Tie],
+        joints: &[Joint],
+    ) -> Option<(End, Option<Heading>)> {
         let f = self.faults;
         if node.text().is_some_and(|t| t.trim() == "at once") {
             return Some((End::AtOnce, None));
@@ -1396,7 +1403,7 @@ impl SceneReader<'_> {
             let found = joints.iter().position(|j| j.name == text && j.kind.only_pushes());
             if found.is_none() {
                 let hint = "a joint that can only push is written `wall: {guides: rod.B, along: vertical, pushes: right}`";
-                f.hint(value, format!("expected a joint that can only push, found {}", value.kind()), hint);
+                f.hint(value, told!("expected a joint that can only push, found {}", value.kind()), hint);
             }
             return found.map(|joint| (End::Leaves(joint), None));
         }

@@ -347,7 +347,7 @@ impl<'p> Maker<'p> {
     fn near<'a>(&'a self, wrong: &'a Wrong, right: &'a [Right]) -> impl Iterator<Item = usize> + 'a {
         let near = move |(q, (value, reach)): &(&Question, &Right)| {
             // Where a magnitude is asked, a sign is no answer.
-            let magnitude = || q.label.quantity.is_magnitude();
+            let magnitude = || self.problem.cases.iter().all(|case| case.scene.is_magnitude(q.label));
             let off = |comes_to: f64| (comes_to - value).abs() < *reach;
             q.label == wrong.label && (off(wrong.value) || magnitude() && off(-wrong.value))
         };

@@ -321,7 +321,8 @@ impl Scene {
             | End::TurningPoint(c)
             | End::Rolling(c) => c,
             End::AtOnce | End::Leaves(_) => {
-                let first = || self.coordinates().next().unwrap_or(Coordinate { body: 0, degree: Degree::Along });
+                let first =
+                    || self.coordinates().next().unwrap_or(Coordinate { body: 0, degree: Degree::Along });
                 self.lead().map_or_else(first, |body| Coordinate { body, degree: Degree::Turn })
             }
         }
@@ -329,7 +330,7 @@ impl Scene {
     /// The unit in which the end of a motion is told.
     pub fn measure(&self) -> &'static str {
         let turns = |c: Coordinate| c.degree == Degree::Turn;
-        let pinned = self.pinned().is_some();
+        let pinned = self.pinned().is_some() || self.lead().is_some();
         match self.end {
             End::Time(..) | End::Rolling(_) => "s",
             End::Speed(c, _) if pinned || turns(c) => "rad/s",
@@ -340,6 +341,15 @@ impl Scene {
             }
             _ => "m",
         }
+    }
+    /// Is this a number that is never negative, or no number at all? The normal force of a guide that holds on both sides is
+    /// positive to the left of its direction.
+    pub fn is_magnitude(&self, label: Label) -> bool {
+        let two_sided = match label.of {
+            Owner::Joint(j) => matches!(self.joints.get(j), Some(joint) if !joint.kind.only_pushes()),
+            _ => false,
+        };
+        label.quantity.is_magnitude() && !(two_sided && label.quantity == Quantity::Normal)
     }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {

@@ -425,7 +425,9 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.new_way(-(square(&self.v0) / (number(2) * a)));
                 self.v = ZERO;
             }
-            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => return beyond(Beyond::OtherEnd),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
+                return beyond(Beyond::OtherEnd);
+            }
         }
         Ok(())
     }

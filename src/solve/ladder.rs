@@ -35,6 +35,8 @@ pub enum Force {
     Pendulum,
     /// In a way that leaves no closed form for the time: a pinned body under a couple, or under a spring.
     Irregular,
+    /// Likewise, with inertias that change too: bodies joined in the plane. Their balance is not summed by points, and nothing steps.
+    Joined,
 }
 
 /// What was done, and how well.
@@ -75,6 +77,8 @@ const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 pub fn force(scene: &Scene) -> Force {
     if matches!(scene.end, End::AtOnce) {
         Force::Instant
+    } else if scene.lead().is_some() {
+        Force::Joined
     } else if scene.is_pendulum() {
         Force::Pendulum
     } else if scene.pinned().is_some() {
@@ -143,9 +147,10 @@ fn values(
 pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken), Refusal> {
     let mut solved = agree::solve(scene, data)?;
     let force = force(scene);
-    let irregular = force == Force::Irregular;
+    let joined = force == Force::Joined;
+    let irregular = joined || force == Force::Irregular;
     let method = wish.method.unwrap_or(if irregular { Method::Gauss } else { Method::Closed });
-    if irregular && method == Method::Closed {
+    if irregular && method == Method::Closed || joined && method != Method::Gauss {
         return Err(Refusal::NoMethod { method });
     }
     let mut taken = Taken {
@@ -173,6 +178,7 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
     }
     let step = wish.step_s.unwrap_or(USUAL_STEP_S);
     let candidates: Vec<Rung> = match (method, wish.rtol) {
+        (Method::Gauss, _) if joined => vec![Rung::Settled],
         (Method::Gauss, Some(_)) => {
             let settled = irregular.then_some(Rung::Settled);
             POINTS.iter().map(|n| Rung::Gauss(*n)).chain(settled).collect()
@@ -355,6 +361,9 @@ pub const STEPS_S: [(f64, &str); 6] = [
 
 /// The rungs of a study of a motion that takes this time.
 fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
+    if force == Force::Joined {
+        return vec![Rung::Settled];
+    }
     let usual =
         |t: f64| STEPS_S.iter().map(|s| s.0).filter(|h| t / h > 2.0 && t / h < 1e6).collect::<Vec<_>>();
     let mut steps = usual(time_s.unwrap_or(1.0));

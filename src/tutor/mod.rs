@@ -344,7 +344,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         entry: &KeyEntry,
         did: &str,
     ) -> Option<(String, bool)> {
-        let magnitude = label.quantity.is_magnitude();
+        let magnitude = self.problem.cases.get(self.variant.case)?.scene.is_magnitude(label);
         let here = self.variant.solved.get(label)?;
         let before = self.wrong(method, label);
         let mut odd: Option<(u8, Limit, f64)> = None;

@@ -554,7 +554,7 @@ fn units_do_not_matter_however_far_one_datum_is_from_the_others() {
                         assert_eq!(again.regime, solved.regime, "{} {data:?} {scales:?}", problem.id);
                         for e in &solved.entries {
                             let Some(same) = again.get(e.label) else { continue };
-                            let (want, got) = (e.value(), scales.si(e.label.quantity.unit(), same.value()));
+                            let (want, got) = (e.value(), scales.said(scene, e.label, same.value()));
                             let near = (got - want).abs() <= 4.0 * U * want.abs() || got == want;
                             assert!(near, "{} {data:?} {scales:?}: {e:?} {got:e}", problem.id);
                         }

@@ -215,107 +215,118 @@ fn gauss(mut a: Vec<Vec<f64>>) -> Vec<f64> {
     x
 }
 
+/// Has this witness laws of motion for the scene, with data that stand as they are? What is joined in the plane has judges in
+/// full coordinates of its own (`joined`), what is written in expressions those of `expressions` and `composed_scenes`.
+fn is_witnessed(scene: &Scene) -> bool {
+    let written = &scene.formulas;
+    let plain = written.numbers.is_empty() && written.found.is_none() && written.asked.is_empty();
+    let lamina = scene.start.iter().any(|s| matches!(s, Start::Lamina { .. }));
+    plain && scene.lead().is_none() && (lamina || scene.end != End::AtOnce)
+}
+
 #[test]
 fn integration_in_time_gives_the_key() {
-    for bank in support::banks() {
-        for problem in &bank.problems {
-            let maker = Maker::new(problem, 3, "third witness");
-            let (draws, mut compared) = (support::seeds(100), 0);
-            for student in 0..draws {
-                let variant =
-                    maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
-                let scene = &problem.cases[variant.case].scene;
-                // With the condition numbers of all quantities, not of those alone that are asked.
-                let solved = agree::solve(scene, &variant.data).expect("it was drawn");
-                if matches!(scene.end, End::AtOnce) {
-                    compared += lamina(scene, &variant.data, &solved);
-                    continue;
-                }
-                if matches!(scene.ties.as_slice(), [Tie::Slip { .. }]) && !scene.start.is_empty() {
-                    compared += thrown(scene, &variant.data, &solved, &problem.id);
-                    continue;
-                }
-                if scene.pinned().is_some() {
-                    compared += pinned(scene, &variant.data, &solved, &problem.id);
-                    continue;
-                }
-                let End::Travel(end, distance) = scene.end else { panic!("{}: another event", problem.id) };
-                let mut w =
-                    Witness { scene, data: &variant.data, kinetic: vec![0.0; scene.ties.len()], rolls: true };
-                let n = 2 * scene.bodies.len();
-                let rolled = w.accelerate(&vec![0.0; n]).1;
-                for (t, tie) in scene.ties.iter().enumerate() {
-                    if let Tie::Slip { body, mu_k, .. } = tie {
-                        w.kinetic[t] = rolled[t].signum() * w.get(*mu_k) * w.normal(*body);
-                    }
-                }
-                w.rolls = false;
-                let place = 2 * end.body + usize::from(end.degree == Degree::Turn);
-                let distance = w.get(distance);
-                let (mut q, mut v, mut time) = (vec![0.0; n], vec![0.0; n], 0.0);
-                let a = w.accelerate(&q).0[place].abs();
-                let mut h = (2.0 * distance / a).sqrt() / 400.0;
-                while h > 1e-12 {
-                    let (q2, v2) = w.step(&q, &v, h);
-                    if q2[place].abs() > distance {
-                        h /= 2.0;
-                    } else {
-                        (q, v) = (q2, v2);
-                        time += h;
-                    }
-                    assert!(time < 1e3, "{} {student}: never arrives", problem.id);
-                }
-                let (acc, reaction) = w.accelerate(&q);
-                let mut seen = vec![("t".to_owned(), time)];
-                let bare = scene.bare_body();
-                for (b, body) in scene.bodies.iter().enumerate() {
-                    let name =
-                        |q: &str| if bare == Some(b) { q.to_owned() } else { format!("{}.{q}", body.name) };
-                    if body.line.is_some() {
-                        seen.push((name("v"), v[2 * b].abs()));
-                        seen.push((name("a"), acc[2 * b]));
-                    }
-                    if body.turns {
-                        seen.push((name("omega"), v[2 * b + 1].abs()));
-                        seen.push((name("phi"), q[2 * b + 1].abs()));
-                    }
-                }
-                for (t, tie) in scene.ties.iter().enumerate() {
-                    match tie {
-                        Tie::Roll { .. } => seen.push(("friction".into(), reaction[t])),
-                        Tie::Slip { body, radius_m, .. } => {
-                            seen.push(("friction".into(), w.kinetic[t]));
-                            let slip = (q[2 * body] - w.get(*radius_m) * q[2 * body + 1]).abs();
-                            seen.push(("slip_distance".into(), slip));
-                            seen.push(("heat".into(), slip * w.kinetic[t].abs()));
-                        }
-                        Tie::Cord(c) => {
-                            if matches!(c.to, Far::Body(_) | Far::Fixed) {
-                                let label = Label { quantity: Quantity::Tension, of: Owner::Tie(t) };
-                                seen.push((scene.name_of(label), reaction[t]));
-                            }
-                        }
-                        Tie::Slide { .. } => {}
-                    }
-                }
-                for (name, got) in seen {
-                    let entry = solved.entries.iter().find(|e| scene.name_of(e.label) == name);
-                    let entry = entry.unwrap_or_else(|| panic!("{}: no {name}", problem.id));
-                    let want = entry.value();
-                    // The slack of a cord is a kink in the force: one step of the integration is only of first order.
-                    let size = want.abs().max(1e-3 * entry.scale);
-                    let off = (got - want).abs() / size / entry.cond.max(1.0);
-                    assert!(
-                        off < 2e-6,
-                        "{} {student}: {name} {got} by integration, {want} in the key",
-                        problem.id
-                    );
-                    compared += 1;
+    let banks = support::banks();
+    let problems = banks.iter().flat_map(|b| &b.problems);
+    let problems: Vec<_> = problems.filter(|p| p.cases.iter().all(|c| is_witnessed(&c.scene))).collect();
+    assert!(problems.len() >= 13, "{}", problems.len());
+    for problem in problems {
+        let maker = Maker::new(problem, 3, "third witness");
+        let (draws, mut compared) = (support::seeds(100), 0);
+        for student in 0..draws {
+            let variant =
+                maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
+            let scene = &problem.cases[variant.case].scene;
+            // With the condition numbers of all quantities, not of those alone that are asked.
+            let solved = agree::solve(scene, &variant.data).expect("it was drawn");
+            if matches!(scene.end, End::AtOnce) {
+                compared += lamina(scene, &variant.data, &solved);
+                continue;
+            }
+            if matches!(scene.ties.as_slice(), [Tie::Slip { .. }]) && !scene.start.is_empty() {
+                compared += thrown(scene, &variant.data, &solved, &problem.id);
+                continue;
+            }
+            if scene.pinned().is_some() {
+                compared += pinned(scene, &variant.data, &solved, &problem.id);
+                continue;
+            }
+            let End::Travel(end, distance) = scene.end else { panic!("{}: another event", problem.id) };
+            let mut w =
+                Witness { scene, data: &variant.data, kinetic: vec![0.0; scene.ties.len()], rolls: true };
+            let n = 2 * scene.bodies.len();
+            let rolled = w.accelerate(&vec![0.0; n]).1;
+            for (t, tie) in scene.ties.iter().enumerate() {
+                if let Tie::Slip { body, mu_k, .. } = tie {
+                    w.kinetic[t] = rolled[t].signum() * w.get(*mu_k) * w.normal(*body);
                 }
             }
-            println!("{}: {compared} values", problem.id);
-            assert!(compared >= 3 * draws as usize, "{}: {compared}", problem.id);
+            w.rolls = false;
+            let place = 2 * end.body + usize::from(end.degree == Degree::Turn);
+            let distance = w.get(distance);
+            let (mut q, mut v, mut time) = (vec![0.0; n], vec![0.0; n], 0.0);
+            let a = w.accelerate(&q).0[place].abs();
+            let mut h = (2.0 * distance / a).sqrt() / 400.0;
+            while h > 1e-12 {
+                let (q2, v2) = w.step(&q, &v, h);
+                if q2[place].abs() > distance {
+                    h /= 2.0;
+                } else {
+                    (q, v) = (q2, v2);
+                    time += h;
+                }
+                assert!(time < 1e3, "{} {student}: never arrives", problem.id);
+            }
+            let (acc, reaction) = w.accelerate(&q);
+            let mut seen = vec![("t".to_owned(), time)];
+            let bare = scene.bare_body();
+            for (b, body) in scene.bodies.iter().enumerate() {
+                let name =
+                    |q: &str| if bare == Some(b) { q.to_owned() } else { format!("{}.{q}", body.name) };
+                if body.line.is_some() {
+                    seen.push((name("v"), v[2 * b].abs()));
+                    seen.push((name("a"), acc[2 * b]));
+                }
+                if body.turns {
+                    seen.push((name("omega"), v[2 * b + 1].abs()));
+                    seen.push((name("phi"), q[2 * b + 1].abs()));
+                }
+            }
+            for (t, tie) in scene.ties.iter().enumerate() {
+                match tie {
+                    Tie::Roll { .. } => seen.push(("friction".into(), reaction[t])),
+                    Tie::Slip { body, radius_m, .. } => {
+                        seen.push(("friction".into(), w.kinetic[t]));
+                        let slip = (q[2 * body] - w.get(*radius_m) * q[2 * body + 1]).abs();
+                        seen.push(("slip_distance".into(), slip));
+                        seen.push(("heat".into(), slip * w.kinetic[t].abs()));
+                    }
+                    Tie::Cord(c) => {
+                        if matches!(c.to, Far::Body(_) | Far::Fixed) {
+                            let label = Label { quantity: Quantity::Tension, of: Owner::Tie(t) };
+                            seen.push((scene.name_of(label), reaction[t]));
+                        }
+                    }
+                    Tie::Slide { .. } => {}
+                }
+            }
+            for (name, got) in seen {
+                let entry = solved.entries.iter().find(|e| scene.name_of(e.label) == name);
+                let entry = entry.unwrap_or_else(|| panic!("{}: no {name}", problem.id));
+                let want = entry.value();
+                // The slack of a cord is a kink in the force: one step of the integration is only of first order.
+                let size = want.abs().max(1e-3 * entry.scale);
+                let off = (got - want).abs() / size / entry.cond.max(1.0);
+                assert!(
+                    off < 2e-6,
+                    "{} {student}: {name} {got} by integration, {want} in the key",
+                    problem.id
+                );
+                compared += 1;
+            }
         }
+        println!("{}: {compared} values", problem.id);
+        assert!(compared >= 3 * draws as usize, "{}: {compared}", problem.id);
     }
 }
 

@@ -2,6 +2,7 @@
 use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, Value, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
+use crate::finding::told;
 use crate::scene::{
     Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot, Strut,
     StrutEnd, Surface,
@@ -52,7 +53,7 @@ impl SceneReader<'_> {
             Some(node) => {
                 for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
                     if !plain_name(name) {
-                        let message = format!("`{}` is no name for a point", shorten(name));
+                        let message = told!("`{}` is no name for a point", shorten(name));
                         f.hint(key, message, "letters, digits and `_`, beginning with a letter");
                     }
                     if let Some(place) = self.along(value, rod) {
@@ -103,11 +104,11 @@ impl SceneReader<'_> {
         if found.is_none() {
             let known = bodies.iter().flat_map(|b| {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
-                names.map(|point| format!("{}.{point}", b.name))
+                names.map(|point| told!("{}.{point}", b.name))
             });
             let known: Vec<String> = known.collect();
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
-            self.faults.hint(node, format!("expected a point of a body, found {}", node.kind()), hint);
+            self.faults.hint(node, told!("expected a point of a body, found {}", node.kind()), hint);
         }
         found
     }
@@ -118,7 +119,7 @@ impl SceneReader<'_> {
         let mut list = Vec::new();
         for (name, key, value) in named(node, "joints by name, such as `{floor: {guides: rod.A}}`", f) {
             if !plain_name(name) {
-                let message = format!("`{}` is no name for a joint", shorten(name));
+                let message = told!("`{}` is no name for a joint", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
             let Some(mut fields) =
@@ -138,8 +139,8 @@ impl SceneReader<'_> {
                     touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
                 }
                 _ if count != 1 => {
-                    let words = JOINTS.map(|(word, what)| format!("`{word}` ({what})"));
-                    f.hint(value, format!("`{name}` has to say what it holds"), words.join(", "));
+                    let words = JOINTS.map(|(word, what)| told!("`{word}` ({what})"));
+                    f.hint(value, told!("`{name}` has to say what it holds"), words.join(", "));
                     None
                 }
                 (Some(n), None, None, None) => {
@@ -180,8 +181,7 @@ impl SceneReader<'_> {
                 Some(JointKind::Hinge { one, other })
             }
             _ => {
-                let message =
-                    format!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
+                let message = told!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
                 self.faults.at(node, message);
                 None
             }

@@ -9,6 +9,7 @@
 //! Source: Routh, *Dynamics of a System of Rigid Bodies*, elementary part, article 33 (equimomental bodies).
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::{self, PerNode, Unsettled};
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Poses};
@@ -17,7 +18,7 @@ use crate::scene::{
 };
 use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -47,6 +48,8 @@ struct Account<'a, T: Real> {
     sliding: SmallVec<[f64; 4]>,
     /// Where guides rub: the way as far as its balance has been solved.
     solved: RefCell<Vec<Stretch<T>>>,
+    /// At how many places it has looked.
+    looked: Cell<u64>,
 }
 
 /// A part of the way on which the balance has been solved by collocation.
@@ -79,43 +82,51 @@ fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// Everything that work and energy say of a scene of joined bodies.
+/// Everything that work and energy say of a scene of joined bodies, and at how many places they looked.
 ///
 /// Errors: joints that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> {
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<(Road<T>, Count), Refusal> {
     let mut account = Account::new(scene, n)?;
-    let spin = scene.start.iter().find_map(|s| match s {
-        Start::Speed(c, w) if c.body == account.lead => Some(n.get(*w)),
-        _ => None,
-    });
-    let spin = spin.map_or_else(T::zero, |w| w / account.layout.ratio());
-    let mut road = Road::new(Scope::ALL);
-    if matches!(scene.end, End::AtOnce) {
-        account.instant(spin, &mut road)?;
-        return Ok(road);
+    let road = account.road()?;
+    Ok((road, Count { evaluations: account.looked.get(), ..Count::default() }))
+}
+
+impl<T: Real> Account<'_, T> {
+    fn road(&mut self) -> Result<Road<T>, Refusal> {
+        let scene = self.scene;
+        let spin = scene.start.iter().find_map(|s| match s {
+            Start::Speed(c, w) if c.body == self.lead => Some(self.n.get(*w)),
+            _ => None,
+        });
+        let spin = spin.map_or_else(T::zero, |w| w / self.layout.ratio());
+        let mut road = Road::new(Scope::ALL);
+        if matches!(scene.end, End::AtOnce) {
+            self.instant(spin, &mut road)?;
+            return Ok(road);
+        }
+        let first = self.poses(T::zero())?;
+        let free = self.balance(&first, &self.rates(&first))?;
+        let rate = free.force.balance(-(free.bend * spin.square())).cleared(free.size);
+        self.sense = if spin.is_zero() { rate.sign() } else { spin.sign() };
+        let motion = self.rates(&first).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
+        self.slide(&first, &motion);
+        let own = self.across_friction(&first)?;
+        let rubbed = self.balance(&first, &own)?;
+        let sets_off = rubbed.force.balance(-(rubbed.bend * spin.square())).cleared(rubbed.size)
+            / rubbed.inertia.signed(self.sense);
+        if self.sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
+            road.course = Some(Course::at_rest());
+            return Ok(road);
+        }
+        let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
+        if matches!(scene.end, End::Angle(..)) {
+            self.settle(spin, drive, &mut road)?;
+        } else {
+            // Where the end is searched for, nothing is enclosed, so no comparison has to be proved.
+            ball::unwatched(|| self.settle(spin, drive, &mut road))?;
+        }
+        Ok(road)
     }
-    let first = account.poses(T::zero())?;
-    let free = account.balance(&first, &account.rates(&first))?;
-    let rate = free.force.balance(-(free.bend * spin.square())).cleared(free.size);
-    account.sense = if spin.is_zero() { rate.sign() } else { spin.sign() };
-    let motion = account.rates(&first).iter().map(|r| r.map(|x| x.signed(account.sense))).collect();
-    account.slide(&first, &motion);
-    let own = account.across_friction(&first)?;
-    let rubbed = account.balance(&first, &own)?;
-    let sets_off = rubbed.force.balance(-(rubbed.bend * spin.square())).cleared(rubbed.size)
-        / rubbed.inertia.signed(account.sense);
-    if account.sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
-        road.course = Some(Course::at_rest());
-        return Ok(road);
-    }
-    let drive = (free.force.signed(account.sense), rubbed.force.signed(account.sense));
-    if matches!(scene.end, End::Angle(..)) {
-        account.settle(spin, drive, &mut road)?;
-    } else {
-        // Where the end is searched for, nothing is enclosed, so no comparison has to be proved.
-        ball::unwatched(|| account.settle(spin, drive, &mut road))?;
-    }
-    Ok(road)
 }
 
 impl<'a, T: Real> Account<'a, T> {
@@ -136,6 +147,7 @@ impl<'a, T: Real> Account<'a, T> {
             sense: 1.0,
             sliding: scene.joints.iter().map(|_| 0.0).collect(),
             solved: RefCell::new(Vec::new()),
+            looked: Cell::new(0),
         };
         let poses = account.placed()?;
         for strut in &scene.struts {
@@ -148,6 +160,7 @@ impl<'a, T: Real> Account<'a, T> {
     }
 
     fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
+        self.looked.set(self.looked.get() + 1);
         self.layout.poses(way.signed(self.sense), false).ok_or(Refusal::Freedoms(2))
     }
     /// Where everything is at the start.
@@ -665,7 +678,8 @@ impl<'a, T: Real> Account<'a, T> {
             End::Time(_, t) => Some(self.n.get(t)),
             _ => None,
         };
-        let (begin, backward) = (self.poses(T::zero())?, far.sign() < 0.0);
+        let begin = self.poses(T::zero())?;
+        let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
         // Where it comes to rest within a way.
         let turning = |far: T| self.first(far, &|way| self.half_square(way, from));
@@ -746,6 +760,24 @@ impl<'a, T: Real> Account<'a, T> {
         let rate = open(half_square).scale2(1).root().signed(self.sense);
         let (second, _) = self.acceleration(&poses, rate.square())?;
         self.tell(&poses, rate, second, road)
+    }
+
+    /// Does each joint that can only push do so at the start, with more than this share of all weights?
+    fn presses(&self, begin: &Poses<T>, from: T) -> Result<bool, Refusal> {
+        const LEAST: f64 = 1e-9;
+        let square = from.scale2(1);
+        let pushing = |joint: &usize| self.scene.joints[*joint].kind.only_pushes();
+        let mut joints = (0..self.scene.joints.len()).filter(pushing).peekable();
+        if joints.peek().is_none() {
+            return Ok(true);
+        }
+        let weights = self.n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n.gravity).size());
+        let (rate, _) = self.acceleration(begin, square)?;
+        let moves = |b: usize, along: T| self.accelerates(begin, b, along, rate, square);
+        Ok(joints.all(|joint| {
+            let force = self.reaction(begin, joint, &moves);
+            force.is_none_or(|force| !force[0].0.below(T::of(LEAST * weights)))
+        }))
     }
 
     /// Acceleration of a point at a distance along the axis of a body.

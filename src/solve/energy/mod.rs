@@ -65,7 +65,7 @@ impl<T: Real> Forward<T> for Here<'_> {
 fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
-        return joined::road(scene, &n);
+        return Ok(joined::road(scene, &n)?.0);
     }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
@@ -120,6 +120,12 @@ fn alone_by<T: Real>(
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return match points {
+            Some(_) => Err(Refusal::NoMethod { method: Method::Gauss }),
+            None => joined::road(scene, &n),
+        };
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), points);
     }

@@ -21,6 +21,9 @@ const STRIDE: [f64; 2] = [0.5, 2.0];
 /// Legendre coefficients below this share are rounding of the answer: see [`gauss::smooth`]; likewise.
 const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
+/// A normal force below this share of all weights does not press.
+const PUSHES: f64 = 1e-9;
+
 /// The motion of a mechanism in one sense from a place where half the square of the rate is known.
 #[derive(Clone)]
 struct Motion<'m, 'a, T: Real> {
@@ -99,9 +102,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         let smooth = mechanism.respond(&state, &nothing)?;
         // What starts from rest slides as it would without friction.
         let senses = if spin.is_zero() {
-            sliding(&mechanism, |at| mechanism.pull_off(&state, &smooth, at))
+            sliding(&mechanism, &|at| mechanism.pull_off(&state, &smooth, at))
         } else {
-            sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v * spin))
+            sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
         };
         let response = mechanism.respond(&state, &senses)?;
         let lead = mechanism.leading(&response);
@@ -113,7 +116,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     let (a, b) = mechanism.leading(&free);
     let first = a.balance(b * spin.square());
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let sliding = sliding(&mechanism, |at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let sliding = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
     let motion = Motion {
         mechanism: &mechanism,
         start: T::zero(),
@@ -134,7 +137,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
 }
 
 /// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
-fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: impl Fn(Spot) -> [T; 2]) -> SmallVec<[f64; 4]> {
+fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: &dyn Fn(Spot) -> [T; 2]) -> SmallVec<[f64; 4]> {
     let of = |kind: &JointKind| match *kind {
         JointKind::Guide { at, direction_deg, mu_k: Some(_), .. } => {
             let [c, s] = pose::direction(mechanism.n, direction_deg);
@@ -147,6 +150,9 @@ fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: impl Fn(Spot) -> [T; 2]) ->
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
+    fn n(&self) -> &Numbers<'a, T> {
+        self.mechanism.n
+    }
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
     }
@@ -313,9 +319,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     _ => Ok(square),
                 };
                 let between = |x: T| value(x, gauss::at(&panel.squares, (x - a) / (b - a)));
-                let rough = secant(before, x, why == Why::Speed && rising == Some(true), |x| {
-                    Ok((between(x)?, T::zero()))
-                })?;
+                let rough = secant(before, x, why == Why::Speed && rising == Some(true), &between)?;
                 // What the interpolation leaves is taken off by one step with the panel up to there.
                 let step = (x - before).scale2(-20);
                 let slope = (between(rough)? - between(rough - step)?) / step;
@@ -376,6 +380,18 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             End::Leaves(joint) => Some(joint),
             _ => None,
         };
+        // What does not push at the start is not touched.
+        let weights = self.n().bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n().gravity).size());
+        for joint in (0..scene.joints.len()).filter(|j| scene.joints[*j].kind.only_pushes()) {
+            let force = self.contact(joint, T::zero(), self.half_square)?;
+            if force.below(T::of(PUSHES * weights)) {
+                let drive = (T::zero(), T::zero());
+                teller.road.course =
+                    Some(Course { sense: self.sense, drive, asked, farthest: T::zero(), reached: false });
+                teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
+                return Ok(());
+            }
+        }
         let mut least: Vec<(usize, f64, f64)> =
             (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
         let backward = far.sign() < 0.0;
@@ -395,8 +411,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
             if t.at_most(most) {
-                let way =
-                    secant(T::zero(), stop.way, true, |way| Ok((self.time(way, false)? - t, T::zero())))?;
+                let way = secant(T::zero(), stop.way, true, &|way| Ok(self.time(way, false)? - t))?;
                 stop = Stop { way, half_square: self.gained(way)?, why: Why::Far, time: Some(t) };
                 time = Some(t);
             } else {
@@ -415,6 +430,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let farthest = match scene.end {
             End::Angle(..) if reached => T::of(f64::INFINITY),
             End::Angle(..) => stop.way * degrees(),
+            End::TurningPoint(_) if stop.why == Why::Rest => stop.way * degrees(),
             _ => T::of(f64::INFINITY),
         };
         let drive = (T::zero(), T::zero());
@@ -475,11 +491,11 @@ fn secant<T: Real>(
     low: T,
     high: T,
     rising: bool,
-    value: impl Fn(T) -> Result<(T, T), Refusal>,
+    value: &dyn Fn(T) -> Result<T, Refusal>,
 ) -> Result<T, Refusal> {
     let mut last: Option<(T, T)> = None;
     root::between(low, high, rising, |x| {
-        let (now, _) = value(x)?;
+        let now = value(x)?;
         let slope = match last {
             Some((at, before)) if !(x - at).is_zero() => (now - before) / (x - at),
             _ => T::zero(),

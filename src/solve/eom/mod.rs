@@ -118,6 +118,9 @@ fn alone_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    if scene.lead().is_some() {
+        return Err(Refusal::NoMethod { method: rung.method() });
+    }
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));

@@ -55,7 +55,7 @@ pub struct State<T> {
     poses: Poses<T>,
     /// For each body: velocity of the mass centre and angular velocity counter-clockwise.
     rates: SmallVec<[[T; 3]; 2]>,
-    rows: SmallVec<[Row<T>; 8]>,
+    rows: Vec<Row<T>>,
     /// What moves at unit rate with the leading angle.
     leads: Row<T>,
 }
@@ -64,7 +64,7 @@ pub struct State<T> {
 #[derive(Debug, Clone)]
 pub struct Response<T> {
     /// For each unknown: constant part, and per square of the rate; `None` where the joints leave it open.
-    values: SmallVec<[Option<(T, T)>; 16]>,
+    values: Vec<Option<(T, T)>>,
     /// The leading angle's second derivative likewise.
     lead: (T, T),
 }
@@ -202,10 +202,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
 
     /// The rows of all joints.
-    fn rows(&self, poses: &Poses<T>) -> SmallVec<[Row<T>; 8]> {
+    fn rows(&self, poses: &Poses<T>) -> Vec<Row<T>> {
         let (zero, one) = (T::zero(), T::of(1.0));
         let both = [[one, zero], [zero, one]];
-        let mut rows = SmallVec::new();
+        let mut rows = Vec::with_capacity(self.scene.joints.len() * 2);
         let end = |spot: Spot, along: Vector<T>, radius: T| End {
             body: spot.body,
             along,
@@ -383,7 +383,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
 
     /// Friction of a row per its normal force, on the body that slides.
-    fn rubbing(&self, state: &State<T>, sliding: &[f64]) -> SmallVec<[Row<T>; 8]> {
+    fn rubbing(&self, state: &State<T>, sliding: &[f64]) -> Vec<Row<T>> {
         let mut rows = state.rows.clone();
         for row in &mut rows {
             let sense = sliding[row.joint];
@@ -477,8 +477,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         let factors = Factors::new(count, cells)?;
         let [constant, square] = rights.map(|right| factors.solve(&right));
-        let mut values: SmallVec<[Option<(T, T)>; 16]> =
-            smallvec![Some((T::zero(), T::zero())); self.unknowns];
+        let mut values: Vec<Option<(T, T)>> = vec![Some((T::zero(), T::zero())); self.unknowns];
         for (b, force) in forces.iter().enumerate() {
             for (k, given) in force.iter().enumerate().take(if self.turns(b) { 3 } else { 2 }) {
                 let (mut one, mut two) = (*given, T::zero());
