@@ -85,6 +85,22 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
 
 /// What no data can make solvable: too few or too many freedoms, combinations that the assembly does not have.
 pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
+    let even = |t: &Tie| match t {
+        Tie::Roll { .. } => true,
+        Tie::Cord(c) => !matches!(c.to, Far::Spring { .. }),
+        Tie::Slip { .. } | Tie::Slide { .. } => false,
+    };
+    let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
+    let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
+    let timed = simple && matches!(scene.end, End::Time(..));
+    if !scene.growths.is_empty() && !timed {
+        faults.hint(
+            node,
+            "a force grows with time, and the scene is not one whose acceleration then grows evenly",
+            "one freedom, contacts that roll, no spring, no pin, and `end: {time: {of: wheel, is: t1}}`",
+        );
+        return;
+    }
     if let Some((b, _)) = scene.pinned() {
         let name = &scene.bodies[b].name;
         if scene.bodies.len() > 1 {
@@ -175,6 +191,10 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     }
     if !scene.ties.is_empty() {
         faults.hint(part(node, "ties"), "what moves in the plane is held by joints", "write `joints`");
+    }
+    if !scene.growths.is_empty() {
+        let hint = "remove `growing by`, or let the bodies move on lines";
+        faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);
     }
     if scene.lead().is_none() {
         let name = scene.bodies.iter().find(|b| b.turns).map_or("rod", |b| b.name.as_str());
@@ -514,7 +534,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
     }
     let end = scene.ending_coordinate();
     add(Owner::Body(end.body), if moves { &[Q::Direction] } else { &[] });
-    let changes = scene.spring().is_some() || !scene.start.is_empty();
+    let changes = scene.growths.is_empty() && (scene.spring().is_some() || !scene.start.is_empty());
     if moves && changes && end.degree == Degree::Along && scene.thrown().is_none() {
         add(Owner::Body(end.body), &[Q::VMax, Q::DAtVMax, Q::DTurn]);
     }
@@ -558,6 +578,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
     if let [body] = scene.bodies.as_slice()
         && matches!(body.inertia, Some(RotaryInertia::Gyration(_)))
         && scene.couples.is_empty()
+        && scene.growths.is_empty()
         && scene.ties.iter().any(|t| matches!(t, Tie::Roll { .. }))
         && scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if pulled(c)))
     {

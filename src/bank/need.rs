@@ -40,6 +40,8 @@ impl Need {
     pub const FRICTION: Self = need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
     pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
     pub const MOMENT: Self = need("a moment", "N*m", NOT_NEGATIVE, "75 N*m");
+    pub const FORCE_GROWTH: Self = need("the growth of a force", "N/s", NOT_NEGATIVE, "2 N/s");
+    pub const MOMENT_GROWTH: Self = need("the growth of a moment", "N*m/s", NOT_NEGATIVE, "2 N*m/s");
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
     pub const TURN: Self = need("an angle", "rad", NOT_NEGATIVE, "3 rad");

@@ -8,8 +8,8 @@ use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    Heading, Joint, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia, Scene, Shape, Side,
-    Slope, Span, Start, Strut, Tie, Zero,
+    GivenForce, Growth, Heading, Joint, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia,
+    Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -71,6 +71,8 @@ struct SceneReader<'a> {
     uses: RefCell<Vec<DatumUse>>,
     /// Numbers that are worked out from data.
     derived: RefCell<Vec<Derived>>,
+    /// Given forces that grow with time.
+    growths: RefCell<Vec<Growth>>,
     /// Those that are `any`.
     any: RefCell<Vec<AnyNumber>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
@@ -99,6 +101,7 @@ pub fn read(
         touches: RefCell::new(Vec::new()),
         uses: RefCell::new(Vec::new()),
         derived: RefCell::new(Vec::new()),
+        growths: RefCell::new(Vec::new()),
         any: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
@@ -226,6 +229,7 @@ impl SceneReader<'_> {
             joints,
             pushes,
             struts,
+            growths: self.growths.take(),
             start,
             end,
             heading,
@@ -858,7 +862,7 @@ impl SceneReader<'_> {
             };
             let tie = match word {
                 "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
-                "cord" => self.cord(value, bodies).map(Tie::Cord),
+                "cord" => self.cord(value, bodies, ties.len()).map(Tie::Cord),
                 _ => {
                     self.unknown(key, "tie", &["rolls", "slips", "slides", "touches", "cord"]);
                     None
@@ -954,7 +958,13 @@ impl SceneReader<'_> {
         Some(Tie::Slip { body: body?, radius_m: radius?, mu_s: mu_s?, mu_k: mu_k? })
     }
 
-    fn cord(&self, node: &Node, bodies: &[Body]) -> Option<Cord> {
+    /// A given force that grows with time.
+    fn grows(&self, node: Option<&Node>, of: GivenForce, need: Need) {
+        let growth = node.and_then(|n| self.number(n, need)).map(|per_second| Growth { of, per_second });
+        self.growths.borrow_mut().extend(growth);
+    }
+
+    fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a cord (from, and where it goes)", f)?;
         let name = match fields.get("name") {
@@ -982,7 +992,12 @@ impl SceneReader<'_> {
             );
         }
         let [pulled, to, spring, held] = ends;
+        let growing = fields.get("growing by");
         fields.close();
+        if let (Some(n), None) = (growing, pulled) {
+            f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
+        }
+        self.grows(growing, GivenForce::Pull(tie), Need::FORCE_GROWTH);
         let far = if let Some(n) = pulled {
             self.number(n, Need::FORCE).map(Far::Pull)
         } else if let Some(n) = to {
@@ -1166,6 +1181,7 @@ impl SceneReader<'_> {
             let forward = fields.get("sense").map_or(Some(true), |n| {
                 self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
             });
+            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()), Need::MOMENT_GROWTH);
             fields.close();
             if let Some(b) = body
                 && !bodies[b].turns

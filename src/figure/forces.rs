@@ -14,7 +14,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, Joint, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie, pose,
+    Arm, Couple, End, Far, GivenForce, Joint, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie,
+    pose,
 };
 use crate::words::Words;
 
@@ -32,6 +33,8 @@ const SHORTEST: f64 = 38.0;
 const SHORT: f64 = 16.0;
 /// How far an arrow stands beside a thin rod in which it would lie.
 const BESIDE: f64 = 15.0;
+/// A lever arm below this is not drawn.
+const NEAR_POLE: f64 = 12.0;
 /// Size of the caption.
 const CAPTION: f64 = 13.0;
 /// Share of the largest force below which a force counts as 0.
@@ -51,12 +54,15 @@ struct ForceArrow {
     most: f64,
     /// How far its arrow is drawn from its line of action, to be seen.
     aside: Vec2,
+    /// Symbol of its lever arm about the point of the moments; empty where none is drawn.
+    arm: Vec<TextRun>,
 }
 
 impl ForceArrow {
     /// A pull, as long as the others.
     fn new(at: Vec2, towards: Vec2, value: f64, label: Vec<TextRun>) -> Self {
-        Self { at, value, towards, label, role: Role::Force, push: false, most: LONGEST, aside: Vec2::ZERO }
+        let (role, most) = (Role::Force, LONGEST);
+        Self { at, value, towards, label, role, push: false, most, aside: Vec2::ZERO, arm: Vec::new() }
     }
 }
 
@@ -82,6 +88,8 @@ struct Diagram<'a> {
     unknown: Option<ForceArrow>,
     kinetic: Kinetic,
     centre: Vec2,
+    /// The point about which moments are taken.
+    pole: Vec2,
     /// Pixels per metre.
     scale: f64,
     /// Draws the body.
@@ -236,6 +244,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     });
     let kinetic = Kinetic { parts, turn, round: p.reach(Vec2::RIGHT) + 10.0 };
     let centre = p.centre;
+    let rolls = view.scene.ties.iter().any(|t| matches!(t, Tie::Roll { body: b, .. } if *b == body));
     let draw = move |board: &mut Board| {
         if p.on.is_some() {
             // The surface, cut away, as a reference.
@@ -245,8 +254,19 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         }
         parts::outline(board, &p);
         parts::inside(board, &p);
-        if matches!(p.look, BodyLook::Block { .. }) {
-            board.dot(p.centre);
+        match p.look {
+            BodyLook::Block { .. } => board.dot(p.centre),
+            BodyLook::Wheel { .. } => {
+                let mut letter = |text: &str, at: Vec2, degrees: &[f64]| {
+                    let spots = degrees.iter().map(|d| (at, p.direction(*d))).collect();
+                    board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
+                };
+                letter("G", p.centre, &[135.0, 45.0, 180.0, 0.0]);
+                if rolls {
+                    letter("C", p.centre - p.top * p.contact, &[225.0, 315.0]);
+                    board.dot(p.centre - p.top * p.contact);
+                }
+            }
         }
     };
     Some(Diagram {
@@ -255,6 +275,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         unknown,
         kinetic,
         centre,
+        pole: centre,
         scale: plan.scale * ratio,
         body: Box::new(draw),
     })
@@ -266,13 +287,13 @@ fn found(view: &SceneView, quantity: Quantity, body: usize) -> f64 {
 }
 
 fn couples_on(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
-    let turning = |c: &Couple| {
-        let (given, value) = (view.symbol(c.moment_n_m), view.of(c.moment_n_m));
+    let turning = |(i, c): (usize, &Couple)| {
+        let (given, value) = view.load(GivenForce::Couple(i), c.moment_n_m);
         let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
         let value_left = if clockwise == c.forward { -value } else { value };
         Turning { value: value_left, label: symbol::magnitude(symbol, value < 0.0) }
     };
-    view.scene.couples.iter().filter(|c| c.body == body).map(turning).collect()
+    view.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body).map(turning).collect()
 }
 
 /// Normal force and friction.
@@ -322,8 +343,10 @@ fn contact(
     });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
+    let arm = tie.and_then(|t| view.scene.ties[t].actions().find_map(|a| a.arm));
     forces.push(ForceArrow {
         role: Role::Friction,
+        arm: arm.map_or_else(Vec::new, |(radius, _)| view.symbol(radius)),
         ..ForceArrow::new(
             at,
             p.forward,
@@ -372,15 +395,17 @@ fn cords(
             };
             let (value, label) = match cord.to {
                 Far::Pull(n) => {
-                    let given = view.symbol(n);
-                    (view.of(n), if given.is_empty() { symbol::symbol("P") } else { given })
+                    let (given, value) = view.load(GivenForce::Pull(run.tie), n);
+                    (value, if given.is_empty() { symbol::symbol("P") } else { given })
                 }
                 _ => (
                     view.solved(Quantity::Tension, Owner::Tie(run.tie)).unwrap_or(0.0),
                     symbol::symbol(&names::tension(view, run.tie)),
                 ),
             };
-            forces.push(ForceArrow::new(at, *towards, value, symbol::magnitude(label, value < 0.0)));
+            let arm = pull.arm.map_or_else(Vec::new, |(radius, _)| view.symbol(radius));
+            let pull = ForceArrow::new(at, *towards, value, symbol::magnitude(label, value < 0.0));
+            forces.push(ForceArrow { arm, ..pull });
         }
     }
 }
@@ -419,7 +444,8 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
         let held = d * (view.of(spring.at_m) * hung.scale);
         let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
         let value = found(view, Quantity::SpringForce, body);
-        forces.push(force(held, value, (anchor - held).unit(), name(&["F_s", r"F_{\mathrm{s}}"])));
+        let pull = force(held, value, (anchor - held).unit(), name(&["F_s", r"F_{\mathrm{s}}"]));
+        forces.push(ForceArrow { arm: name(&["p", r"p_{\mathrm{s}}"]), ..pull });
     }
     let couples = couples_on(view, body, hung.clockwise());
     let (omega, alpha) = (found(view, Quantity::Omega, body), found(view, Quantity::Alpha, body));
@@ -478,7 +504,8 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
         }
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
-    Diagram { forces, couples, unknown: None, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
+    let (centre, pole, scale) = (g, Vec2::ZERO, hung.scale);
+    Diagram { forces, couples, unknown: None, kinetic, centre, pole, scale, body: Box::new(draw) }
 }
 
 /// The diagrams of a body in the plane, at the position that is asked.
@@ -589,7 +616,8 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         board.dot(Vec2::ZERO);
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
-    Some(Diagram { forces, couples, unknown: None, kinetic, centre: Vec2::ZERO, scale, body: Box::new(draw) })
+    let (centre, pole) = (Vec2::ZERO, Vec2::ZERO);
+    Some(Diagram { forces, couples, unknown: None, kinetic, centre, pole, scale, body: Box::new(draw) })
 }
 
 /// Both diagrams with the sign between them.
@@ -599,6 +627,7 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
     let scale = common(forces, &kinetic.parts);
     let mut one = Board::new();
     body(&mut one);
+    lever_arms(&mut one, diagram);
     arrows(&mut one, forces, scale);
     for c in couples {
         turning(&mut one, centre, 20.0, c, Role::Force);
@@ -706,6 +735,39 @@ fn arrows(board: &mut Board, forces: &[ForceArrow], pixels: Option<f64>) -> bool
         board.label(vec![f.label.clone()], f.role, (LabelTie::Near, 4.0), spots);
     }
     any
+}
+
+/// From the point of the moments square to the lines of action, each with its symbol.
+fn lever_arms(board: &mut Board, diagram: &Diagram) {
+    let most = diagram.forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
+    let acts = |f: &&ForceArrow| f.value.is_finite() && f.value.abs() > NOTHING * most;
+    for f in diagram.forces.iter().filter(acts).filter(|f| !f.arm.is_empty()) {
+        let foot = f.at + f.towards * (diagram.pole - f.at).dot(&f.towards);
+        let out = (foot - diagram.pole).unit();
+        if (foot - diagram.pole).norm() < NEAR_POLE {
+            continue;
+        }
+        // Where a force runs from there to the foot, the arm stands beside it, away from the arrow whose arm it is.
+        let covered = |g: &&ForceArrow| {
+            (g.at - diagram.pole).norm() < 1.0 && g.towards.dot(&out) * g.value.signum() > 0.95
+        };
+        let aside = match diagram.forces.iter().filter(acts).any(|g| covered(&g)) {
+            true => f.towards * -f.value.signum() * BESIDE,
+            false => Vec2::ZERO,
+        };
+        let (from, to) = (diagram.pole + aside, foot + aside);
+        board.double_arrow(from, to, Role::Dimension);
+        if (f.at - foot).norm() > 1.0 {
+            board.line(f.at, foot, Role::Ghost);
+        }
+        let side = f.towards * -f.value.signum();
+        board.label(
+            vec![f.arm.clone()],
+            Role::Dimension,
+            (LabelTie::Near, 3.0),
+            vec![(from.middle(to), side), (from.middle(to), -side)],
+        );
+    }
 }
 
 /// A curved arrow about a point.

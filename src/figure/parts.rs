@@ -5,7 +5,7 @@ use crate::figure::view::SceneView;
 use crate::picture::board::{Board, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
-use crate::scene::{Far, Num, Slope, Tie};
+use crate::scene::{Far, GivenForce, Num, Slope, Tie};
 use std::f64::consts::PI;
 
 /// A body that turns and is no larger has no arrow for its positive sense.
@@ -175,7 +175,7 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
                 let towards = run.leaves.1;
                 let over = standing.map_or(towards.left(), |p| p.top);
                 board.wish(
-                    view.label(n, "N"),
+                    view.force_label(GivenForce::Pull(run.tie), n, "N"),
                     vec![(b, towards), (a.middle(b), over), (a.middle(b), -over)],
                     Role::Force,
                 );

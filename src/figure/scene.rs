@@ -1,13 +1,15 @@
 //! The picture of a scene at its start, to scale.
 use crate::bank::{FigureLabels, Problem};
-use crate::figure::layout::{BodyLook, CordPiece, Placed, SceneLayout};
+use crate::figure::layout::{BodyLook, CordPiece, CordRun, CordStop, Placed, SceneLayout};
 use crate::figure::view::{SceneView, joined};
-use crate::figure::{joined as linkage, lamina, layout, parts, pinned, say};
+use crate::figure::{joined as linkage, lamina, layout, names, parts, pinned, say};
 use crate::picture::board::{Board, LabelTie, TEXT};
 use crate::picture::vector::{Direction, Vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Coordinate, Degree, End, Far, Heading, Num, Owner, Quantity, RotaryInertia, Start, Tie};
+use crate::scene::{
+    Coordinate, Degree, End, Far, GivenForce, Heading, Num, Owner, Quantity, RotaryInertia, Start, Tie,
+};
 use crate::solve::outcome::Word;
 use crate::words::Words;
 
@@ -237,7 +239,11 @@ fn ties(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let spots = if p.on_rail() {
             vec![aside(clear), aside(-clear), aside(clear + 40.0)]
         } else {
-            vec![aside(0.0), aside(40.0), aside(-40.0), aside(clear)]
+            // In a solution the letter of the contact stands below it.
+            let apart = if view.worked { 34.0 } else { 0.0 };
+            let beside = [aside(40.0 + apart), aside(-40.0 - apart), aside(clear)];
+            let below = Some(aside(0.0)).filter(|_| !view.worked);
+            below.into_iter().chain(beside).collect()
         };
         let coefficient = |(tex, num): (&str, Num)| match num {
             Num::Datum(_) | Num::Derived(_) => view.label(num, ""),
@@ -250,7 +256,7 @@ fn ties(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 }
 
 fn couples(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
-    for couple in &view.scene.couples {
+    for (i, couple) in view.scene.couples.iter().enumerate() {
         let Some(p) = plan.bodies.get(couple.body).and_then(Option::as_ref) else { continue };
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let clockwise = p.clockwise == forward;
@@ -259,7 +265,7 @@ fn couples(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let (from, to) = if clockwise { (mid + 1.9, mid - 1.9) } else { (mid - 1.9, mid + 1.9) };
         board.curved_arrow(p.centre, radius, from, to, Role::Force);
         board.wish(
-            view.size_label(couple.moment_n_m, "N·m"),
+            view.force_label(GivenForce::Couple(i), couple.moment_n_m, "N·m"),
             vec![(p.centre + p.top * radius, p.top)],
             Role::Force,
         );
@@ -330,41 +336,100 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     let Some(p) = plan.bodies.get(body).and_then(Option::as_ref) else { return };
     let Some(sense) = told(view) else { return };
     let towards = p.forward * sense;
+    let hanging = p.on.is_none();
     // To scale where it fits, else cut short, with a break.
     let real = view.of(num) * plan.scale;
     let reach = p.reach(towards);
-    let hanging = p.on.is_none();
     let most = if hanging { reach + 70.0 } else { reach + 96.0 };
-    let (long, cut) = if real > most { (most, true) } else { (real, false) };
     // Beside what hangs, on the side where nothing else is.
     let crowded = plan.bodies.iter().flatten().any(|q| (1.0..160.0).contains(&(q.centre.x - p.centre.x)));
     let beside = if crowded { Vec2::LEFT } else { Vec2::RIGHT };
-    let side = if hanging { (p.reach(Vec2::RIGHT) + 36.0, beside) } else { (0.0, p.top) };
-    let from = p.centre + side.1 * side.0;
-    let to = from + towards * long;
-    let across = if hanging { beside } else { p.top };
-    if hanging {
-        board.line(from - across * 9.0, from + across * 9.0, Role::Dimension);
-    }
-    board.line(to - across * 10.0, to + across * 10.0, Role::Ghost);
-    if cut {
-        let at = from + towards * ((reach + long) / 2.0 - if hanging { 6.0 } else { 0.0 });
-        board.line(from, at - towards * 3.0, Role::Dimension);
-        board.arrow(at + towards * 3.0, to, Role::Dimension);
-        for s in [-3.0, 3.0] {
-            let c = at + towards * s;
-            let slant = (across + towards * 0.5).unit();
-            board.line(c - slant * 6.0, c + slant * 6.0, Role::Dimension);
-        }
+    let way = if hanging {
+        let from = p.centre + beside * (p.reach(Vec2::RIGHT) + 36.0);
+        Way { from, towards, real, most, hidden: 0.0, across: beside }
+    } else if real < reach {
+        // A short one would be lost within the body: below the surface, from the contact.
+        let from = p.centre - p.top * (p.contact + 24.0);
+        Way { from, towards, real, most, hidden: 0.0, across: -p.top }
     } else {
-        board.arrow(from, to, Role::Dimension);
-    }
-    let mid = from + towards * (if hanging { long * 0.6 } else { (reach + long) / 2.0 });
-    let spots = match long < reach + 20.0 && !hanging {
-        true => vec![(from + towards * reach.max(long), towards)],
-        false => vec![(mid, across), (mid, -across), (to, towards)],
+        Way { from: p.centre, towards, real, most, hidden: reach, across: p.top }
     };
-    board.wish(view.label(num, "m"), spots, Role::Dimension);
+    way.draw(board, view.label(num, "m"), hanging || real < reach);
+    if view.worked {
+        unwound(board, view, plan, (body, sense, num));
+    }
+}
+
+/// A displacement as a dimension: to scale, or cut short with a break.
+struct Way {
+    from: Vec2,
+    towards: Vec2,
+    /// Its true length.
+    real: f64,
+    /// The longest that is drawn.
+    most: f64,
+    /// As much of it lies within a body.
+    hidden: f64,
+    /// Square to it, to where its label stands.
+    across: Vec2,
+}
+
+impl Way {
+    /// Draws it; `stands` where it begins at a mark of its own.
+    fn draw(&self, board: &mut Board, label: Vec<TextRun>, stands: bool) {
+        let Self { from, towards, real, most, hidden, across } = *self;
+        let long = real.min(most);
+        let to = from + towards * long;
+        if stands {
+            board.line(from - across * 9.0, from + across * 9.0, Role::Dimension);
+        }
+        board.line(to - across * 10.0, to + across * 10.0, Role::Ghost);
+        let shown = if stands { 0.6 * long } else { (hidden + long) / 2.0 };
+        if real > most {
+            let at = from + towards * (if stands { 0.5 * long } else { shown });
+            board.line(from, at - towards * 3.0, Role::Dimension);
+            board.arrow(at + towards * 3.0, to, Role::Dimension);
+            for s in [-3.0, 3.0] {
+                let c = at + towards * s;
+                let slant = (across + towards * 0.5).unit();
+                board.line(c - slant * 6.0, c + slant * 6.0, Role::Dimension);
+            }
+        } else {
+            board.arrow(from, to, Role::Dimension);
+        }
+        let mid = from + towards * shown;
+        let spots = match long < hidden + 20.0 && !stands {
+            true => vec![(from + towards * hidden.max(long), towards)],
+            false => vec![(mid, across), (mid, -across), (to, towards)],
+        };
+        board.wish(label, spots, Role::Dimension);
+    }
+}
+
+/// How far the end of a cord goes that pulls a rolling body: the ratio of displacements times the way of the centre.
+fn unwound(board: &mut Board, view: &SceneView, plan: &SceneLayout, (body, sense, num): (usize, f64, Num)) {
+    let rolling = view.scene.ties.iter().find_map(|t| match t {
+        Tie::Roll { body: b, radius_m, .. } if *b == body => Some(view.of(*radius_m)),
+        _ => None,
+    });
+    let pulling = |run: &&CordRun| match view.scene.ties.get(run.tie) {
+        Some(Tie::Cord(c)) => c.from.body == body && matches!(c.to, Far::Pull(_) | Far::Spring { .. }),
+        _ => false,
+    };
+    let mut runs = plan.cords.iter().filter(pulling);
+    let (Some(radius), Some(run), None) = (rolling, runs.next(), runs.next()) else { return };
+    let (CordStop::Pull(end, _) | CordStop::Spring(end, ..)) = run.stop else { return };
+    let Some(action) = view.scene.ties[run.tie].actions().next() else { return };
+    let Some((arm, turn)) = action.arm else { return };
+    let ratio = action.along + turn * view.of(arm) / radius;
+    let symbol = names::free(view.problem, &[r"\gamma".to_owned(), "n".to_owned()]);
+    let mut label = symbol::symbol(&symbol);
+    label.extend(view.symbol(num));
+    let over = plan.bodies[body].as_ref().map_or(Vec2::UP, |p| p.top);
+    let real = ratio.abs() * view.of(num) * plan.scale;
+    let towards = run.leaves.1 * (sense * ratio).signum();
+    let way = Way { from: end + over * 18.0, towards, real, most: 90.0, hidden: 0.0, across: over };
+    way.draw(board, label, true);
 }
 
 /// Positive senses.

@@ -4,7 +4,7 @@ use crate::bank::{FigureLabels, Problem};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Body, Degree, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start, Tie,
+    Body, Degree, GivenForce, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start, Tie,
 };
 use crate::words::Words;
 
@@ -130,6 +130,27 @@ impl<'a> SceneView<'a> {
             return symbol;
         }
         joined(symbol, self.value(num, unit))
+    }
+
+    /// Symbols of a given force or couple, and its size at the end; `P + c t` where it grows with time.
+    pub fn load(&self, of: GivenForce, num: Num) -> (Vec<TextRun>, f64) {
+        let Some((rate, time)) = self.scene.growth(of) else { return (self.symbol(num), self.of(num)) };
+        let unit = if matches!(of, GivenForce::Pull(_)) { ["N", "N/s"] } else { ["N·m", "N·m/s"] };
+        let written = |num: Num, unit: &str| match self.symbol(num) {
+            symbol if symbol.is_empty() => self.value(num, unit),
+            symbol => symbol,
+        };
+        let sum =
+            [written(num, unit[0]), symbol::upright(" + "), written(rate, unit[1]), symbol::symbol("t")];
+        (sum.concat(), self.of(num) + self.of(rate) * self.of(time))
+    }
+
+    /// Label of a given force or couple.
+    pub fn force_label(&self, of: GivenForce, num: Num, unit: &str) -> Vec<TextRun> {
+        match self.scene.growth(of) {
+            Some(_) => self.load(of, num).0,
+            None => self.size_label(num, unit),
+        }
     }
 
     /// The datum of which a number is the negative, else the number: an arrow shows the sense.

@@ -233,6 +233,9 @@ fn reason(taken: &Taken) -> &'static str {
         (true, Method::Closed, Force::Switched) => {
             "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
         }
+        (true, Method::Closed, Force::OfTime) => {
+            "the forces grow evenly with time, so the closed form is exact and nothing is cheaper"
+        }
         (true, Method::Closed, Force::Linear) => {
             "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper"
         }
@@ -483,6 +486,7 @@ mod tests {
             joints: vec![],
             pushes: vec![],
             struts: vec![],
+            growths: vec![],
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,

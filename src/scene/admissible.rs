@@ -145,6 +145,9 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         tell(c.moment_n_m, NotNegative);
     }
     joint_rules(scene, &mut tell);
+    for g in &scene.growths {
+        tell(g.per_second, NotNegative);
+    }
     for s in &scene.start {
         match s {
             Start::Speed(_, v) => tell(*v, Finite),

@@ -23,7 +23,7 @@ pub mod scales;
 pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantities, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
-pub use force::Couple;
+pub use force::{Couple, GivenForce, Growth};
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
 pub use link::{Action, Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
@@ -61,6 +61,8 @@ pub struct Scene {
     pub pushes: Vec<Push>,
     /// Springs at points of bodies that move in the plane.
     pub struts: Vec<Strut>,
+    /// What of the given forces and couples grows with time.
+    pub growths: Vec<Growth>,
     /// How it starts; empty means at rest.
     pub start: Vec<Start>,
     /// What ends the motion.

@@ -4,8 +4,8 @@
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, JointKind, Label, Mass, Num, Owner, Pin, Place, Rest,
-    RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
+    Arm, Attach, Body, CordEnd, Degree, End, Far, GivenForce, JointKind, Label, Mass, Num, Owner, Pin, Place,
+    Rest, RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -38,8 +38,9 @@ impl Scales {
             "rad/s^2" => [0, 0, -2],
             "N" => [1, 1, -2],
             "N/m" => [1, 0, -2],
+            "N/s" => [1, 1, -3],
             "N*m" | "J" => [1, 2, -2],
-            "W" => [1, 2, -3],
+            "N*m/s" | "W" => [1, 2, -3],
             "kg*m^2" => [1, 2, 0],
             "kg*m^2/s" => [1, 2, -1],
             "N*s" => [1, 1, -1],
@@ -130,7 +131,7 @@ impl Scales {
         let time = (length - middle(&|unit, e| (unit == "m/s^2").then_some(e))) / 2;
         let free = Self { mass: 0, length, time };
         let mass = middle(&|unit, e| {
-            let mass = ["kg", "N", "N/m", "N*m", "kg*m^2"].contains(&unit);
+            let mass = ["kg", "N", "N/m", "N/s", "N*m", "N*m/s", "kg*m^2"].contains(&unit);
             mass.then(|| e - free.power(unit))
         });
         let mut tried: Vec<[i32; 3]> = Vec::new();
@@ -223,6 +224,10 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         if let StrutEnd::Ground(place) = &mut strut.to {
             place.iter_mut().for_each(|x| tell(x, "m"));
         }
+    }
+    for growth in &mut scene.growths {
+        let unit = if matches!(growth.of, GivenForce::Pull(_)) { "N/s" } else { "N*m/s" };
+        tell(&mut growth.per_second, unit);
     }
     for start in &mut scene.start {
         match start {

@@ -191,6 +191,9 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.formulas.numbers.iter().any(|n| n.any) {
         return Err(Beyond::Any.into());
     }
+    if !draft.scene.growths.is_empty() {
+        return Err(Beyond::GrowingForce.into());
+    }
     if draft.scene.formulas.found.is_some() {
         return Err(Beyond::Found.into());
     }

@@ -70,6 +70,7 @@ beyond! {
     EndBySpin "end_by_spin";
     FastestSlack "fastest_slack";
     FrictionWithSlip "friction_with_slip";
+    GrowingForce "growing_force";
     HeldFast "held_fast";
     JoinedBodies "joined_bodies";
     LaminaInCompany "lamina_in_company";

@@ -29,6 +29,8 @@ pub enum Force {
     Constant,
     /// Not at all on either side of an event: slipping before it, rolling after it.
     Switched,
+    /// Evenly with time.
+    OfTime,
     /// In proportion to the way (a spring), in pieces where its cord can go slack.
     Linear,
     /// As the sine of an angle: a pendulum, whose time is an elliptic integral.
@@ -85,6 +87,8 @@ pub fn force(scene: &Scene) -> Force {
         Force::Irregular
     } else if scene.thrown().is_some() {
         Force::Switched
+    } else if !scene.growths.is_empty() {
+        Force::OfTime
     } else if scene.spring().is_some() {
         Force::Linear
     } else {
@@ -173,7 +177,7 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
         }
         return Ok((solved, taken));
     };
-    if force == Force::Instant {
+    if matches!(force, Force::Instant | Force::OfTime) {
         return Err(Refusal::NoMethod { method });
     }
     let step = wish.step_s.unwrap_or(USUAL_STEP_S);
@@ -420,7 +424,7 @@ fn error(value: f64, reference: Dd) -> f64 {
 pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Refusal> {
     let solved = agree::solve(scene, data)?;
     let force = force(scene);
-    if force == Force::Instant {
+    if matches!(force, Force::Instant | Force::OfTime) {
         return Err(Refusal::NoMethod { method: Method::Dop853 });
     }
     let labels: Vec<Label> = labels.iter().copied().filter(|l| solved.get(*l).is_some()).collect();

@@ -1,9 +1,9 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, Joint,
-    JointKind, Line, Mass, Num, Particle, Pin, PinSpring, Place, Planar, Push, Ray, Rest, RotaryInertia,
-    Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie, Zero,
+    Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, GivenForce,
+    Growth, Joint, JointKind, Line, Mass, Num, Particle, Pin, PinSpring, Place, Planar, Push, Ray, Rest,
+    RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie, Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -51,6 +51,7 @@ fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths: Vec::new(),
         start: Vec::new(),
         end,
         heading: None,
@@ -287,6 +288,18 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             ),
         ),
         ("sliding block", thrown),
+        ("a pull and a couple that grow", {
+            let pull = cord((0, Some(0.4), true), Far::Pull(f(150.0)));
+            let mut scene = scene(vec![wheel()], vec![roll(0.2), pull], 1.0);
+            scene.couples = vec![Couple { body: 0, moment_n_m: f(4.0), forward: false }];
+            scene.growths = vec![
+                Growth { of: GivenForce::Pull(1), per_second: f(30.0) },
+                Growth { of: GivenForce::Couple(0), per_second: f(2.5) },
+            ];
+            scene.start.push(Start::Speed(along, f(0.8)));
+            scene.end = End::Time(along, f(1.5));
+            scene
+        }),
         ("thrown with backspin", ball(10.0, 5.0, -30.0, 0.2, End::Rolling(along))),
         ("thrown on a level", ball(0.0, 5.0, 10.0, 0.2, End::Rolling(along))),
         ("thrown, still slipping", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(0.4)))),

@@ -39,6 +39,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths: vec![],
         start: vec![],
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),

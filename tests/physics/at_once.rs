@@ -290,7 +290,7 @@ fn composed(dice: &mut Dice) -> Scene {
         let from = end(b, &bodies, dice);
         ties.push(Tie::Cord(Cord { name: "held".to_owned(), from, to: Far::Fixed }));
     }
-    let (couples, start) = (Vec::new(), Vec::new());
+    let (couples, growths, start) = (Vec::new(), Vec::new(), Vec::new());
     Scene {
         gravity_m_s2: f(9.81),
         bodies,
@@ -299,6 +299,7 @@ fn composed(dice: &mut Dice) -> Scene {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths,
         start,
         end: End::AtOnce,
         heading: None,
@@ -675,6 +676,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths: Vec::new(),
         start: vec![Start::Lamina {
             body: 0,
             particle: 0,

@@ -213,6 +213,7 @@ fn scene(kind: Kind) -> Scene {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths: vec![],
         start: vec![],
         end: End::Travel(along, end),
         heading,

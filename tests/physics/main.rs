@@ -18,6 +18,7 @@ mod composed;
 mod composed_scenes;
 mod expressions;
 mod extremes;
+mod growing;
 mod joined;
 mod ladder;
 mod lagrange;

@@ -38,6 +38,7 @@ const TABLE: &[(&str, usize, &str, &str, f64)] = &[
     ("g1-mk-6-9", 1, "g1-mk-6-9", "power_pull", 1.0),
     ("g1-schaum-16-8", 0, "g1-schaum-16-8", "t", 1.0),
     ("g1-schaum-16-10F", 0, "g1-schaum-16-10F", "friction", 1.0),
+    ("g1-hib-19-3", 0, "g1-hib-19-3", "omega", 1.0),
     ("g2-beer-16-8", 0, "g2-beer-16-8-rolled", "alpha", 1.0),
     ("g2-beer-16-8", 1, "g2-beer-16-8-rolled", "a", 1.0),
     ("g2-beer-16-8", 2, "g2-beer-16-8-rolled", "friction", 1.0),

@@ -150,6 +150,7 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths: vec![],
         start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
         end: End::Angle(turn, d(5)),
         heading: None,

@@ -33,6 +33,7 @@ fn swinging(from: Zero, start: f64, end: End) -> Scene {
         joints: Vec::new(),
         pushes: Vec::new(),
         struts: Vec::new(),
+        growths: vec![],
         start: vec![],
         end,
         heading: None,

@@ -6,7 +6,7 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
+use crate::scene::{Attach, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Numbers, Scene, Side, Tie};
 use crate::solve::energy::speeds::Mode;
 use smallvec::{SmallVec, smallvec};
 
@@ -75,6 +75,29 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
     list
 }
 
+/// How much a force or couple has grown at the end.
+pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T> {
+    scene.growth(of).map(|(rate, time)| plant!("energy: growth of a force", n.get(time)) * n.massive(rate))
+}
+
+/// Power in a mode of what the forces that grow with time have grown by at the end.
+pub fn grown_power<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>) -> T {
+    scene.growths.iter().fold(T::zero(), |sum, growth| {
+        let Some(force) = grown(scene, n, growth.of) else { return sum };
+        let rate = match growth.of {
+            GivenForce::Pull(t) => match &scene.ties[t] {
+                Tie::Cord(cord) => mode.point(n, &cord.from),
+                _ => T::zero(),
+            },
+            GivenForce::Couple(i) => {
+                let couple = &scene.couples[i];
+                mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
+            }
+        };
+        sum + force * rate
+    })
+}
+
 /// One reaction for each tie: the friction of a contact (positive forward) or the tension of a cord.
 #[derive(Debug, Clone)]
 pub struct Reactions<T> {
@@ -99,12 +122,13 @@ impl<T> std::ops::Index<usize> for Reactions<T> {
 /// The reactions, from the rate of the energy balance of each body alone, of its mass centre and of its rotation: the
 /// velocity cancels, and what is left holds for every virtual velocity of that body.
 ///
-/// `rate` are the accelerations of all coordinates; `given` the tension of the spring.
+/// `rate` are the accelerations of all coordinates; `varying` the tension of the spring, or the share of their growth that
+/// forces of time have.
 pub fn reactions<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     rate: &dyn Fn(Coordinate) -> T,
-    spring_tension: T,
+    varying: T,
     kinetic: &[Option<T>],
 ) -> Reactions<T> {
     let ties = scene.ties.len();
@@ -177,8 +201,12 @@ pub fn reactions<T: Real>(
                     }
                     Tie::Cord(cord) => {
                         let known = match &cord.to {
-                            Far::Pull(p) => Some(plant!("energy: pull on one body alone", n.massive(*p))),
-                            Far::Spring { .. } => Some(spring_tension),
+                            Far::Pull(p) => {
+                                let p = plant!("energy: pull on one body alone", n.massive(*p));
+                                let growth = grown(scene, n, GivenForce::Pull(t));
+                                Some(growth.map_or(p, |growth| p + growth * varying))
+                            }
+                            Far::Spring { .. } => Some(varying),
                             _ => None,
                         };
                         if cord.from.body == b {
@@ -193,8 +221,11 @@ pub fn reactions<T: Real>(
                     _ => {}
                 }
             }
-            for c in scene.couples.iter().filter(|c| c.body == b && degree == Degree::Turn) {
+            let turning = |(_, c): &(usize, &Couple)| c.body == b && degree == Degree::Turn;
+            for (i, c) in scene.couples.iter().enumerate().filter(turning) {
+                let growth = grown(scene, n, GivenForce::Couple(i));
                 let moment = n.massive(c.moment_n_m);
+                let moment = growth.map_or(moment, |growth| moment + growth * varying);
                 surplus = surplus + if c.forward { moment } else { -moment };
                 size += moment.size();
             }

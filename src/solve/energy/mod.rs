@@ -18,8 +18,8 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    Attach, Coordinate, Couple, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity, RotaryInertia,
-    Scene, Span, Tie,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Numbers, Owner, Quantity,
+    RotaryInertia, Scene, Span, Tie,
 };
 use crate::solve::energy::account::{Account, Store};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
@@ -165,6 +165,8 @@ struct Ledger<'a, T: Real> {
     /// Does anything move that is not held?
     free: bool,
     road: Road<T>,
+    /// Where forces grow with time: the integral of the speed, weighted with the share of the time that has gone by.
+    late: Option<T>,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
     /// The reactions that were asked last, and the tension of the spring for which.
@@ -172,13 +174,7 @@ struct Ledger<'a, T: Real> {
 }
 
 /// Rates of the modes from their power balances, and their sum as one motion.
-fn drive<T: Real>(
-    scene: &Scene,
-    n: &Numbers<T>,
-    modes: &[Mode<T>],
-    friction: &[T],
-    spring_tension: T,
-) -> Mode<T> {
+fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[T], varying: T) -> Mode<T> {
     let m = modes.len();
     let pull = scene.spring().and_then(|(tie, ..)| match &scene.ties[tie] {
         Tie::Cord(c) => Some(c.from),
@@ -199,7 +195,10 @@ fn drive<T: Real>(
             add(p.power);
         }
         if let Some(end) = &pull {
-            add(spring_tension * a.point(n, end));
+            add(varying * a.point(n, end));
+        }
+        if !scene.growths.is_empty() {
+            add(varying * balance::grown_power(scene, n, a));
         }
         row[m] = power.cleared(size);
         rows.sized(size);
@@ -379,6 +378,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             started,
             free: !modes.is_empty(),
             road,
+            late: None,
             points: None,
             last: None,
         })
@@ -433,6 +433,9 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         self.if_rolled();
+        if !self.scene.growths.is_empty() {
+            return Ok((self.grown(constant, doubled), Count::default()));
+        }
         // A power of nothing neither drives nor resists: for the margin alone, nothing of it is proved.
         let drive = ball::unwatched(|| {
             self.driving(
@@ -496,12 +499,68 @@ impl<'a, T: Real> Ledger<'a, T> {
             Some(s) if reached => {
                 let rest = matches!(self.scene.end, End::TurningPoint(_));
                 let there = summed.as_ref().map_or_else(|| closed(&account, s, rest), |sum| sum.at(s));
-                self.arrived(&account, s, there, sense, tension_at(s));
+                let given = Account { energy0: T::zero(), ..account }.energy(s);
+                self.arrived((doubled, u0, given), s, there, sense, tension_at(s));
             }
             _ => self.standing(tension0),
         }
         let evaluations = summed.map_or(0, |sum| sum.evaluations.get());
         Ok((self.road, Count { evaluations, ..Count::default() }))
+    }
+
+    /// The motion under forces that grow evenly with time: impulse and momentum give the speed, the work of the forces the
+    /// energy. `constant` is the power of all forces at the start per unit rate.
+    fn grown(mut self, constant: T, doubled: T) -> Road<T> {
+        let (zero, whole) = (T::zero(), T::of(1.0));
+        let time = match self.scene.end {
+            End::Time(_, t) => self.n.get(t),
+            _ => zero,
+        };
+        let growth = balance::grown_power(self.scene, &self.n, &self.mode);
+        let found = [self.v0, constant, growth].iter().map(|x| x.sign()).find(|s| *s != 0.0);
+        let sense = found.unwrap_or(0.0);
+        let drive = (constant.signed(sense).larger(zero), (-constant.signed(sense)).larger(zero));
+        if sense == 0.0 {
+            self.road.course = Some(Course { drive, ..Course::at_rest() });
+            self.standing(whole);
+            self.resting(whole);
+            self.grip(zero, whole);
+            return self.road;
+        }
+        let [u0, first, growth] = [self.v0, constant, growth].map(|x| x.signed(sense));
+        // The impulse of the forces up to a time, over what it moves.
+        let gained = |share: T| time * share * (first + growth * share.scale2(-1)) / doubled;
+        let turn = -first / growth;
+        let least = match first.sign() < 0.0 && turn.below(whole) {
+            true => u0 + gained(turn),
+            false => u0 + gained(whole),
+        };
+        let reached = least.sign() > 0.0 && (u0.sign() > 0.0 || first.not_negative());
+        let (asked, farthest) = (Some(time), T::of(f64::INFINITY));
+        self.road.course = Some(Course { sense, drive, asked, farthest, reached });
+        self.grip(zero, whole);
+        if reached {
+            let u = u0 + gained(whole);
+            // Ways and mean ways, weighted with the share of the time that has gone by, from the sums of powers of time.
+            let push = time.square() / doubled;
+            let s = u0 * time + push * (first.scale2(-1) + growth / T::of(6.0));
+            let late = (u0 * time).scale2(-1) + push * (first / T::of(3.0) + growth.scale2(-3));
+            self.late = Some(late);
+            let work = first * s + growth * late;
+            let energy = (doubled * u0.square()).scale2(-1) + work;
+            self.arrived((doubled, u0, work), s, Summed { energy, u, time }, sense, whole);
+        } else {
+            self.standing(whole);
+        }
+        self.road
+    }
+
+    /// Work of a given force over the way `s`, at which its point goes at `rate` times the rate of the mode, and its size at the end.
+    fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> (T, T) {
+        match (growth, self.late) {
+            (Some(growth), Some(late)) => (rate * (force * s + growth * late), force + growth),
+            _ => (force * rate * s, force),
+        }
     }
 
     /// Driving and resisting power at the start, per unit rate.
@@ -551,7 +610,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     /// Accelerations at this tension of the spring, from the power balance there.
     fn rate(&self, tension: T) -> Mode<T> {
-        if self.scene.spring().is_none() || !self.free {
+        if self.scene.spring().is_none() && self.scene.growths.is_empty() || !self.free {
             return self.start_rate.clone();
         }
         let frictions: PerTie<T> = frictions(&self.kinetic);
@@ -658,7 +717,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    fn arrived(&mut self, account: &Account<T>, s: T, there: Summed<T>, sense: f64, tension: T) {
+    /// Everything at the end, with twice the energy at unit rate, the speed at the start and the work of all forces.
+    fn arrived(&mut self, (doubled, u0, work): (T, T, T), s: T, there: Summed<T>, sense: f64, tension: T) {
         // At rest by the definition of the event, not by what rounding leaves.
         let rest = matches!(self.scene.end, End::TurningPoint(_));
         let energy = if rest { T::zero() } else { there.energy };
@@ -685,7 +745,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         if !energy.is_zero() {
-            self.say(Quantity::RotationalFraction, Owner::Scene, spinning / account.doubled);
+            self.say(Quantity::RotationalFraction, Owner::Scene, spinning / doubled);
         }
         let mut heat: Option<T> = None;
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -708,8 +768,10 @@ impl<'a, T: Real> Ledger<'a, T> {
                     if let Far::Pull(p) = c.to {
                         let p = plant!("energy: work of the pull", self.n.massive(p));
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                        self.say(Quantity::WorkPull, Owner::Tie(t), p * rate * s);
-                        self.say(Quantity::PowerPull, Owner::Tie(t), p * rate * u);
+                        let growth = balance::grown(self.scene, &self.n, GivenForce::Pull(t));
+                        let (work, last) = self.work(p, growth, rate, s);
+                        self.say(Quantity::WorkPull, Owner::Tie(t), work);
+                        self.say(Quantity::PowerPull, Owner::Tie(t), last * rate * u);
                     } else if matches!(c.to, Far::Spring { .. }) {
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
                     }
@@ -720,8 +782,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         if let Some(heat) = heat {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
-        let given = Account { energy0: T::zero(), ..*account }.energy(s);
-        self.say_totals(plant!("energy: work of all forces", given), (s, u), account.u0, sense);
+        self.say_totals(plant!("energy: work of all forces", work), (s, u), u0, sense);
     }
 
     /// The work of all forces, which the account knows, the momentum that they give and that which is there.
@@ -737,13 +798,18 @@ impl<'a, T: Real> Ledger<'a, T> {
             if self.scene.bodies[b].turns {
                 let spin = plant!("energy: angular momentum", (w * u).abs()) * numbers.inertia;
                 self.say(Quantity::AngularMomentum, Owner::Body(b), spin);
-                let couples = self.scene.couples.iter().filter(|c| c.body == b);
+                let couples = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == b);
                 // Each couple gives power to the turn that it acts along, and takes it from the other.
-                let along = |c: &Couple| if c.forward { sense } else { -sense };
-                let rate = couples.map(|c| (self.n.massive(c.moment_n_m) * w).signed(along(c)));
-                if let Some(rate) = rate.reduce(T::balance) {
-                    self.say(Quantity::WorkCouple, Owner::Body(b), rate * s);
-                    self.say(Quantity::PowerCouple, Owner::Body(b), rate * u);
+                let parts = couples.map(|(i, c)| {
+                    let along = if c.forward { sense } else { -sense };
+                    let growth = balance::grown(self.scene, &self.n, GivenForce::Couple(i));
+                    let (work, last) = self.work(self.n.massive(c.moment_n_m), growth, w.signed(along), s);
+                    (work, last * w.signed(along) * u)
+                });
+                let sum = |one: (T, T), other: (T, T)| (one.0.balance(other.0), one.1.balance(other.1));
+                if let Some((work, power)) = parts.reduce(sum) {
+                    self.say(Quantity::WorkCouple, Owner::Body(b), work);
+                    self.say(Quantity::PowerCouple, Owner::Body(b), power);
                 }
             }
         }
@@ -756,7 +822,8 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// `k^2 = c^2 (W' - X)/X` with `v = c omega`. Infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
         let [body] = self.scene.bodies.as_slice() else { return };
-        if !matches!(body.inertia, Some(RotaryInertia::Gyration(_))) || !self.scene.couples.is_empty() {
+        let given = !self.scene.couples.is_empty() || !self.scene.growths.is_empty();
+        if !matches!(body.inertia, Some(RotaryInertia::Gyration(_))) || given {
             return;
         }
         let along = Coordinate { body: 0, degree: Degree::Along };

@@ -14,14 +14,14 @@
 use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
-use crate::scene::{Action, Coordinate, Degree, Far, Numbers, Scene, Tie};
+use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Numbers, Scene, Tie};
 use crate::solve::outcome::{Grip, Refusal};
 use smallvec::SmallVec;
 
 /// Right-hand side of the constant forces.
 pub const CONSTANT: usize = 0;
-/// Right-hand side of a unit tension in the spring's cord.
-pub const SPRING: usize = 1;
+/// Right-hand side of what varies: a unit tension in the spring's cord, or the whole growth of the forces that grow with time.
+pub const VARYING: usize = 1;
 
 /// How the contacts are taken.
 #[derive(Debug, Clone)]
@@ -75,8 +75,8 @@ impl Layout {
                 Tie::Cord(c) => next(matches!(c.to, Far::Body(_) | Far::Fixed)),
             })
             .collect();
-        let has_spring = scene.spring().is_some();
-        let columns = 1 + usize::from(has_spring) + usize::from(setting.probe.is_some());
+        let varies = scene.spring().is_some() || !scene.growths.is_empty();
+        let columns = 1 + usize::from(varies) + usize::from(setting.probe.is_some());
         Self { along, turn, normal, reaction, count, columns }
     }
 }
@@ -126,6 +126,11 @@ fn lever<T: Real>(n: &Numbers<T>, action: &Action) -> (f64, T) {
     (action.along, arm)
 }
 
+/// How much a force or couple has grown at the end.
+pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T> {
+    scene.growth(of).map(|(rate, time)| plant!("eom: growth of a force", n.massive(rate)) * n.get(time))
+}
+
 /// Assembles the rows that the scene has and solves them.
 pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Result<Response<T>, Refusal> {
     let layout = Layout::of(scene, setting);
@@ -146,10 +151,13 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
         }
     }
-    for c in &scene.couples {
+    for (i, c) in scene.couples.iter().enumerate() {
         if let Some(row) = layout.turn[c.body] {
             let moment = plant!("eom: moment of a couple", n.massive(c.moment_n_m));
             rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
+            if let Some(grown) = grown(scene, n, GivenForce::Couple(i)) {
+                rows.right(row, VARYING, if c.forward { grown } else { -grown });
+            }
         }
     }
     // Adds `factor * tension` of a cord's end to the rows of its body, on the left (an unknown) or on the right.
@@ -231,8 +239,11 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                         (Far::Pull(force), _) => {
                             let p = plant!("eom: force of a pull", n.massive(*force));
                             pull(&mut rows, &end, p, None, CONSTANT);
+                            if let Some(grown) = grown(scene, n, GivenForce::Pull(t)) {
+                                pull(&mut rows, &end, grown, None, VARYING);
+                            }
                         }
-                        (Far::Spring { .. }, _) => pull(&mut rows, &end, T::of(1.0), None, SPRING),
+                        (Far::Spring { .. }, _) => pull(&mut rows, &end, T::of(1.0), None, VARYING),
                         (Far::Fixed | Far::Body(_), Some(row)) => {
                             pull(&mut rows, &end, T::of(1.0), Some(row), CONSTANT);
                             take_up(&mut rows, row, &end);

@@ -16,10 +16,10 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity,
-    RotaryInertia, Scene, Side, Span, Start, Tie,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Heading, Label, Numbers, Owner,
+    Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
 };
-use crate::solve::eom::equations::{CONSTANT, Response, SPRING, Setting, respond};
+use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, grown, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
 use crate::solve::found;
@@ -167,6 +167,10 @@ struct Walk<'a, T: Real> {
     n: Numbers<'a, T>,
     end: Coordinate,
     spring: Option<Spring<T>>,
+    /// Does a tension or a given force vary on the way?
+    varies: bool,
+    /// Speeds of the ending coordinate at the start, after half the time and at the end, where forces grow with time.
+    speeds: Option<[T; 3]>,
     /// Stretch of the spring at equilibrium, friction of sliding left out.
     x_eq: Option<T>,
     /// For each contact that is said to slip: as if it rolled.
@@ -207,15 +211,15 @@ impl<'a, T: Real> Walk<'a, T> {
         let mut response = respond(scene, &n, &setting)?;
         let total = |r: &Response<T>, c: Coordinate| match &spring {
             Some(s) => {
-                r.acceleration(c, CONSTANT).balance(r.acceleration(c, SPRING) * s.stiffness * s.stretch)
+                r.acceleration(c, CONSTANT).balance(r.acceleration(c, VARYING) * s.stiffness * s.stretch)
             }
             None => r.acceleration(c, CONSTANT),
         };
         let x_eq = spring.as_ref().and_then(|s| {
             // Any coordinate that it moves says where it would rest, the ending one first.
             let mut known = std::iter::once(end).chain(scene.coordinates());
-            let c = known.find(|c| !response.acceleration(*c, SPRING).is_zero())?;
-            Some(-(response.acceleration(c, CONSTANT) / response.acceleration(c, SPRING)) / s.stiffness)
+            let c = known.find(|c| !response.acceleration(*c, VARYING).is_zero())?;
+            Some(-(response.acceleration(c, CONSTANT) / response.acceleration(c, VARYING)) / s.stiffness)
         });
         // Velocity of a coordinate at the start: as a unit force on the one that is given would set it off.
         let velocity = |r: &Response<T>, c: Coordinate| match given {
@@ -316,7 +320,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     };
                     let tension = spring.as_ref().map_or_else(T::zero, |s| s.stiffness * s.stretch);
                     let pull =
-                        if spring.is_some() { response.reaction(t, SPRING) * tension } else { T::zero() };
+                        if spring.is_some() { response.reaction(t, VARYING) * tension } else { T::zero() };
                     let friction = response.reaction(t, CONSTANT).balance(pull);
                     friction.abs().at_most(n.get(mu_s.unwrap_or(*mu_k)) * response.normal(c.body))
                 };
@@ -344,14 +348,15 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         let v0 = velocity(&response, end).unwrap_or_else(T::zero);
         let mut ratio_column = if spring.is_some() {
-            SPRING
+            VARYING
         } else if started {
             response.last()
         } else {
             CONSTANT
         };
         let lead = response.acceleration(end, ratio_column);
-        let idle_spring = ratio_column == SPRING && lead.is_zero();
+        let idle_spring = ratio_column == VARYING && lead.is_zero();
+        let grows = !scene.growths.is_empty();
         // What drives it along the slope is all but taken up.
         let body = &n.bodies[end.body];
         let a = response.acceleration(Coordinate { body: end.body, degree: Degree::Along }, CONSTANT);
@@ -359,8 +364,8 @@ impl<'a, T: Real> Walk<'a, T> {
             && slipping.is_empty()
             && !a.is_zero()
             && a.size() * NEAR_BALANCE < (body.climb * n.gravity).size();
-        if idle_spring || near_balance {
-            // Ratios of accelerations that nearly vanish would lose digits.
+        if idle_spring || near_balance || grows && !started {
+            // Ratios of accelerations that nearly vanish would lose digits; what grows may begin at nothing.
             setting.probe = Some(end);
             response = respond(scene, &n, &setting)?;
             ratio_column = response.last();
@@ -369,6 +374,8 @@ impl<'a, T: Real> Walk<'a, T> {
             scene,
             n,
             end,
+            varies: spring.is_some() || grows,
+            speeds: None,
             spring,
             x_eq,
             rolled,
@@ -428,9 +435,9 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
     }
-    /// A response at this tension of the spring.
+    /// A response at this tension of the spring, or at this share of the growth of forces.
     fn at_tension(&self, tension: T, of: impl Fn(usize) -> T) -> T {
-        if self.spring.is_some() { of(CONSTANT).balance(of(SPRING) * tension) } else { of(CONSTANT) }
+        if self.varies { of(CONSTANT).balance(of(VARYING) * tension) } else { of(CONSTANT) }
     }
     fn friction(&self, tie: usize, tension: T) -> T {
         self.at_tension(tension, |k| self.response.reaction(tie, k))
@@ -467,6 +474,9 @@ impl<'a, T: Real> Walk<'a, T> {
             self.say(Quantity::XEq, Owner::Scene, x_eq);
         }
         self.contacts_if_rolled();
+        if !self.scene.growths.is_empty() {
+            return Ok((self.grown(), Count::default()));
+        }
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
             self.road.course = Some(Course::at_rest());
             self.standing(tension0);
@@ -484,7 +494,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let gamma = self.spring.as_ref().map(|s| self.take_up(&s.end).signed(sense));
         let mut travel = Travel { u0: v0.abs(), f0: a0.signed(sense), w2: None, slack: None };
         if let (Some(s), Some(gamma)) = (&self.spring, gamma) {
-            let pull = self.response.acceleration(self.end, SPRING).signed(sense);
+            let pull = self.response.acceleration(self.end, VARYING).signed(sense);
             let w2 = plant!("eom: stiffness of the spring", s.stiffness) * pull * gamma;
             travel.w2 = (!w2.is_zero()).then_some(w2);
             if !s.rigid && gamma.sign() > 0.0 {
@@ -545,11 +555,83 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 let gain = travel.gain(state.s).scale2(-1);
                 self.arrived(&state, sense, tension_at(state.s));
-                self.gained(gain, &travel, &state, sense);
+                // Of constant forces the impulse is that of the acceleration, else the change of the speed.
+                let even = travel.w2.is_none() && travel.slack.is_none();
+                let change = if even { travel.f0 * state.time } else { state.u.balance(-travel.u0) };
+                self.gained(gain, change, (state.s, state.u), sense);
             }
             _ => self.standing(tension0),
         }
         Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
+    }
+
+    /// The motion under forces that grow evenly with time: the acceleration grows evenly too, and is integrated over time.
+    fn grown(mut self) -> Road<T> {
+        let zero = T::zero();
+        let whole = T::of(1.0);
+        let time = match self.scene.end {
+            End::Time(_, t) => self.n.get(t),
+            _ => zero,
+        };
+        let senses = [self.v0, self.acceleration(self.end, zero), self.acceleration(self.end, whole)];
+        let sense = senses.iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
+        if sense == 0.0 {
+            self.road.course = Some(Course::at_rest());
+            self.standing(whole);
+            self.resting(whole);
+            self.grip(zero, whole);
+            return self.road;
+        }
+        let [u0, f0, f1] = senses.map(|x| x.signed(sense));
+        let growth = self.response.acceleration(self.end, VARYING).signed(sense);
+        let speed = |share: f64| {
+            let change = T::of(share) * time * f0.balance(growth * T::of(share / 2.0));
+            (change, u0.balance(change))
+        };
+        let ((_, middle), (change, u)) = (speed(0.5), speed(1.0));
+        // It must not stop on the way: where the acceleration changes its sign the speed is least, else at an end.
+        let turns = f0.sign() < 0.0 && f1.sign() > 0.0;
+        let least = if turns { u0 - (f0.square() * time / growth).scale2(-1) } else { u };
+        let reached = least.sign() > 0.0 && (u0.sign() > 0.0 || f0.not_negative());
+        let asked = Some(time);
+        let farthest = T::of(f64::INFINITY);
+        self.road.course = Some(Course { sense, drive: (zero, zero), asked, farthest, reached });
+        self.grip(zero, whole);
+        if reached {
+            let s = time * u0.balance(time * f0.balance(growth / T::of(3.0)).scale2(-1));
+            self.speeds = Some([u0, middle, u]);
+            self.arrived(&State { s, u, time }, sense, whole);
+            self.gained((change * (u + u0)).scale2(-1), change, (s, u), sense);
+        } else {
+            self.standing(whole);
+        }
+        self.road
+    }
+
+    /// Work of a given force over this way of the ending coordinate, at which its point goes at `rate` times the speed of that.
+    fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> T {
+        match (self.speeds, growth, self.scene.end) {
+            (Some([u0, middle, u]), Some(growth), End::Time(_, time)) => {
+                // The power is a cubic in time, which Simpson's rule integrates exactly.
+                let (half, last) = (force + growth.scale2(-1), force + growth);
+                rate * self.n.get(time) * (force * u0 + (half * middle).scale2(2) + last * u) / T::of(6.0)
+            }
+            _ => force * rate * s,
+        }
+    }
+
+    /// Work of all couples on a body, whose moment at the start is given, and their moment at the end.
+    fn couples(&self, body: usize, moment: T, rate: T, s: T) -> (T, T) {
+        let acting = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body);
+        let growth = acting.filter_map(|(i, c)| {
+            Some(grown(self.scene, &self.n, GivenForce::Couple(i))?.signed(if c.forward {
+                1.0
+            } else {
+                -1.0
+            }))
+        });
+        let growth = growth.reduce(T::balance);
+        (self.work(moment, growth, rate, s), growth.map_or(moment, |g| moment + g))
     }
 
     /// The states at the events by steps, where steps are asked for.
@@ -788,8 +870,24 @@ impl<'a, T: Real> Walk<'a, T> {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
                     let a = self.acceleration(c, tension);
-                    self.say(q, Owner::Body(b), a);
+                    let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.f64().abs() };
+                    self.say_scaled(q, Owner::Body(b), a, scale);
                 }
+            }
+        }
+    }
+
+    /// Size of what cancels where a body does not accelerate while others do: the largest acceleration along a line, for a turn
+    /// over the arm at which it acts.
+    fn rate_that_vanishes(&self, c: Coordinate, tension: T) -> f64 {
+        let lines = (0..self.scene.bodies.len()).filter_map(|b| self.along(b));
+        let most = lines.map(|line| self.acceleration(line, tension).f64().abs()).fold(0.0, f64::max);
+        match c.degree {
+            Degree::Along => most,
+            Degree::Turn => {
+                let acting = self.scene.ties.iter().flat_map(Tie::actions).filter(|a| a.body == c.body);
+                let arms = acting.filter_map(|a| a.arm).map(|(arm, _)| self.n.get(arm).f64());
+                arms.filter(|arm| *arm > 0.0).map(|arm| most / arm).fold(0.0, f64::max)
             }
         }
     }
@@ -822,7 +920,10 @@ impl<'a, T: Real> Walk<'a, T> {
                     Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
                     Far::Body(_) | Far::Fixed => {
                         let f = self.friction(t, tension);
-                        self.say(Quantity::Tension, Owner::Tie(t), f);
+                        let ends = tie.actions().map(|end| end.body);
+                        let forces = ends.map(|b| self.friction_scale(&self.response, b, f, tension));
+                        let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.f64().abs() };
+                        self.say_scaled(Quantity::Tension, Owner::Tie(t), f, scale);
                     }
                 },
             }
@@ -887,8 +988,10 @@ impl<'a, T: Real> Walk<'a, T> {
                     if let Far::Pull(force) = c.to {
                         let p = self.n.massive(force);
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                        self.say(Quantity::WorkPull, Owner::Tie(t), p * rate * s);
-                        self.say(Quantity::PowerPull, Owner::Tie(t), p * rate * u);
+                        let growth = grown(self.scene, &self.n, GivenForce::Pull(t));
+                        let last = growth.map_or(p, |growth| p + growth);
+                        self.say(Quantity::WorkPull, Owner::Tie(t), self.work(p, growth, rate, s));
+                        self.say(Quantity::PowerPull, Owner::Tie(t), last * rate * u);
                     } else if matches!(c.to, Far::Spring { .. }) {
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
                     }
@@ -903,32 +1006,27 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Work and impulse of all forces, of the couples alone, and angular momentum: `gain` is half the change of the square of the
     /// speed, which is the integral of the acceleration over the way.
-    fn gained(&mut self, gain: T, travel: &Travel<T>, state: &State<T>, sense: f64) {
-        // Of constant forces the impulse is that of the acceleration, else the change of the speed.
-        let change = if travel.w2.is_none() && travel.slack.is_none() {
-            travel.f0 * state.time
-        } else {
-            state.u.balance(-travel.u0)
-        };
+    fn gained(&mut self, gain: T, change: T, (s, u): (T, T), sense: f64) {
         let mut felt = T::zero();
         for b in 0..self.scene.bodies.len() {
             let n = self.n.bodies[b];
             if let Some(c) = self.along(b) {
                 let ratio = self.ratio(c);
                 felt = felt + n.mass * ratio * ratio;
-                self.say(Quantity::Distance, Owner::Body(b), ratio.abs() * state.s);
+                self.say(Quantity::Distance, Owner::Body(b), ratio.abs() * s);
                 let momentum = plant!("eom: impulse of all forces", n.mass) * ratio * change;
                 self.say(Quantity::Impulse, Owner::Body(b), momentum.signed(sense));
             }
             if let Some(c) = self.turn(b) {
                 let ratio = self.ratio(c);
                 felt = felt + n.inertia * ratio * ratio;
-                let spin = plant!("eom: angular momentum", n.inertia) * ratio.abs() * state.u;
+                let spin = plant!("eom: angular momentum", n.inertia) * ratio.abs() * u;
                 self.say(Quantity::AngularMomentum, Owner::Body(b), spin);
                 if let Some(moment) = couple_on(self.scene, &self.n, b) {
-                    let per = moment * ratio.signed(sense);
-                    self.say(Quantity::WorkCouple, Owner::Body(b), per * state.s);
-                    self.say(Quantity::PowerCouple, Owner::Body(b), per * state.u);
+                    let rate = ratio.signed(sense);
+                    let (work, last) = self.couples(b, moment, rate, s);
+                    self.say(Quantity::WorkCouple, Owner::Body(b), work);
+                    self.say(Quantity::PowerCouple, Owner::Body(b), last * rate * u);
                 }
             }
         }
@@ -942,7 +1040,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
         let [body] = self.scene.bodies.as_slice() else { return };
-        if !self.asks(&[Quantity::KBound]) {
+        if !self.asks(&[Quantity::KBound]) || !self.scene.growths.is_empty() {
             return;
         }
         let mut radius = None;
