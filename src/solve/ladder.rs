@@ -432,7 +432,10 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
     let reference: Vec<Dd> =
         labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value)).collect();
     let time = solved.get(TIME).map(Entry::value);
-    let rows = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().map(|rung| {
+    let searched = scene.formulas.found.is_some();
+    let applies = |rung: &Rung| !searched || matches!(rung, Rung::Doubles | Rung::Closed | Rung::Settled);
+    let rungs = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().filter(applies);
+    let rows = rungs.map(|rung| {
         let found = values(scene, data, Scales::SI, rung, &labels).map(|(values, count)| {
             let errors: Vec<f64> = values.iter().zip(&reference).map(|(v, r)| error(*v, *r)).collect();
             let worst = errors.iter().copied().fold(0.0, |w: f64, e| if e > w || e.is_nan() { e } else { w });

@@ -534,6 +534,10 @@ fn units_do_not_matter_however_far_one_datum_is_from_the_others() {
         for problem in &bank.problems {
             let variant = Maker::new(problem, 3, "units").variant("s").expect("it can be drawn");
             let scene = &problem.cases[variant.case].scene;
+            // What stands for `any` value is another one in other units.
+            if scene.formulas.numbers.iter().any(|n| n.any) {
+                continue;
+            }
             for at in 0..variant.data.len() {
                 for size in [1e150, 1e-150, 1e75, 1e-75] {
                     let mut data = variant.data.clone();

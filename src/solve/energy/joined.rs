@@ -608,12 +608,15 @@ impl<'a, T: Real> Account<'a, T> {
 
     // -- where it ends --------------------------------------------------------------------------------------------------
 
-    /// The first place at which `value` is no longer above 0 (or no longer below), before `far`.
-    fn first(&self, far: T, value: &dyn Fn(T) -> Result<T, Refusal>) -> Result<Option<T>, Refusal> {
+    /// The first place before `far` at which `value`, which sets off above 0 (or `rising` below it), no longer is there.
+    fn first(
+        &self,
+        far: T,
+        rising: bool,
+        value: &dyn Fn(T) -> Result<T, Refusal>,
+    ) -> Result<Option<T>, Refusal> {
         ball::unwatched(|| {
             let mut before = T::zero();
-            let start = value(T::of(STEP * STEP).scale2(-8))?;
-            let rising = start.sign() < 0.0;
             while before.below(far) {
                 let next = before + T::of(STEP);
                 let next = if next.below(far) { next } else { far };
@@ -682,7 +685,7 @@ impl<'a, T: Real> Account<'a, T> {
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
         // Where it comes to rest within a way.
-        let turning = |far: T| self.first(far, &|way| self.half_square(way, from));
+        let turning = |far: T| self.first(far, false, &|way| self.half_square(way, from));
         // What is met beyond the turning point is not met.
         let before_rest = |found: Option<T>| match found {
             Some(way) => Ok::<_, Refusal>(turning(way)?.is_none().then_some(way)),
@@ -694,9 +697,11 @@ impl<'a, T: Real> Account<'a, T> {
             End::TurningPoint(_) => turning(far)?,
             End::Speed(_, w) => {
                 let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
-                before_rest(self.first(far, &|way| Ok(self.half_square(way, from)? - level))?)?
+                before_rest(
+                    self.first(far, from.1.below(level), &|way| Ok(self.half_square(way, from)? - level))?,
+                )?
             }
-            End::Leaves(joint) => before_rest(self.first(far, &|way| {
+            End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
                 let poses = self.poses(way)?;
                 let square = self.half_square(way, from)?.scale2(1);
                 let (rate, _) = self.acceleration(&poses, square)?;

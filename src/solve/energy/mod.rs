@@ -109,6 +109,12 @@ pub fn road_by<T: Real>(
     data: &[f64],
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
+    if scene.formulas.found.is_some() {
+        return match points {
+            Some(_) => Err(Refusal::NoMethod { method: Method::Gauss }),
+            None => Ok((self::road(scene, data)?, Count::default())),
+        };
+    }
     let (road, count) = alone_by(scene, data, points)?;
     Ok((road.answering(scene, data, &|other| alone(other, data)), count))
 }

@@ -107,6 +107,10 @@ pub fn road_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    // What is looked for is searched for in closed form.
+    if scene.formulas.found.is_some() {
+        return Err(Refusal::NoMethod { method: rung.method() });
+    }
     let (road, count) = alone_by(scene, data, rung, asked)?;
     Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
