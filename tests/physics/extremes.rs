@@ -440,6 +440,12 @@ fn storm_of_families(n: u32, seed: u64) -> (u64, u64) {
                 }
                 // Lengths or masses 1e20 apart in one scene can leave one road with fewer digits, and cond above 1e13 either:
                 // nothing is published then.
+                // Heights near an equilibrium cancel: the time from there is refused, not told with half its digits.
+                Err(Refusal::Disagree { eom, energy, .. })
+                    if case.scene.lead().is_some() && (eom - energy).abs() < 1e-9 * eom.abs() =>
+                {
+                    refused += 1;
+                }
                 Err(Refusal::Disagree { label, eom, energy, allowed }) if size < 4.0 && allowed < 1e-2 => {
                     panic!("{} {data:?}: {label:?} {eom:e} {energy:e} {allowed:e}", problem.id)
                 }

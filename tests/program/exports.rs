@@ -12,7 +12,14 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const BANKS: [&str; 4] = ["wheels-on-inclines", "hoists-and-pulleys", "slip-and-roll", "pinned-bodies"];
+const BANKS: [&str; 6] = [
+    "wheels-on-inclines",
+    "hoists-and-pulleys",
+    "slip-and-roll",
+    "pinned-bodies",
+    "rods-and-linkages",
+    "more-wheels",
+];
 
 /// A folder for a test, and its paths as text.
 struct Room(tempfile::TempDir);

@@ -119,10 +119,10 @@ impl<'l, A: Array> IntoIterator for &'l mut SmallVec<A> {
 /// A list of these items, or of so many of one.
 #[macro_export]
 macro_rules! smallvec {
-    ($item:expr; $count:expr) => { $crate::SmallVec::from_elem($item, $count) };
+    ($item:expr; $count:expr) => { ::smallvec::SmallVec::from_elem($item, $count) };
     ($($item:expr),* $(,)?) => {{
         #[allow(unused_mut, reason = "of an empty list")]
-        let mut list = $crate::SmallVec::new();
+        let mut list = ::smallvec::SmallVec::new();
         $(list.push($item);)*
         list
     }};
