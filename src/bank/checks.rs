@@ -413,8 +413,6 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
             | Q::SpringForce
             | Q::OmegaMax
             | Q::Period
-            | Q::PeriodSmall
-            | Q::OmegaSmall
     );
     if !matches!(scene.end, End::AtOnce) || of_particles || of_pins {
         return why(quantity).to_owned();
@@ -452,7 +450,7 @@ const fn why(quantity: Quantity) -> &'static str {
         }
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period | Q::PeriodSmall | Q::OmegaSmall => {
-            "it needs a pinned body that swings under its weight alone"
+            "it needs a pinned body that swings under its weight alone; that of small oscillations, or a spring and no friction of sliding"
         }
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
@@ -568,6 +566,8 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                     if moves {
                         add(Owner::Tie(t), &[Q::CordTravel]);
                         add(Owner::Scene, &[Q::XEq]);
+                        let of = Owner::Body(end.body);
+                        add(of, if scene.oscillates() { &[Q::PeriodSmall, Q::OmegaSmall] } else { &[] });
                     }
                 }
                 Far::Body(_) | Far::Fixed => add(Owner::Tie(t), &[Q::Tension]),

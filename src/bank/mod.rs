@@ -163,6 +163,13 @@ pub struct Case {
     pub bounds: Vec<Bound>,
 }
 
+impl Case {
+    /// Are its data the same in every draw?
+    pub fn is_constant(&self) -> bool {
+        self.draws.iter().flatten().all(|draw| draw.count() == 1)
+    }
+}
+
 /// A wrong method: how it comes to its answers, from a changed scene, from changed data, or from the right values.
 #[derive(Debug, Clone)]
 pub struct Mistake {

@@ -62,9 +62,10 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let stored = files::read(&path)?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal = store::seal(&files::read_text(&folder.join(names::SET))?).filter(|_| earlier);
-    let hash = load::hash(&String::from_utf8_lossy(&stored));
-    if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
+    let seal = if earlier { store::seal(&files::read_text(&folder.join(names::SET))?) } else { None };
+    let hash = || load::hash(&String::from_utf8_lossy(&stored));
+    if let Some((seal, hash)) = seal.as_ref().map(|seal| (seal, hash())).filter(|(seal, hash)| *seal != hash)
+    {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
         let what = format!(
             "was changed: its SHA-256 is {}…, that of the set's key is {}…",

@@ -186,6 +186,11 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (false, _) if endless || (pinned && c.required < 0.0) => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }
+        (false, _) if matches!(scene.end, End::Time(..)) => {
+            format!(
+                "the end is not reached: {required} {unit} lie after the turning point at {available} {unit}, up to which a motion is followed"
+            )
+        }
         (false, _) => {
             format!(
                 "the end is not reached: {required} {unit} asked, the motion goes only as far as {available} {unit}"

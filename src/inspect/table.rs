@@ -211,6 +211,7 @@ pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> S
             Some(check) if !regimes.is_empty() && solved.regime.is_one_of(regimes, scene) => {
                 format!("This is what the problem declares{declared}, but {} fails", check.kind.name())
             }
+            _ if regimes.is_empty() => "This is not what the ties say".to_owned(),
             _ => format!("This is not what the problem declares{declared}"),
         };
         let _ = writeln!(out, "{told}{NUMBERS_OF_TIES}.");

@@ -19,6 +19,8 @@ pub struct Wrong {
     pub mistake: usize,
     /// The quantity.
     pub label: Label,
+    /// Its place among the quantities that were asked for.
+    pub asked: usize,
     /// What it comes to, SI; finite.
     pub value: f64,
 }
@@ -68,11 +70,13 @@ pub struct Methods<'p> {
 struct Method<'p> {
     /// Its index in the problem.
     index: usize,
+    /// How many values those before it in the problem can have.
+    before: usize,
     mistake: &'p Mistake,
     /// The scene that it solves, if it changes scene or data.
     solves: Option<Quick<'p>>,
-    /// What it spoils: a quantity, and how it comes to it.
-    spoils: Vec<(Label, SpoiltBy<'p>)>,
+    /// What it spoils: a quantity, its place among those asked for, and how it comes to it.
+    spoils: Vec<(Label, usize, SpoiltBy<'p>)>,
 }
 
 /// How a wrong method comes to a quantity.
@@ -92,6 +96,7 @@ impl<'p> Methods<'p> {
         let right = problem.cases.get(case).map(|c| &c.scene);
         let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
         let mistakes = problem.mistakes.iter().enumerate().filter(|(_, m)| taken(m));
+        let mut before = 0;
         let method = |(index, mistake): (usize, &'p Mistake)| {
             let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
             let changed: Vec<usize> = mistake.data.iter().map(|(i, _)| *i).collect();
@@ -99,11 +104,11 @@ impl<'p> Methods<'p> {
                 true => right,
                 false => mistake.scenes.get(case).and_then(Option::as_ref),
             };
-            let spoils = labels.iter().filter_map(|label| {
+            let spoils = labels.iter().enumerate().filter_map(|(asked, label)| {
                 let expression = |label: &Label| mistake.values.iter().find(|(l, _)| l == label);
                 let spoilt = |label: &Label| changes && (mistake.of.is_empty() || mistake.of.contains(label));
                 if let Some((_, by)) = expression(label) {
-                    return Some((*label, SpoiltBy::Expression(by)));
+                    return Some((*label, asked, SpoiltBy::Expression(by)));
                 }
                 // A part that has its own expression, or alone is spoilt, spoils what is put together of it.
                 let part = |term: Term| match term {
@@ -117,14 +122,16 @@ impl<'p> Methods<'p> {
                     _ => None,
                 };
                 match formula.filter(|f| f.names().any(part)) {
-                    Some(formula) => Some((*label, SpoiltBy::Part(formula))),
-                    None => spoilt(label).then_some((*label, SpoiltBy::Change)),
+                    Some(formula) => Some((*label, asked, SpoiltBy::Part(formula))),
+                    None => spoilt(label).then_some((*label, asked, SpoiltBy::Change)),
                 }
             });
-            let spoils: Vec<(Label, SpoiltBy)> = spoils.collect();
+            let spoils: Vec<(Label, usize, SpoiltBy)> = spoils.collect();
             let asked = Scope::only(spoils.iter().flat_map(|s| needed(s)).map(|label| label.quantity));
             let quick = |(scene, right)| Quick::new(scene, right, &changed, asked);
-            Method { index, mistake, solves: scene.zip(right).filter(|_| changes).map(quick), spoils }
+            let solves = scene.zip(right).filter(|_| changes).map(quick);
+            before += spoils.len();
+            Method { index, before: before - spoils.len(), mistake, solves, spoils }
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
         methods.sort_by_key(|m| (m.mistake.unguarded.is_some(), m.solves.is_some()));
@@ -148,24 +155,26 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let mut found = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
+        let most = self.methods.iter().map(|m| m.before + m.spoils.len()).max();
+        let mut found = vec![None; most.unwrap_or(0)];
         for method in &self.methods {
-            let mut more = true;
+            let (mut more, mut places) = (true, found[method.before..].iter_mut());
             method.values(self.problem, data, solved, &mut |wrong| {
                 more &= go_on(&wrong);
-                found.push(wrong);
+                if let Some(place) = places.next() {
+                    *place = Some(wrong);
+                }
             });
             if !more {
                 break;
             }
         }
-        found.sort_by_key(|w| w.mistake);
-        found
+        found.into_iter().flatten().collect()
     }
 }
 
 /// The quantities of a solution from which the value of a spoilt one is made. A scene that asks by formulas says them all.
-fn needed<'e>((label, by): &'e (Label, SpoiltBy)) -> impl Iterator<Item = Label> + 'e {
+fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Item = Label> + 'e {
     let (own, expression) = match by {
         SpoiltBy::Expression(expression) => (None, Some(expression)),
         SpoiltBy::Change | SpoiltBy::Part(_) => (Some(*label), None),
@@ -196,7 +205,7 @@ impl Method<'_> {
                 None => right(label),
             },
         };
-        for (label, by) in &self.spoils {
+        for (label, asked, by) in &self.spoils {
             let (label, truth) = (*label, right(*label));
             let value = match by {
                 SpoiltBy::Change => other(label),
@@ -206,7 +215,7 @@ impl Method<'_> {
             let same = (value - truth).abs() <= SAME * value.abs().max(truth.abs());
             let all = !matches!(by, SpoiltBy::Expression(_)) && self.mistake.of.is_empty();
             if value.is_finite() && truth.is_finite() && !(same && all) {
-                tell(Wrong { mistake: self.index, label, value });
+                tell(Wrong { mistake: self.index, label, asked: *asked, value });
             }
         }
     }

@@ -59,6 +59,10 @@ impl<V: Copy> Formula<V> {
         }
         Self { steps, depth }
     }
+    /// Its steps, in order.
+    pub fn steps(&self) -> &[Step<V>] {
+        &self.steps
+    }
     /// The values that it looks up, in order, repeated ones repeatedly.
     pub fn names(&self) -> impl Iterator<Item = V> {
         self.steps.iter().filter_map(|s| if let Step::Name(name) = s { Some(*name) } else { None })

@@ -210,7 +210,8 @@ impl<T: Real> Linear<T> {
                 }
                 x[col] = if sum.is_zero() { sum } else { sum / row[col] };
             }
-            if far_apart(x) {
+            let given = self.right.iter().filter(|(_, column, _)| *column == first + k);
+            if far_apart(x, given.map(|(.., v)| v.size())) {
                 self.vanish(first + k, x);
             }
             settled &= self.settled(first + k, x);
@@ -259,13 +260,13 @@ impl<T: Real> Linear<T> {
     }
 }
 
-/// Share of the largest unknown below which another may be the rounding of it, 2^-24: units differ, so most are not.
+/// Share of the largest number below which an unknown may be the rounding of it, 2^-24: units differ, so most are not.
 const APART: f64 = 1.0 / (1u64 << 24) as f64;
 
-/// Are the unknowns of very different sizes?
-fn far_apart<T: Real>(x: &[T]) -> bool {
+/// Are the unknowns and the right-hand sides of very different sizes?
+fn far_apart<T: Real>(x: &[T], given: impl Iterator<Item = f64>) -> bool {
     let sizes = || x.iter().map(|v| v.size());
-    let largest = sizes().fold(0.0, f64::max);
+    let largest = sizes().chain(given).fold(0.0, f64::max);
     sizes().any(|s| s > 0.0 && s < APART * largest)
 }
 

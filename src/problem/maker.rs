@@ -38,6 +38,8 @@ pub struct Unsatisfiable {
     pub tries: u32,
     /// Rules and how often each refused, most first.
     pub table: Vec<(String, u32)>,
+    /// What to do about it.
+    pub hint: String,
     /// The two roads disagreed, which stops everything: the quantity and both values, in words.
     pub disagreement: Option<String>,
     /// The last draw of admissible data that could not be solved, if there was one.
@@ -88,6 +90,8 @@ pub struct Maker<'p> {
     watching: bool,
     /// What is the same for all draws of a case, of each that was drawn.
     plans: Vec<OnceLock<DrawPlan<'p>>>,
+    /// With constant data and a contact that rolls or slips: the case that happens, for each case.
+    happening: Vec<OnceLock<usize>>,
     /// What all keys have in common.
     frame: OnceLock<KeyFrame<'p>>,
 }
@@ -115,6 +119,7 @@ impl<'p> Maker<'p> {
             max_tries: MAX_TRIES,
             watching: false,
             plans: problem.cases.iter().map(|_| OnceLock::new()).collect(),
+            happening: problem.cases.iter().map(|_| OnceLock::new()).collect(),
             frame: OnceLock::new(),
         }
     }
@@ -146,11 +151,11 @@ impl<'p> Maker<'p> {
         let case = &self.problem.cases[index];
         let mut refusals = Refusals::default();
         // Constants are the same in every draw.
-        let constant = case.draws.iter().flatten().all(|d| d.count() == 1);
+        let constant = case.is_constant();
         let most = if constant { 1 } else { self.max_tries };
         for tries in 1..=most {
             self.draw(&mut words, tries, case, &mut values, &mut data);
-            match self.solve_within_rules(index, &data, &mut refusals) {
+            match self.solve_within_rules(index, &data, self.plan(index).asked, &mut refusals) {
                 Ok((solved, wrong)) => {
                     let within = make_key::within(self.problem, &solved);
                     return Ok(Variant { case: index, values, data, solved, tries, refusals, within, wrong });
@@ -180,9 +185,32 @@ impl<'p> Maker<'p> {
     /// A student's words, the case by share, and room for the data.
     fn begin(&self, student: &str) -> (DrawWords, usize, Vec<Option<Decimal>>, Vec<f64>) {
         let mut words = self.source.student(student);
-        let index = sample::case(&mut words, &self.problem.cases);
+        let index = self.happening(sample::case(&mut words, &self.problem.cases));
         let n = self.problem.data.len();
         (words, index, vec![None; n], vec![0.0; n])
+    }
+
+    /// Whether a contact rolls or slips is no matter of chance where all data are constants: of its two cases the one that
+    /// happens is drawn, whichever was.
+    fn happening(&self, index: usize) -> usize {
+        let cases = &self.problem.cases;
+        let alike = |c: &Case| !c.touches.is_empty() && c.is_constant() && c.written == cases[index].written;
+        if !alike(&cases[index]) {
+            return index;
+        }
+        *self.happening[index].get_or_init(|| {
+            let happens = |case: &Case| {
+                let values = case
+                    .draws
+                    .iter()
+                    .zip(&self.problem.data)
+                    .map(|(draw, datum)| draw.as_ref().map_or(0.0, |draw| datum.number(draw.range().0)));
+                let data: Vec<f64> = values.collect();
+                agree::solve(&case.scene, &data).is_ok_and(|s| s.checks.iter().all(|c| c.ok))
+            };
+            let mut like = cases.iter().enumerate().filter(|(_, c)| alike(c));
+            like.find(|(_, c)| happens(c)).map_or(index, |(i, _)| i)
+        })
     }
 
     fn draw(
@@ -209,7 +237,8 @@ impl<'p> Maker<'p> {
         let (mut words, index, mut values, mut data) = self.begin(student);
         self.draw(&mut words, tries, &self.problem.cases[index], &mut values, &mut data);
         let mut refusals = Refusals::default();
-        let (solved, wrong) = self.solve_within_rules(index, &data, &mut refusals).ok()?;
+        // It will hold: the first road is walked once, and whole.
+        let (solved, wrong) = self.solve_within_rules(index, &data, Scope::ALL, &mut refusals).ok()?;
         let within = make_key::within(self.problem, &solved);
         Some(Variant { case: index, values, data, solved, tries, refusals, within, wrong })
     }
@@ -221,7 +250,8 @@ impl<'p> Maker<'p> {
             let (mut words, index, mut values, mut data) = self.begin(&format!("refused {n}"));
             self.draw(&mut words, n, &self.problem.cases[index], &mut values, &mut data);
             let mut refusals = Refusals::default();
-            let Err(refused) = self.solve_within_rules(index, &data, &mut refusals) else { continue };
+            let asked = self.plan(index).asked;
+            let Err(refused) = self.solve_within_rules(index, &data, asked, &mut refusals) else { continue };
             if found.iter().any(|(rule, _)| *rule == refused.rule) {
                 continue;
             }
@@ -256,6 +286,7 @@ impl<'p> Maker<'p> {
             case: self.problem.cases[case].name.clone(),
             tries,
             table: refusals.table(self.problem, case),
+            hint: refusals.hint(self.problem, constant.is_some()),
             disagreement,
             unsolved: refusals.unsolved.clone(),
             index: case,
@@ -263,19 +294,20 @@ impl<'p> Maker<'p> {
         }
     }
 
-    /// Solves, or says which rule refuses.
+    /// Solves, the first road of what is asked at first, or says which rule refuses.
     fn solve_within_rules(
         &self,
         index: usize,
         data: &[f64],
+        asked: Scope,
         refusals: &mut Refusals,
     ) -> Result<(Solved, Vec<Wrong>), Refused> {
         let case = &self.problem.cases[index];
         // Bounds on the data alone cost nothing: they go first.
         bounds(case, false, data, &|_| f64::NAN)?;
         // A draw that breaks a rule on the first road needs no second one.
-        let DrawPlan { methods, asked } = self.plan(index);
-        let first = agree::first(&case.scene, data, *asked);
+        let methods = &self.plan(index).methods;
+        let first = agree::first(&case.scene, data, asked);
         let mut half = first.map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
@@ -343,23 +375,22 @@ impl<'p> Maker<'p> {
         self.problem.questions.iter().map(right).collect()
     }
 
-    /// The questions near whose right answers a wrong method comes.
-    fn near<'a>(&'a self, wrong: &'a Wrong, right: &'a [Right]) -> impl Iterator<Item = usize> + 'a {
-        let near = move |(q, (value, reach)): &(&Question, &Right)| {
-            // Where a magnitude is asked, a sign is no answer.
-            let magnitude = || self.problem.cases.iter().all(|case| case.scene.is_magnitude(q.label));
-            let off = |comes_to: f64| (comes_to - value).abs() < *reach;
-            q.label == wrong.label && (off(wrong.value) || magnitude() && off(-wrong.value))
-        };
-        let questions = self.problem.questions.iter().zip(right).enumerate();
-        questions.filter(move |(_, question)| near(question)).map(|(i, _)| i)
+    /// Does a wrong method come near the right answer of its question?
+    fn near(&self, wrong: &Wrong, right: &[Right]) -> bool {
+        let (value, reach) = right[wrong.asked];
+        let off = |comes_to: f64| (comes_to - value).abs() < reach;
+        // Where a magnitude is asked, a sign is no answer.
+        let magnitude = || self.problem.cases.iter().all(|case| case.scene.is_magnitude(wrong.label));
+        off(wrong.value) || magnitude() && off(-wrong.value)
     }
 
     /// Does a wrong method refuse a draw?
     fn refuses(&self, wrong: &Wrong, right: &[Right]) -> bool {
         let mistake = &self.problem.mistakes[wrong.mistake];
-        let guards = |i: usize| !self.problem.questions[i].unguarded.iter().any(|(id, _)| *id == mistake.id);
-        mistake.unguarded.is_none() && self.near(wrong, right).any(guards)
+        let unguarded = &self.problem.questions[wrong.asked].unguarded;
+        self.near(wrong, right)
+            && mistake.unguarded.is_none()
+            && !unguarded.iter().any(|(id, _)| *id == mistake.id)
     }
 
     /// Where the wrong methods come to, if none comes near a right answer whatever its tolerance.
@@ -389,11 +420,9 @@ impl<'p> Maker<'p> {
         let right = self.right(solved, false);
         let width = self.problem.questions.len() + 1;
         let mut near = vec![false; self.problem.mistakes.len() * width];
-        for wrong in &all {
-            for i in self.near(wrong, &right) {
-                near[wrong.mistake * width + i] = true;
-                near[(wrong.mistake + 1) * width - 1] = true;
-            }
+        for wrong in all.iter().filter(|wrong| self.near(wrong, &right)) {
+            near[wrong.mistake * width + wrong.asked] = true;
+            near[(wrong.mistake + 1) * width - 1] = true;
         }
         refusals.told += 1;
         refusals.near.resize(near.len(), 0);

@@ -165,6 +165,25 @@ impl Refusals {
         sorted(rows.chain((all > 0).then_some((regime, all))))
     }
 
+    /// What to do about draws that are all refused.
+    pub fn hint(&self, problem: &Problem, constant: bool) -> String {
+        if !constant {
+            return "widen the ranges, or loosen the rule that refuses most".to_owned();
+        }
+        let cond = |(rule, tally): (&DrawRule, &RuleTally)| match rule {
+            DrawRule::Cond(question) => Some((problem.questions.get(*question)?, tally.most)),
+            _ => None,
+        };
+        match self.tallies.iter().find_map(cond) {
+            Some((question, found)) => format!(
+                "these numbers determine it less well than most: write `cond limit: {}` beside `{}`, or in the problem",
+                (1.1 * found).ceil(),
+                question.id
+            ),
+            None => "with these numbers it does not happen, whatever the margins: change a number, the ties or the end".to_owned(),
+        }
+    }
+
     /// What a rule refused, with the numbers.
     fn sentence(&self, problem: &Problem, case: usize, rule: DrawRule, tally: RuleTally) -> String {
         let plain = rounded;

@@ -1,5 +1,5 @@
 //! What a bank is like before its sheets go out: tables over many draws, texts tried, a page with variants.
-use crate::bank::{Bank, Problem, Question};
+use crate::bank::{Bank, Case, Problem, Question};
 use crate::finding::{Finding, Findings};
 use crate::inspect::sentences;
 use crate::inspect::table::unsatisfiable;
@@ -293,7 +293,7 @@ pub fn faults(
             if none.constant.is_none() {
                 fault.message = format!("seed {seed}: {}", fault.message);
             }
-            findings.push(fault.in_file(file).hint("widen the ranges, or loosen the rule that refuses most"));
+            findings.push(fault.in_file(file).hint(&none.hint));
         } else if let Some(refusal) = &sweep.unsolved {
             for text in sentences::refusal(problem, &problem.cases[0].scene, refusal) {
                 let what = format!("a draw cannot be solved: {text}");
@@ -306,7 +306,9 @@ pub fn faults(
         let tried = tried_texts::whole_bank(bank, own)?;
         findings.extend(tried.faults);
         notes = tried.notes;
-        for (problem, sweep) in bank.problems.iter().zip(sweeps) {
+        // Constants are of a book, and have the one answer that they have.
+        let constant = |p: &Problem| p.cases.iter().all(Case::is_constant);
+        for (problem, sweep) in bank.problems.iter().zip(sweeps).filter(|(p, _)| !constant(p)) {
             for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
                 let never = sweep::seldom(&seen.words).into_iter().filter(sweep::Seldom::never);
                 findings.extend(never.map(|s| seldom(problem, question, &s).in_file(file)));

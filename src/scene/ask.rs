@@ -124,8 +124,8 @@ quantities! {
     SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
     OmegaMax "omega_max" "rad/s" Magnitude "greatest angular speed of the motion";
     Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";
-    PeriodSmall "period_small" "s" Magnitude "period of small swings";
-    OmegaSmall "omega_small" "rad/s" Magnitude "angular frequency of small swings";
+    PeriodSmall "period_small" "s" Magnitude "period of small oscillations";
+    OmegaSmall "omega_small" "rad/s" Magnitude "angular frequency of small oscillations";
     VX "v_x" "m/s" Signed "velocity of the mass centre to the right at the end";
     VY "v_y" "m/s" Signed "velocity of the mass centre up at the end";
     AX "a_x" "m/s^2" Signed "acceleration of the mass centre to the right at the end";
@@ -305,6 +305,11 @@ impl Scene {
         }
         let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.is_empty();
         found.filter(|_| !pushed)
+    }
+    /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?
+    pub fn oscillates(&self) -> bool {
+        let rubs = |t: &Tie| matches!(t, Tie::Slip { .. } | Tie::Slide { .. });
+        self.spring().is_some() && !self.ties.iter().any(rubs)
     }
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {

@@ -50,19 +50,28 @@ fn about(value: f64) -> String {
 /// The fields behind student and problem.
 fn fields(entry: &KeyEntry) -> [String; 9] {
     let unit = &entry.unit;
-    let road = |si: Option<f64>| si.map_or_else(String::new, |v| shortest(unit.from_si(v)));
     match &entry.answer {
-        Answer::Number { value, half_width, .. } => [
-            entry.part.clone(),
-            shortest(unit.from_si(*value)),
-            unit.ascii().to_owned(),
-            road(entry.eom),
-            road(entry.energy),
-            entry.gap.map_or_else(String::new, about),
-            entry.cond.map_or_else(String::new, about),
-            shortest(unit.from_si(*half_width)),
-            entry.bound.map_or_else(String::new, |b| about(unit.from_si(b))),
-        ],
+        Answer::Number { value, half_width, .. } => {
+            let text = shortest(unit.from_si(*value));
+            // The roads mostly say the same double.
+            let road = |si: Option<f64>| match si {
+                Some(si) if si.to_bits() == value.to_bits() => text.clone(),
+                Some(si) => shortest(unit.from_si(si)),
+                None => String::new(),
+            };
+            let (eom, energy) = (road(entry.eom), road(entry.energy));
+            [
+                entry.part.clone(),
+                text,
+                unit.ascii().to_owned(),
+                eom,
+                energy,
+                entry.gap.map_or_else(String::new, about),
+                entry.cond.map_or_else(String::new, about),
+                shortest(unit.from_si(*half_width)),
+                entry.bound.map_or_else(String::new, |b| about(unit.from_si(b))),
+            ]
+        }
         Answer::Word { right, .. } => {
             let mut fields = [const { String::new() }; 9];
             entry.part.clone_into(&mut fields[0]);

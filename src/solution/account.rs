@@ -1,14 +1,17 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
-use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Start, Tie};
+use crate::num::linear::Linear;
+use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, in_sense, magnitude, number, positive_first, ratio, root, square, sum,
+    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    square, sum,
 };
 use crate::solution::factors::Factors;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, tagged};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, mark_of, tagged};
+use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -63,8 +66,10 @@ pub struct Account<'d, 'a> {
     pub drive: Expr,
     /// The spring.
     pub spring: Option<CordSpring>,
-    /// Is a slipping wheel taken as if it rolled?
-    pub rolled: bool,
+    /// Its stretch at the end.
+    pub last: Expr,
+    /// The slipping contact that is taken as if it rolled.
+    pub rolled: Option<usize>,
     known: Vec<(Label, SymbolId)>,
     /// The ties whose reactions are being solved for, each for the one before it.
     solving: Vec<usize>,
@@ -78,6 +83,16 @@ pub const fn of_body(quantity: Quantity, body: usize) -> Label {
 /// A tie's label.
 pub const fn of_tie(quantity: Quantity, tie: usize) -> Label {
     Label { quantity, of: Owner::Tie(tie) }
+}
+
+/// The acceleration of a coordinate.
+const fn rate_of(c: Coordinate) -> Label {
+    of_body(if matches!(c.degree, Degree::Along) { Quantity::A } else { Quantity::Alpha }, c.body)
+}
+
+/// The speed of a coordinate.
+pub const fn speed_of(c: Coordinate) -> Label {
+    of_body(if matches!(c.degree, Degree::Along) { Quantity::V } else { Quantity::Omega }, c.body)
 }
 
 /// A label of the whole scene.
@@ -97,17 +112,26 @@ fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
 
+impl<'d, 'a> Deref for Account<'d, 'a> {
+    type Target = Page<'d, 'a>;
+    fn deref(&self) -> &Self::Target {
+        &self.page
+    }
+}
+
+impl DerefMut for Account<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.page
+    }
+}
+
 impl<'d, 'a> Account<'d, 'a> {
-    /// Sets out: terms, senses, start. `slips`: each slipping contact with the sense of its friction, positive up.
+    /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
     ///
     /// # Errors
     /// What is not covered.
-    pub fn new(
-        draft: &'d mut Draft<'a>,
-        rolled: bool,
-        slips: &[(usize, f64)],
-    ) -> Result<Self, DerivationStop> {
-        let m = Terms::new(draft, rolled)?;
+    pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
+        let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),
             m,
@@ -119,22 +143,29 @@ impl<'d, 'a> Account<'d, 'a> {
             effective: ZERO,
             drive: ZERO,
             spring: None,
+            last: ZERO,
             rolled,
             known: Vec::new(),
             solving: Vec::new(),
         };
         this.name_ratios();
-        if let Some((tie, ks, x0, rigid)) = this.page.draft.scene.spring() {
-            let stiffness = this.page.draft.number(ks, "k_s", "N/m");
-            let stretch = this.page.draft.number(x0, "x_0", "m");
+        if let Some((tie, ks, x0, rigid)) = this.scene.spring() {
+            let stiffness = this.number(ks, "k_s", "N/m");
+            let stretch = this.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
-                return beyond(Beyond::Arrangement);
+                return beyond(Beyond::Unfound);
             };
             let gamma = this.point(&action);
-            this.spring = Some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
+            if gamma.is_zero() {
+                // Its end does not move, so it pulls all the time as it does at the start.
+                let pull = &stiffness * &stretch;
+                this.found(of_tie(Quantity::Tension, tie), tension, pull);
+            }
+            this.spring =
+                (!gamma.is_zero()).then_some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
         }
         this.effective = this.effective_mass();
-        this.set_out(slips)?;
+        this.set_out()?;
         Ok(this)
     }
 
@@ -158,7 +189,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
             let symbol = self.new_symbol(&[&tagged(r"\gamma", &tag), &tagged("n", &tag)], "1");
-            self.page.draft.settle(symbol, &is);
+            self.settle(symbol, &is);
             self.gammas.push((tie, symbol, is));
         }
     }
@@ -175,7 +206,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio, common factors in front. The
     /// spin of a slipping body is left out.
     fn effective_mass(&self) -> Expr {
-        let coordinates = self.page.draft.scene.coordinates().filter(|c| !self.m.ratio(*c).is_zero());
+        let coordinates = self.scene.coordinates().filter(|c| !self.m.ratio(*c).is_zero());
         let terms: Vec<Factors> = coordinates
             .flat_map(|c| {
                 let square = self.m.ratio(c).squared();
@@ -185,16 +216,12 @@ impl<'d, 'a> Account<'d, 'a> {
         gathered(&terms)
     }
 
-    /// Value of an expression.
-    pub fn value(&self, e: &Expr) -> f64 {
-        e.value(&self.page.draft.symbols)
-    }
-
     /// A new quantity.
     pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
-        let tex = self.page.draft.free(names);
-        let tex = if self.rolled { marked(&tex, r"\mathrm{r}") } else { tex };
-        self.page.draft.unknown(&tex, unit)
+        let tex = self.free(names);
+        let mark = mark_of(&self.page, self.rolled);
+        let tex = if mark.is_empty() { tex } else { marked(&tex, mark) };
+        self.unknown(&tex, unit)
     }
 
     /// Magnitude of a quantity: itself where it is positive.
@@ -205,7 +232,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Magnitude of a ratio.
     pub fn magnitude(&self, ratio: &Factors) -> Factors {
         let size = if self.value(&ratio.expr()) < 0.0 { ratio.opposite() } else { ratio.clone() };
-        size.upright(&self.page.draft.symbols)
+        size.upright(&self.symbols)
     }
 
     /// Distance that the lead goes, a magnitude.
@@ -223,97 +250,179 @@ impl<'d, 'a> Account<'d, 'a> {
         self.lead().degree == Degree::Along
     }
 
-    /// Is the freedom of this coordinate its own: the spin of a slipping body?
+    /// Does this coordinate stand in no ratio to the lead: the spin of a slipping body, or any of several freedoms?
     pub fn own(&self, c: Coordinate) -> bool {
-        c.degree == Degree::Turn && self.m.parts[c.body].slips
+        c != self.lead() && (!self.m.one || c.degree == Degree::Turn && self.m.parts[c.body].slips)
     }
 
-    fn start_velocity(&mut self) -> Result<Expr, DerivationStop> {
-        let mut v0 = ZERO;
-        for start in &self.page.draft.scene.start {
-            let Start::Speed(c, num) = start else { return beyond(Beyond::Arrangement) };
-            let given = self.page.draft.number(
-                *num,
-                if c.degree == Degree::Along { "v_0" } else { r"\omega_0" },
-                "m/s",
-            );
-            if given == ZERO {
-                continue;
+    /// Velocity of the lead at the start; what else is given there has to agree.
+    fn start_velocity(&mut self) -> Expr {
+        let scene = self.scene;
+        for (c, num) in scene.start_speeds() {
+            let (tex, unit) = if c.degree == Degree::Along { ("v_0", "m/s") } else { (r"\omega_0", "rad/s") };
+            let given = self.number(num, tex, unit);
+            let ratio = self.m.ratio(c).clone();
+            if given != ZERO && !ratio.is_zero() {
+                return Factors::of(&given).per(&ratio).expr();
             }
-            let ratio = self.m.ratio(*c).clone();
-            if ratio.is_zero() || v0 != ZERO {
-                return beyond(Beyond::SeveralSpeeds);
-            }
-            v0 = Factors::of(&given).per(&ratio).expr();
         }
-        Ok(v0)
+        ZERO
     }
 
-    /// Sense of the motion, kinetic friction with its sign, the sum of the constant forces.
-    fn set_out(&mut self, slips: &[(usize, f64)]) -> Result<(), DerivationStop> {
-        self.v0 = self.start_velocity()?;
-        // Without sliding friction first: it needs the sense.
-        let given = self.shares(&[ForceKind::Given]);
-        let mut push: f64 = given.iter().map(|(_, e)| self.value(e)).sum();
+    /// Does nothing move on, so that a spring pulls as at the start?
+    pub fn still(&self) -> bool {
+        self.scene.end == End::AtOnce || self.stays()
+    }
+
+    /// Start, sense of the motion, kinetic friction with its sign, the sum of the constant forces.
+    fn set_out(&mut self) -> Result<(), DerivationStop> {
+        self.v0 = self.start_velocity();
+        self.rub();
+        if let (Some(spring), true) = (self.spring.clone(), self.still()) {
+            let pull = &spring.stiffness * &spring.stretch;
+            self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, pull);
+        }
+        if !self.m.one {
+            self.together()?;
+        }
+        let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
+        self.drive = positive_first(all.into_iter().map(|(_, e)| e).collect());
+        let lead = self.lead();
+        let mut push = self.value(&self.drive);
         if let Some(s) = &self.spring {
             push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
         }
         let v0 = self.value(&self.v0);
-        let slipping =
-            self.page.draft.scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
-        self.sense = if v0 != 0.0 { v0.signum() } else { push.signum() };
-        if slipping && v0 == 0.0 {
-            // A couple has no share in the path of a centre that slips: friction alone may drive it.
-            let rubbed: f64 = slips.iter().map(|(tie, sense)| sense * self.friction_of_slip(*tie)).sum();
-            self.sense = (push + rubbed).signum();
-        }
-        if push == 0.0 && v0 == 0.0 && !slipping {
-            return beyond(Beyond::NothingMoves);
-        }
-        if slipping && (v0 != 0.0 || self.spring.is_some()) {
-            return beyond(Beyond::SlipWithSpeed);
-        }
-        self.rub(slips);
-        let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
-        self.drive = positive_first(all.into_iter().map(|(_, e)| e).collect());
+        self.sense = match self.m.acceleration(lead) {
+            _ if v0 != 0.0 => v0.signum(),
+            Some(a) if !self.m.one => self.symbols.value(a).signum(),
+            _ => push.signum(),
+        };
         Ok(())
     }
 
-    /// Share of the friction of a slipping contact in the equation of the lead, N, if it points up.
-    fn friction_of_slip(&mut self, tie: usize) -> f64 {
-        let Tie::Slip { body, mu_k, .. } = self.page.draft.scene.ties[tie] else { return 0.0 };
-        let mu = self.page.draft.number(mu_k, r"\mu_k", "1");
-        match (self.m.action_of(tie), &self.m.parts[body].normal) {
-            (Some(action), Some((_, normal))) => {
-                self.value(&self.m.point(action).expr()) * self.value(&mu) * self.value(normal)
-            }
-            _ => 0.0,
-        }
+    /// Sense of the friction on a body, positive up, as the key has it.
+    fn friction_sense(&self, body: usize) -> f64 {
+        let key = self.variant.solved.get(of_body(Quantity::Friction, body));
+        key.map_or(1.0, |entry| if entry.value() < 0.0 { -1.0 } else { 1.0 })
     }
 
-    /// Normal forces, and the size and sign of kinetic friction, positive up: of a slide against the motion, of a slip as told.
-    fn rub(&mut self, slips: &[(usize, f64)]) {
+    /// Normal forces, and the size and sign of kinetic friction, positive up.
+    fn rub(&mut self) {
         for body in 0..self.m.parts.len() {
             if let Some((n, is)) = self.m.parts[body].normal.clone() {
                 self.found(of_body(Quantity::Normal, body), n, is);
             }
         }
-        for t in 0..self.page.draft.scene.ties.len() {
-            let (body, mu, sense) = match self.page.draft.scene.ties[t] {
-                Tie::Slip { body, mu_k, .. } if !self.rolled => {
-                    (body, mu_k, slips.iter().find(|(s, _)| *s == t).map_or(1.0, |(_, sense)| *sense))
-                }
-                Tie::Slide { body, mu_k, .. } => {
-                    let velocity = self.value(&self.m.parts[body].along.expr()) * self.sense;
-                    (body, mu_k, -velocity.signum() * f64::from(self.m.parts[body].up))
-                }
-                _ => continue,
-            };
-            let mu = self.page.draft.number(mu, r"\mu_k", "1");
-            if let (Some(f), Some((n, _))) = (self.m.force_of(t), self.m.parts[body].normal.clone()) {
-                self.found(of_body(Quantity::Friction, body), f, in_sense(mu * n, sense));
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            let (Tie::Slip { body, mu_k, .. } | Tie::Slide { body, mu_k, .. }) = tie else { continue };
+            let kinetic = self.m.action_of(t).is_some_and(|a| a.kind == ForceKind::Kinetic);
+            let mu = self.number(*mu_k, r"\mu_k", "1");
+            if let (true, Some(f), Some((n, _))) =
+                (kinetic, self.m.force_of(t), self.m.parts[*body].normal.clone())
+            {
+                let is = in_sense(mu * n, self.friction_sense(*body));
+                self.found(of_body(Quantity::Friction, *body), f, is);
             }
         }
+    }
+
+    /// Accelerations and reactions that are unknown, of which the rows and the ties are as many equations.
+    fn unknowns(&self) -> Vec<(Label, SymbolId)> {
+        let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.acceleration(c)?)));
+        let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
+        rates.chain(ties).collect()
+    }
+
+    /// The equations of motion of all bodies and those of the ties, solved together.
+    fn rows_solved(&self) -> Option<Vec<Option<f64>>> {
+        let unknowns = self.unknowns();
+        let place = |symbol: SymbolId| unknowns.iter().position(|(_, s)| *s == symbol);
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        let mut rows = 0;
+        for c in self.scene.coordinates() {
+            let Some(a) = self.m.acceleration(c).and_then(place) else { continue };
+            system.term(rows, a, -self.value(&self.m.inertia_expr(c)));
+            for (action, share) in self.row(c) {
+                match self.reaction_of(&action).and_then(place) {
+                    Some(at) => system.term(rows, at, self.value(&self.m.lever(&action, c).expr())),
+                    None => system.right(rows, 0, -self.value(&share)),
+                }
+            }
+            rows += 1;
+        }
+        for (tie, _) in self.reactions() {
+            for (c, share) in self.tied(tie) {
+                if let Some(at) = self.m.acceleration(c).and_then(place) {
+                    system.term(rows, at, self.value(&share.expr()));
+                }
+            }
+            rows += 1;
+        }
+        let solution = system.solve().ok()?;
+        Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
+    }
+
+    /// Accelerations and reactions as all equations together give them.
+    fn together(&mut self) -> Result<(), DerivationStop> {
+        let Some(solution) = self.rows_solved() else { return beyond(Beyond::Unfound) };
+        for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
+            let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
+            self.symbols.settle(symbol, value, 0.0);
+            self.found(label, symbol, symbol.into());
+        }
+        Ok(())
+    }
+
+    /// The velocities of an instant, from those of the start and from what the ties demand.
+    fn velocities_together(&mut self) -> Result<(), DerivationStop> {
+        let all: Vec<Coordinate> = self.scene.coordinates().collect();
+        let place = |c: Coordinate| all.iter().position(|o| *o == c);
+        let tied = self.reactions().into_iter().map(|(tie, _)| {
+            let terms = self.tied(tie).into_iter();
+            let terms = terms.filter_map(|(c, share)| Some((place(c)?, self.value(&share.expr()))));
+            (terms.collect::<Vec<_>>(), 0.0)
+        });
+        let given = self.scene.start_speeds();
+        let given = given.filter_map(|(c, v)| Some((vec![(place(c)?, 1.0)], self.datum(v))));
+        // The start may say more than is needed, in agreement with the ties: least squares take all.
+        let mut system: Linear<f64> = Linear::new(all.len(), 1);
+        for (terms, right) in tied.chain(given) {
+            for (row, share) in &terms {
+                terms.iter().for_each(|(column, other)| system.term(*row, *column, share * other));
+                system.right(*row, 0, share * right);
+            }
+        }
+        let rest = self.scene.start_speeds().next().is_none();
+        let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
+        for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
+            let Some(symbol) = self.m.speed(*c) else { continue };
+            let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
+            self.symbols.settle(symbol, v, 0.0);
+            self.found(speed_of(*c), symbol, symbol.into());
+        }
+        Ok(())
+    }
+
+    /// The reactions of ties: index of the tie, and the force.
+    pub fn reactions(&self) -> Vec<(usize, SymbolId)> {
+        let ties = 0..self.scene.ties.len();
+        ties.filter_map(|t| self.m.action_of(t).and_then(|a| self.reaction_of(a)).map(|f| (t, f))).collect()
+    }
+
+    fn reaction_of(&self, action: &Action) -> Option<SymbolId> {
+        match (action.kind, &action.force) {
+            (ForceKind::Reaction, Expr::Symbol(f)) => Some(*f),
+            _ => None,
+        }
+    }
+
+    /// What a tie demands: the sum of these coordinates' rates, each times its share, is 0.
+    pub fn tied(&self, tie: usize) -> Vec<(Coordinate, Factors)> {
+        let own = self.m.actions.iter().filter(|a| a.source == ForceSource::Tie(tie));
+        own.flat_map(|a| [(along(a.body), a.along.clone()), (turn(a.body), a.arm.clone())])
+            .filter(|(_, share)| !share.is_zero())
+            .collect()
     }
 
     /// What of the forces of these kinds does not drop out, each as its share of the lead's equation.
@@ -349,19 +458,25 @@ impl<'d, 'a> Account<'d, 'a> {
         symbol
     }
 
-    /// A quantity that answers no question.
-    pub fn step(&mut self, symbol: SymbolId, from: Expr) {
-        self.page.step(symbol, from);
-    }
-
     fn new_found(&mut self, label: Label, names: &[&str], unit: &str, from: Expr) -> SymbolId {
-        let symbol = self.new_symbol(names, unit);
+        let tex = self.free(names);
+        let mut mark = String::new();
+        if self.symbols.named(&tex).is_some() {
+            // Another body or cord bears it already.
+            mark = match label.of {
+                Owner::Body(b) => self.m.parts[b].tag.clone(),
+                Owner::Tie(t) => (t + 1).to_string(),
+                _ => "*".to_owned(),
+            };
+        }
+        let tex = if mark.is_empty() { tex } else { marked(&tex, &mark) };
+        let symbol = self.new_symbol(&[&tex], unit);
         self.found(label, symbol, from)
     }
 
     fn length(&mut self, num: Num) -> Expr {
         let unit = if self.straight() { "m" } else { "rad" };
-        self.page.draft.number(num, "d", unit)
+        self.number(num, "d", unit)
     }
 
     fn new_way(&mut self, from: Expr) {
@@ -379,32 +494,39 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn arrive(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
         let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
-            return beyond(Beyond::Arrangement);
+            return beyond(Beyond::Unfound);
         };
         let (a_label, v_label) =
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
-        let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
-        if self.spring.is_some() {
+        if self.spring.is_some() && self.scene.end != End::AtOnce {
             return self.arrive_on_spring(a, v);
         }
-        match self.page.draft.scene.end {
+        let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
+        let accelerated = |this: &mut Self| {
+            if this.m.one {
+                this.found(a_label, a, per.clone());
+            }
+        };
+        match self.scene.end {
             End::Travel(_, d) | End::Position(_, d) => {
                 let d = self.length(d);
-                self.s = match self.page.draft.scene.end {
+                self.s = match self.scene.end {
                     End::Travel(..) => in_sense(d, self.sense),
                     _ => d,
                 };
-                let push = positive_first(vec![in_sense(self.drive.clone(), self.value(&self.s))]);
+                let push = if self.m.one { self.drive.clone() } else { a.into() };
+                let push = positive_first(vec![in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
-                let gained = twice.per(&Factors::of(&self.effective)).expr();
+                let gained =
+                    if self.m.one { twice.per(&Factors::of(&self.effective)).expr() } else { twice.expr() };
                 let before = if self.v0 == ZERO { ZERO } else { square(self.v0.clone()) };
                 self.found(v_label, v, root(before + gained));
                 self.v = v.into();
-                self.found(a_label, a, per);
+                accelerated(self);
             }
             End::Time(_, t) => {
-                let t = self.page.draft.number(t, "t", "s");
-                self.found(a_label, a, per);
+                let t = self.number(t, "t", "s");
+                accelerated(self);
                 let end = &self.v0 + a * &t;
                 let end = in_sense(end.clone(), self.value(&end));
                 self.found(v_label, v, end);
@@ -413,60 +535,239 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             End::Speed(_, u) => {
                 let names = if self.straight() { ("v_1", "m/s") } else { (r"\omega_1", "rad/s") };
-                let u = self.page.draft.number(u, names.0, names.1);
-                self.found(a_label, a, per);
+                let u = self.number(u, names.0, names.1);
+                accelerated(self);
                 self.found(v_label, v, u.clone());
                 self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
                 self.v = u;
             }
             End::TurningPoint(_) => {
-                self.found(a_label, a, per);
+                accelerated(self);
                 self.found(v_label, v, ZERO);
                 self.new_way(-(square(&self.v0) / (number(2) * a)));
                 self.v = ZERO;
             }
+            End::AtOnce if !self.m.one || self.m.parts.iter().any(|p| p.slips) => {
+                self.velocities_together()?;
+                accelerated(self);
+            }
             End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
-                return beyond(Beyond::OtherEnd);
+                let size = in_sense(self.v0.clone(), self.value(&self.v0));
+                self.found(v_label, v, size.clone());
+                self.v = if size == ZERO { ZERO } else { v.into() };
+                if self.spring.is_none() {
+                    accelerated(self);
+                }
             }
         }
         Ok(())
     }
 
-    fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Arrangement) };
-        if self.v0 != ZERO {
-            return beyond(Beyond::SpringWithSpeed);
-        }
-        self.s = match self.page.draft.scene.end {
-            End::Travel(_, d) => in_sense(self.length(d), self.sense),
-            End::Position(_, x) => self.length(x),
-            _ => return beyond(Beyond::SpringWithoutPlace),
+    /// The stretch at which a spring balances a force on the lead.
+    fn rest_under(&self, spring: &CordSpring, force: &Expr) -> Expr {
+        let per = Factors::of(&spring.stiffness).times(&spring.gamma);
+        Factors::of(&-force).per(&per).expr()
+    }
+
+    /// A quantity of the swing on a spring, each once.
+    fn swung(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
+        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
+        known.unwrap_or_else(|| {
+            let symbol = self.new_symbol(names, unit);
+            self.step(symbol, from);
+            symbol
+        })
+    }
+
+    /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
+    fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
+        let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
+        let frequency = root(per.per(&Factors::of(&self.effective)).expr());
+        let frequency = self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency);
+        let rest = if self.shares(&[ForceKind::Kinetic]).is_empty() {
+            self.get(of_scene(Quantity::XEq))?
+        } else {
+            let middle = self.rest_under(spring, &self.drive);
+            self.swung(&[r"x_{\mathrm{m}}"], "m", middle)
         };
-        let stretch = self.stretch_at(&self.s.clone());
-        let last = match stretch {
-            ZERO => ZERO,
-            from => {
-                let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
-                self.step(x1, from);
-                x1.into()
+        let off = &spring.stretch - rest;
+        let amplitude = if self.v0 == ZERO {
+            in_sense(off.clone(), self.value(&off))
+        } else {
+            root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
+        };
+        let amplitude = self.swung(&["A", "B"], "m", amplitude);
+        Ok([frequency.into(), rest.into(), amplitude.into()])
+    }
+
+    /// Sense in which the stretch begins to change: 1 where it grows.
+    fn stretching(&self, spring: &CordSpring) -> f64 {
+        -self.sense * self.value(&spring.gamma.expr()).signum()
+    }
+
+    fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let (a_label, v_label) =
+            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let grows = self.stretching(&spring);
+        // The stretch at the end, and the displacement up to there.
+        let way = |x: &Expr| Factors::of(&(&spring.stretch - x)).per(&spring.gamma).expr();
+        let mut last = None;
+        match self.scene.end {
+            End::Travel(_, d) => self.s = in_sense(self.length(d), self.sense),
+            End::Position(_, x) => self.s = self.length(x),
+            End::TurningPoint(_) => {
+                let far = self.turning_point(&spring)?;
+                self.new_way(far);
             }
+            End::Speed(_, u) => {
+                let u = self.number(u, "v_1", "m/s");
+                let [_, rest, amplitude] = self.swing(&spring)?;
+                let off = root(square(&amplitude) - &self.effective * square(&u) / &spring.stiffness);
+                // Faster than at the start: before the place of rest; slower: behind it.
+                let before = self.value(&u) > self.value(&self.v0).abs();
+                let x = rest + in_sense(off, if before { -grows } else { grows });
+                if spring.rigid || self.value(&x) >= 0.0 {
+                    last = Some(x);
+                } else {
+                    let stored =
+                        &spring.stiffness * square(&spring.stretch) + &self.effective * square(&self.v0);
+                    self.new_way((&self.effective * square(&u) - stored) / (number(2) * &self.drive));
+                }
+            }
+            End::Time(_, t) => {
+                let t = self.number(t, "t", "s");
+                let slack = if spring.rigid { None } else { self.slackened(&spring)? };
+                match slack.filter(|(time, _)| self.value(time) < self.value(&t)) {
+                    Some((time, speed)) => {
+                        let left = self.swung(&[r"\Delta t"], "s", &t - time);
+                        let first = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+                        let coast = &self.drive / &self.effective;
+                        let more = in_sense(speed, self.sense) * left + ratio(1, 2) * coast * square(left);
+                        self.new_way(first + more);
+                    }
+                    None => {
+                        let [frequency, rest, amplitude] = self.swing(&spring)?;
+                        let begin = self.phase(&spring, &spring.stretch.clone())?;
+                        let turned = positive_first(vec![&frequency * t + begin]);
+                        last = Some(rest - in_sense(amplitude * cosine(turned), grows));
+                    }
+                }
+            }
+            _ => return beyond(Beyond::Unfound),
+        }
+        if let Some(x) = last {
+            let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
+            self.step(x1, x);
+            self.new_way(way(&x1.into()));
+            last = Some(x1.into());
+        }
+        let last = match last {
+            Some(x1) => x1,
+            None => match self.stretch_at(&self.s.clone()) {
+                ZERO => ZERO,
+                from => self.swung(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
+            },
         };
         let squares =
             if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
         let twice = positive_first(vec![&spring.stiffness * squares, others]);
-        self.found(self.of_lead(Quantity::V, Quantity::Omega), v, root(twice / &self.effective));
-        self.v = v.into();
+        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
+        match self.scene.end {
+            End::TurningPoint(_) => {
+                self.found(v_label, v, ZERO);
+            }
+            End::Speed(_, u) => {
+                self.v = self.number(u, "v_1", "m/s");
+                self.found(v_label, v, self.v.clone());
+            }
+            _ => {
+                self.found(v_label, v, root(before + twice / &self.effective));
+                self.v = v.into();
+            }
+        }
+        self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
         let pull = Factors::of(&spring.tension.into()).times(&spring.gamma).expr();
         let now = positive_first(vec![pull, self.drive.clone()]);
-        self.found(self.of_lead(Quantity::A, Quantity::Alpha), a, now / &self.effective);
+        self.found(a_label, a, now / &self.effective);
         Ok(())
+    }
+
+    /// The angle of the swing at a stretch: 0 at the greatest distance from rest before it.
+    fn phase(&mut self, spring: &CordSpring, stretch: &Expr) -> Result<Expr, DerivationStop> {
+        if self.v0 == ZERO && *stretch == spring.stretch {
+            return Ok(ZERO);
+        }
+        let [_, rest, amplitude] = self.swing(spring)?;
+        let grows = self.stretching(spring);
+        Ok(arc_cosine(positive_first(vec![in_sense(stretch - rest, -grows)]) / amplitude))
+    }
+
+    /// When the cord of the spring goes slack, and how fast the lead is then; `None` where it does not.
+    fn slackened(&mut self, spring: &CordSpring) -> Result<Option<(Expr, Expr)>, DerivationStop> {
+        let [frequency, rest, amplitude] = self.swing(spring)?;
+        if self.stretching(spring) > 0.0 || self.value(&rest) - self.value(&amplitude) >= 0.0 {
+            return Ok(None);
+        }
+        let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
+        let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
+        let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+        let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
+        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
+        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(before + work / &self.effective));
+        Ok(Some((time.into(), speed.into())))
+    }
+
+    /// Time of a motion on a spring, by the angle of its swing.
+    fn time_on_spring(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let last = self.last.clone();
+        let time = if last == ZERO
+            && !spring.rigid
+            && let Some((time, speed)) = self.slackened(&spring)?
+        {
+            let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+            let left = if self.drive == ZERO {
+                (&self.s - way) / in_sense(speed, self.sense)
+            } else {
+                let gain = in_sense(self.v.clone() - speed, self.sense);
+                Factors::of(&gain).times(&Factors::of(&self.effective)).per(&Factors::of(&self.drive)).expr()
+            };
+            time + left
+        } else {
+            let [frequency, ..] = self.swing(&spring)?;
+            let begin = self.phase(&spring, &spring.stretch.clone())?;
+            let end = if matches!(self.scene.end, End::TurningPoint(_)) {
+                self.draft.pi().into()
+            } else {
+                self.phase(&spring, &last)?
+            };
+            (end - begin) / frequency
+        };
+        Ok(self.new_found(label, &["t", "t_2"], "s", time))
     }
 
     /// The label of the lead: this for a line, that for a turn.
     pub fn of_lead(&self, line: Quantity, spin: Quantity) -> Label {
         of_body(if self.straight() { line } else { spin }, self.lead().body)
+    }
+
+    /// The speed of the lead at the end.
+    ///
+    /// # Errors
+    /// What is not covered.
+    pub fn speed_at_end(&mut self) -> Result<SymbolId, DerivationStop> {
+        self.get(self.of_lead(Quantity::V, Quantity::Omega))
+    }
+
+    /// The greatest speed of the lead's body.
+    ///
+    /// # Errors
+    /// What is not covered.
+    pub fn top_speed(&mut self) -> Result<SymbolId, DerivationStop> {
+        self.get(of_body(Quantity::VMax, self.lead().body))
     }
 
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
@@ -483,8 +784,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// Only several equations together give a reaction.
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
-        let mut rows: Vec<Coordinate> =
-            self.page.draft.scene.coordinates().filter(|c| !self.own(*c)).collect();
+        let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
         let mut gone: Vec<Eliminated> = Vec::new();
         let mut ties: Vec<usize> = Vec::new();
@@ -497,16 +797,16 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.row(*c).into_iter().filter_map(|(a, _)| reaction(&a).map(|t| (a, t))).collect()
             };
             let Some(at) = rows.iter().position(|c| open(c).len() == 1) else {
-                return beyond(Beyond::SeveralEquations);
+                return beyond(Beyond::Unfound);
             };
             let c = rows.remove(at);
             let (action, tie) = open(&c).remove(0);
-            let Some(force) = self.m.force_of(tie) else { return beyond(Beyond::Arrangement) };
+            let Some(force) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
             let is = self.solved(c, &action, self.gain(c))?;
             gone.push(Eliminated { row: c, force, is });
             ties.push(tie);
         }
-        rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Arrangement.into())
+        rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Unfound.into())
     }
 
     /// A row, solved for one of its forces, its inertia term given.
@@ -517,7 +817,7 @@ impl<'d, 'a> Account<'d, 'a> {
         rest.extend(others.map(|(_, share)| -share));
         let over = positive_first(vec![in_sense(sum(rest), self.value(&lever.expr()))]);
         let lever = self.magnitude(&lever);
-        if lever.is_zero() { beyond(Beyond::Arrangement) } else { Ok(Factors::of(&over).per(&lever).expr()) }
+        if lever.is_zero() { beyond(Beyond::Unfound) } else { Ok(Factors::of(&over).per(&lever).expr()) }
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -544,22 +844,105 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Body(b) => b,
             _ => self.lead().body,
         };
+        let still = [
+            (Quantity::V, "m/s"),
+            (Quantity::Omega, "rad/s"),
+            (Quantity::KineticEnergy, "J"),
+            (Quantity::VMax, "m/s"),
+            (Quantity::DAtVMax, "m"),
+            (Quantity::DTurn, "m"),
+            (Quantity::AngularMomentum, "kg m^2/s"),
+        ];
+        if let (true, Some((_, unit))) = (self.stays(), still.iter().find(|(q, _)| *q == label.quantity)) {
+            let names = match label.quantity {
+                Quantity::V => ["v"],
+                Quantity::Omega => [r"\omega"],
+                Quantity::KineticEnergy => ["E_{k}"],
+                Quantity::VMax => [r"v_{\mathrm{max}}"],
+                Quantity::DAtVMax => ["D_{v}"],
+                Quantity::DTurn => [r"D_{\mathrm{t}}"],
+                _ => ["L"],
+            };
+            return Ok(self.new_found(label, &names, unit, ZERO));
+        }
+        let c = if label.quantity == Quantity::Displacement || label.quantity == Quantity::Distance {
+            along(body)
+        } else {
+            turn(body)
+        };
         match label.quantity {
             Quantity::A | Quantity::Alpha => self.acceleration(label, body),
             Quantity::V | Quantity::Omega => self.speed(label, body),
             Quantity::Phi => self.angle(body, label),
             Quantity::Displacement => {
-                let from = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
+                let from = self.signed_travel(c)?;
                 Ok(self.new_found(label, &[r"\Delta x"], "m", from))
+            }
+            Quantity::Distance => {
+                let tag = self.tag(body, |p| p.a.is_some());
+                let from = self.travel(c)?;
+                Ok(self.new_found(label, &[&tagged("d", &tag), &tagged("D", &tag)], "m", from))
+            }
+            Quantity::AngularMomentum => {
+                let tag = self.tag(body, |p| p.alpha.is_some());
+                let omega = self.get(of_body(Quantity::Omega, body))?;
+                let inertia = self.m.inertia(c);
+                let from = sum(inertia.iter().map(|i| i.times(&Factors::of(&omega.into())).expr()));
+                let names = [&*tagged("L", &tag), &tagged(r"\Lambda", &tag)];
+                Ok(self.new_found(label, &names, "kg m^2/s", from))
+            }
+            Quantity::Impulse => {
+                let tag = self.tag(body, |p| p.a.is_some());
+                let v = self.get(of_body(Quantity::V, body))?;
+                let v = in_sense(v.into(), self.velocity_sense(along(body)));
+                let before = Factors::of(&self.v0).times(&self.m.parts[body].along).expr();
+                let gain = Factors::of(&positive_first(vec![v - before]));
+                let from = self.m.parts[body].mass.times(&gain).expr();
+                Ok(self.new_found(label, &[&tagged("J", &tag), &tagged("S", &tag)], "N s", from))
+            }
+            Quantity::Work => {
+                let from = match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
+                    true => Factors::of(&self.drive).times(&Factors::of(&self.s)).expr(),
+                    false => self.get(of_scene(Quantity::KineticEnergy))?.into(),
+                };
+                Ok(self.new_found(label, &["W", "A_{W}"], "J", from))
+            }
+            Quantity::WorkCouple | Quantity::PowerCouple => {
+                let work = label.quantity == Quantity::WorkCouple;
+                let couples =
+                    self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+                let moment = positive_first(couples.map(|(_, e)| e).collect());
+                let rate: Expr = match work {
+                    true => self.signed_travel(c)?,
+                    false => {
+                        let omega = self.get(of_body(Quantity::Omega, body))?;
+                        in_sense(omega.into(), self.velocity_sense(c))
+                    }
+                };
+                let from = Factors::of(&moment).times(&Factors::of(&rate)).expr();
+                let (name, unit) = if work { ("W_{M}", "J") } else { (r"\dot{W}_{M}", "W") };
+                Ok(self.new_found(label, &[name, &format!("{name}^{{*}}")], unit, from))
+            }
+            Quantity::FrictionIfRolled => {
+                // Found before, as if it rolled.
+                match self.draft.found_for(label) {
+                    Some(DerivedAnswer::Value(symbol)) => Ok(symbol),
+                    _ => beyond(Beyond::Unfound),
+                }
             }
             Quantity::Rise => {
                 let tag = self.tag(body, |p| p.a.is_some());
                 let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
                 let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
-                let from = Factors::of(&self.s).times(&self.m.parts[body].along).times(&climb).expr();
+                let from = Factors::of(&self.signed_travel(along(body))?).times(&climb).expr();
                 Ok(self.new_found(label, &[&tagged("h", &tag), &tagged("y", &tag)], "m", from))
             }
-            Quantity::Friction | Quantity::Tension => self.reaction(label, body),
+            Quantity::Friction | Quantity::Tension => self.reaction(label, body).or_else(|_| {
+                self.solving.clear();
+                self.together()?;
+                let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
+                found.ok_or_else(|| Beyond::Unfound.into())
+            }),
             Quantity::MuRequired => self.least_grip(body, label),
             Quantity::T => self.time(label),
             Quantity::CordTravel => self.cord_travel(label),
@@ -573,9 +956,10 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::Heat => self.heat(label),
             Quantity::KBound => self.bound_of_gyration(body, label),
             Quantity::XEq => {
-                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Arrangement) };
-                let per = Factors::of(&spring.stiffness).times(&spring.gamma);
-                let from = Factors::of(&(-&self.drive)).per(&per).expr();
+                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                // Without friction, which would hold it in many places.
+                let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect();
+                let from = if self.m.tied { self.rest_under(&spring, &positive_first(given)) } else { ZERO };
                 Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
             }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
@@ -592,7 +976,10 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
     fn acceleration(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let c = if label.quantity == Quantity::A { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.acceleration(c) else { return beyond(Beyond::Arrangement) };
+        let Some(symbol) = self.m.acceleration(c) else { return beyond(Beyond::Unfound) };
+        if c == self.lead() || !self.m.one {
+            return beyond(Beyond::Unfound);
+        }
         if self.own(c) {
             let over = positive_first(self.row(c).into_iter().map(|(_, e)| e).collect());
             let from = Factors::of(&over).per(&Factors::of(&self.m.inertia_expr(c))).expr();
@@ -605,36 +992,67 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn speed(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let c = if label.quantity == Quantity::V { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Arrangement) };
-        let from = if self.own(c) {
-            // Both accelerations are constant and both motions start from rest.
-            let alpha = self.get(of_body(Quantity::Alpha, body))?;
-            let a = self.get(of_body(Quantity::A, body))?;
-            let v = self.get(of_body(Quantity::V, body))?;
-            let turned = self.value(&alpha.into()) * self.value(&a.into());
-            in_sense(alpha / a * v, turned)
-        } else {
-            Factors::of(&self.v).times(&self.magnitude(self.m.ratio(c))).expr()
-        };
+        let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Unfound) };
+        let from = if self.own(c) { self.from_rest(c, 1)? } else { self.over_lead(&self.v, c) };
         Ok(self.found(label, symbol, from))
+    }
+
+    /// By the lead's, a magnitude.
+    fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
+        Factors::of(of).times(&self.magnitude(self.m.ratio(c))).expr()
+    }
+
+    /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
+    /// are constant, in the ratio of the accelerations.
+    fn from_rest(&mut self, c: Coordinate, order: u8) -> Result<Expr, DerivationStop> {
+        let own = self.get(rate_of(c))?;
+        let size = in_sense(own.into(), self.symbols.value(own));
+        if self.symbols.value(own) == 0.0 {
+            return Ok(ZERO);
+        }
+        if let End::Time(_, t) = self.scene.end
+            && !self.m.one
+        {
+            let t = self.number(t, "t", "s");
+            return Ok(if order == 1 { size * t } else { ratio(1, 2) * size * square(t) });
+        }
+        let lead = self.get(rate_of(self.lead()))?;
+        let by = in_sense(lead.into(), self.symbols.value(lead));
+        let of = if order == 1 { self.v.clone() } else { self.distance() };
+        Ok(size / by * of)
+    }
+
+    /// Distance or angle of a coordinate, a magnitude.
+    fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if self.own(c) { self.from_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
+    }
+
+    /// The same with its sign.
+    fn signed_travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if !self.own(c) {
+            return Ok(Factors::of(&self.s).times(self.m.ratio(c)).expr());
+        }
+        let travel = self.travel(c)?;
+        Ok(in_sense(travel, self.velocity_sense(c)))
+    }
+
+    /// Sense in which a coordinate moves; nothing turns back.
+    fn velocity_sense(&self, c: Coordinate) -> f64 {
+        match self.m.acceleration(c) {
+            Some(a) if self.own(c) => self.symbols.value(a),
+            _ => self.value(&self.m.ratio(c).expr()) * self.sense,
+        }
     }
 
     fn angle(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let tag = self.tag(body, |p| p.alpha.is_some());
-        let from = if self.own(turn(body)) {
-            let alpha = self.get(of_body(Quantity::Alpha, body))?;
-            let a = self.get(of_body(Quantity::A, body))?;
-            let sense = self.value(&alpha.into()) * self.value(&a.into());
-            let way = Factors::of(&self.distance()).times(&self.magnitude(&self.m.parts[body].along)).expr();
-            in_sense(alpha / a, sense) * way
-        } else {
-            Factors::of(&self.distance()).times(&self.magnitude(&self.m.parts[body].turn)).expr()
-        };
+        let from = self.travel(turn(body))?;
         Ok(self.new_found(label, &[&tagged(r"\varphi", &tag), &tagged(r"\psi", &tag)], "rad", from))
     }
 
-    fn label_of_tie(&self, tie: usize) -> Label {
-        match &self.page.draft.scene.ties[tie] {
+    /// Whose reaction a tie has.
+    pub fn label_of_tie(&self, tie: usize) -> Label {
+        match &self.scene.ties[tie] {
             Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                 of_body(Quantity::Friction, *body)
             }
@@ -644,7 +1062,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The contact of a body.
     pub fn contact_of(&self, body: usize) -> Option<usize> {
-        self.page.draft.scene.ties.iter().position(|t| match t {
+        self.scene.ties.iter().position(|t| match t {
             Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
             Tie::Cord(_) => false,
         })
@@ -656,15 +1074,15 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Tie(t) => Some(t),
             _ => self.contact_of(body),
         };
-        let Some(tie) = tie else { return beyond(Beyond::Arrangement) };
+        let Some(tie) = tie else { return beyond(Beyond::Unfound) };
         // Each would need the other first.
         if self.solving.contains(&tie) {
-            return beyond(Beyond::SeveralEquations);
+            return beyond(Beyond::Unfound);
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
         let mut best: Option<(usize, Coordinate, Action, Vec<usize>)> = None;
-        for c in self.page.draft.scene.coordinates() {
+        for c in self.scene.coordinates() {
             let row = self.row(c);
             let Some((action, _)) = row.iter().find(|(a, _)| a.source == ForceSource::Tie(tie)) else {
                 continue;
@@ -685,7 +1103,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 best = Some((price, c, action.clone(), others));
             }
         }
-        let Some((_, c, action, others)) = best else { return beyond(Beyond::SeveralEquations) };
+        let Some((_, c, action, others)) = best else { return beyond(Beyond::Unfound) };
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
@@ -693,7 +1111,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.get(of_body(Quantity::A, c.body))?;
         }
         let from = self.solved(c, &action, self.gain(c))?;
-        let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Arrangement) };
+        let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
         self.solving.pop();
         Ok(self.found(self.label_of_tie(tie), symbol, from))
     }
@@ -708,7 +1126,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             None => {
                 // Kinetic friction says nothing of the grip that rolling needs.
-                let rolling = self.page.draft.found_for(of_body(Quantity::FrictionIfRolled, body));
+                let rolling = self.found_for(of_body(Quantity::FrictionIfRolled, body));
                 match rolling {
                     Some(DerivedAnswer::Value(f)) if self.m.parts[body].slips => f,
                     _ => self.get(of_body(Quantity::Friction, body))?,
@@ -725,7 +1143,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// What is not covered.
     pub fn extremes(&mut self, body: usize) -> Result<[(f64, SymbolId); 2], DerivationStop> {
-        let far = match self.page.draft.scene.span {
+        let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
             _ => self.turning_or_slack()?.0,
         };
@@ -741,11 +1159,20 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
-    fn turning_or_slack(&self) -> Result<(Expr, bool), DerivationStop> {
-        let Some(spring) = &self.spring else { return beyond(Beyond::Arrangement) };
+    ///
+    /// # Errors
+    /// There is no spring.
+    pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let kappa = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch));
-        let turn = number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa;
+        let turn = if self.v0 == ZERO {
+            number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa
+        } else {
+            let [_, rest, amplitude] = self.swing(&spring)?;
+            let last = rest + in_sense(amplitude, self.stretching(&spring));
+            Factors::of(&(&spring.stretch - last)).per(&spring.gamma).expr()
+        };
         let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
         let (t, s) = (self.value(&turn), self.value(&slack));
         let goes_slack = !spring.rigid && s * t > 0.0 && s.abs() < t.abs();
@@ -754,20 +1181,37 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
     fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<(f64, SymbolId), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Arrangement) };
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
-        let rate = self.friction_per_tension(body, spring.tie)?;
-        let tex = marked(self.page.draft.symbols.tex(now), mark);
-        let symbol = self.page.draft.symbols.unknown_like(&tex, now);
-        let less = &spring.stiffness * &stretch - spring.tension;
-        self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
+        let tex = marked(self.symbols.tex(now), mark);
+        let symbol = self.draft.symbols.unknown_like(&tex, now);
+        match self.friction_per_tension(body, spring.tie) {
+            Ok(rate) => {
+                let less = &spring.stiffness * &stretch - spring.tension;
+                self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
+            }
+            Err(_) => {
+                // From all equations together, with the pull of the spring there.
+                let end = self.symbols.value(spring.tension);
+                let pull = self.value(&(&spring.stiffness * &stretch));
+                self.symbols.settle(spring.tension, pull, 0.0);
+                let there = self.rows_solved();
+                self.symbols.settle(spring.tension, end, 0.0);
+                let at = self.unknowns().iter().position(|(_, s)| *s == now);
+                let Some(value) = there.zip(at).and_then(|(all, at)| all[at]) else {
+                    return beyond(Beyond::Unfound);
+                };
+                self.symbols.settle(symbol, value, 0.0);
+                self.step(symbol, symbol.into());
+            }
+        }
         Ok((self.value(&stretch), symbol))
     }
 
     /// By how much the friction on a body grows with the tension of a cord: from its closed form.
     fn friction_per_tension(&mut self, body: usize, tie: usize) -> Result<Expr, DerivationStop> {
-        let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Arrangement) };
+        let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Unfound) };
         let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
         let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
         Ok(over.per(&closed.under).expr())
@@ -779,7 +1223,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let part = self.m.parts.get(body)?.clone();
         let tied = |a: &Action| a.kind == ForceKind::Reaction && !a.contact;
         let tie = self.contact_of(body)?;
-        let rolls = matches!(self.page.draft.scene.ties[tie], Tie::Roll { .. }) || self.rolled;
+        let rolls = matches!(self.scene.ties[tie], Tie::Roll { .. }) || self.rolled == Some(tie);
         if !rolls || part.mass.is_zero() || self.m.actions.iter().any(|a| a.body == body && tied(a)) {
             return None;
         }
@@ -801,12 +1245,15 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn time(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        if self.spring.is_some() {
-            return beyond(Beyond::SpringTime);
-        }
-        if let End::Time(_, t) = self.page.draft.scene.end {
-            let t = self.page.draft.number(t, "t", "s");
+        if let End::Time(_, t) = self.scene.end {
+            let t = self.number(t, "t", "s");
             return Ok(self.new_found(label, &["t", "t_2"], "s", t));
+        }
+        if self.value(&self.s) == 0.0 {
+            return Ok(self.new_found(label, &["t", "t_2"], "s", ZERO));
+        }
+        if self.spring.is_some() {
+            return self.time_on_spring(label);
         }
         let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
         let from = if self.value(&a.into()) == 0.0 {
@@ -822,30 +1269,37 @@ impl<'d, 'a> Account<'d, 'a> {
     fn several_pulls(&self) -> bool {
         let pulled =
             |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
-        self.page.draft.scene.ties.iter().filter(pulled).count() > 1
+        self.scene.ties.iter().filter(pulled).count() > 1
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
-        let Owner::Tie(t) = label.of else { return beyond(Beyond::Arrangement) };
-        self.m.action_of(t).map_or_else(|| beyond(Beyond::Arrangement), |a| Ok((t, a.clone())))
+        let Owner::Tie(t) = label.of else { return beyond(Beyond::Unfound) };
+        self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
     }
 
-    /// Travel (or velocity) of a cord's end on a slipping body, in the sense of the pull: that of the centre, and that of the turn.
-    fn on_slipping(&self, action: &Action, centre: Expr, turned: Expr) -> Expr {
-        let part = &self.m.parts[action.body];
-        let along = Factors::of(&centre).times(&action.along.times(&part.along)).signed(sign(self.sense));
-        let spin = self.spin_sense(action.body);
-        let turn = Factors::of(&turned).times(&action.arm).signed(sign(spin));
-        positive_first(vec![along.expr(), turn.expr()])
+    /// Travel of a cord's end in the sense of the pull, from the travels of the centre and of the turn.
+    fn pulled_way(&mut self, action: &Action) -> Result<Expr, DerivationStop> {
+        let mut all = Vec::new();
+        for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
+            if !share.is_zero() {
+                all.push(Factors::of(&self.signed_travel(c)?).times(share).expr());
+            }
+        }
+        Ok(positive_first(all))
+    }
+
+    /// Do the centre and the turn of this body move by themselves?
+    fn loose(&self, body: usize) -> bool {
+        !self.m.one || self.m.parts[body].slips
     }
 
     fn cord_travel(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { String::new() };
-        let from = if self.m.parts[action.body].slips {
-            let phi = self.get(of_body(Quantity::Phi, action.body))?;
-            let travel = self.on_slipping(&action, self.distance(), phi.into());
-            positive_first(vec![in_sense(travel.clone(), self.value(&travel))])
+        let from = if self.loose(action.body) {
+            let way = self.pulled_way(&action)?;
+            let way = in_sense(way.clone(), self.value(&way));
+            positive_first(vec![way])
         } else {
             Factors::of(&self.distance()).times(&self.magnitude(&self.point(&action))).expr()
         };
@@ -857,25 +1311,27 @@ impl<'d, 'a> Account<'d, 'a> {
         let work = label.quantity == Quantity::WorkPull;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
         let name = if work { "W" } else { r"\dot{W}" };
-        let slips = self.m.parts[action.body].slips;
-        let rate = match (work, slips) {
+        let rate = match (work, self.loose(action.body)) {
             (true, false) => {
                 let travel = self.get(of_tie(Quantity::CordTravel, t))?;
                 let helps = self.value(&self.point(&action).expr()) * self.value(&self.s);
                 in_sense(travel.into(), helps)
             }
-            (true, true) => {
-                let phi = self.get(of_body(Quantity::Phi, action.body))?;
-                self.on_slipping(&action, self.distance(), phi.into())
-            }
+            (true, true) => self.pulled_way(&action)?,
             (false, false) => {
                 let point = self.point(&action).signed(sign(self.sense));
                 Factors::of(&self.v).times(&point).expr()
             }
             (false, true) => {
-                let v = self.get(of_body(Quantity::V, action.body))?;
-                let omega = self.get(of_body(Quantity::Omega, action.body))?;
-                self.on_slipping(&action, v.into(), omega.into())
+                let mut all = Vec::new();
+                for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
+                    if !share.is_zero() {
+                        let speed = self.get(speed_of(c))?;
+                        let speed = in_sense(speed.into(), self.velocity_sense(c));
+                        all.push(Factors::of(&speed).times(share).expr());
+                    }
+                }
+                positive_first(all)
             }
         };
         let from = Factors::of(&action.force).times(&Factors::of(&rate)).expr();
@@ -885,13 +1341,12 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Kinetic energy: each mass and moment of inertia with its own speed.
     fn kinetic_sum(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
-        for c in self.page.draft.scene.coordinates() {
-            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
+        for c in self.scene.coordinates() {
             let inertia = self.m.inertia(c);
             if inertia.is_empty() || (self.m.ratio(c).is_zero() && !self.own(c)) {
                 continue;
             }
-            let v = self.get(of_body(quantity, c.body))?;
+            let v = self.get(speed_of(c))?;
             all.extend(
                 inertia
                     .iter()
@@ -903,7 +1358,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn rotational(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let mut turning = Vec::new();
-        let slips = self.m.parts.iter().any(|p| p.slips);
+        let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for body in 0..self.m.parts.len() {
             let c = turn(body);
             for i in self.m.inertia(c) {
@@ -922,35 +1377,26 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(self.new_found(label, &[r"\eta", r"\beta"], "1", from))
     }
 
-    /// Sense in which a slipping body turns.
-    fn spin_sense(&self, body: usize) -> f64 {
-        let over = sum(self.row(turn(body)).into_iter().map(|(_, e)| e));
-        if self.value(&over) < 0.0 { -1.0 } else { 1.0 }
-    }
-
     fn slip_distance(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
-        let radius = self.page.draft.scene.ties.iter().find_map(|tie| match tie {
+        let radius = self.scene.ties.iter().find_map(|tie| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
         });
-        let Some(radius) = radius else { return beyond(Beyond::Arrangement) };
-        let c = self.page.draft.number(radius, "R", "m");
+        let Some(radius) = radius else { return beyond(Beyond::Unfound) };
+        let c = self.number(radius, "R", "m");
         let phi = self.get(of_body(Quantity::Phi, body))?;
-        let way = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
-        let from = way - in_sense(c * phi, self.spin_sense(body));
+        let way = self.signed_travel(along(body))?;
+        let from = way - in_sense(c * phi, self.velocity_sense(turn(body)));
         let from = positive_first(vec![in_sense(from.clone(), self.value(&from))]);
         Ok(self.new_found(label, &[r"\delta", r"\Delta"], "m", from))
     }
 
     fn heat(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let mut all = Vec::new();
-        for tie in &self.page.draft.scene.ties {
+        for tie in &self.scene.ties {
             let (body, way) = match tie {
                 Tie::Slip { body, .. } => (*body, self.get(of_body(Quantity::SlipDistance, *body))?.into()),
-                Tie::Slide { body, .. } => {
-                    let ratio = self.magnitude(&self.m.parts[*body].along);
-                    (*body, Factors::of(&self.distance()).times(&ratio).expr())
-                }
+                Tie::Slide { body, .. } => (*body, self.travel(along(*body))?),
                 _ => continue,
             };
             let f = self.get(of_body(Quantity::Friction, body))?;
@@ -962,12 +1408,12 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`.
     fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
-        let c = self.page.draft.scene.ties.iter().find_map(|t| match t {
+        let c = self.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
-        let Some(c) = c else { return beyond(Beyond::NoBound) };
-        let c = self.page.draft.number(c, "R", "m");
+        let Some(c) = c else { return beyond(Beyond::Unfound) };
+        let c = self.number(c, "R", "m");
         let share = |task: &Self, c: Coordinate| {
             let given = task.row(c).into_iter().filter(|(a, _)| a.kind == ForceKind::Given);
             sum(given.map(|(_, e)| e))
@@ -975,7 +1421,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (force, moment) = (share(self, along(body)), share(self, turn(body)));
         let up = f64::from(self.m.parts[body].up);
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
-            return beyond(Beyond::NoBound);
+            return beyond(Beyond::Unfound);
         }
         Ok(self.new_found(label, &["k_{0}"], "m", root(c * moment / force)))
     }
@@ -987,22 +1433,34 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(spring) = self.spring.clone() else {
             // Thrown against a constant force: fastest at the start.
             if self.value(&self.drive) * self.sense > 0.0 {
-                return beyond(Beyond::NeverFastest);
+                return beyond(Beyond::Unfound);
             }
             let size = in_sense(self.v0.clone(), self.sense);
             self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
             self.new_found(at, &["D_{v}"], "m", ZERO);
             return self.get(label);
         };
-        let x_eq = self.get(of_scene(Quantity::XEq))?;
-        if !spring.rigid && self.value(&x_eq.into()) < 0.0 {
-            return beyond(Beyond::FastestSlack);
-        }
-        let gap = &spring.stretch - x_eq;
-        let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
+        let [frequency, x_eq, amplitude] = self.swing(&spring)?;
+        let gap = &spring.stretch - &x_eq;
         let per = self.magnitude(&spring.gamma);
+        let ahead = self.value(&gap) * -self.stretching(&spring);
+        if ahead < 0.0 && self.v0 != ZERO {
+            // It goes away from the place of rest, so it was fastest at the start.
+            let size = in_sense(self.v0.clone(), self.sense);
+            self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
+            self.new_found(at, &["D_{v}"], "m", ZERO);
+            return self.get(label);
+        }
+        if !spring.rigid && self.value(&x_eq) < 0.0 {
+            return beyond(Beyond::Unfound);
+        }
+        let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
         self.new_found(at, &["D_{v}"], "m", Factors::of(&gap).per(&per).expr());
-        let from = gap * root(&spring.stiffness / &self.effective);
+        let from = if self.v0 == ZERO {
+            gap * root(&spring.stiffness / &self.effective)
+        } else {
+            Factors::of(&(amplitude * frequency)).per(&per).expr()
+        };
         self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);
         self.get(label)
     }
@@ -1012,22 +1470,28 @@ impl<'d, 'a> Account<'d, 'a> {
         let against = in_sense(self.drive.clone(), self.value(&self.drive));
         let Some(spring) = self.spring.clone() else {
             if self.value(&self.drive) * self.sense >= 0.0 {
-                return beyond(Beyond::NeverTurns);
+                return beyond(Beyond::Unfound);
             }
             let over = &self.effective * square(&self.v0);
             return Ok(self.new_found(label, &names, "m", over / (number(2) * against)));
         };
+        let far = self.turning_point(&spring)?;
+        let from = in_sense(far.clone(), self.value(&far));
+        Ok(self.new_found(label, &names, "m", from))
+    }
+
+    /// Displacement of the lead to its turning point, on the spring or, once its cord is slack, without it.
+    fn turning_point(&mut self, spring: &CordSpring) -> Result<Expr, DerivationStop> {
         let (far, slack) = self.turning_or_slack()?;
         if !slack {
-            let from = in_sense(far.clone(), self.value(&far));
-            return Ok(self.new_found(label, &names, "m", from));
+            return Ok(far);
         }
-        // Slack: all that the spring stored goes into what the other forces take up to the turning point.
         if self.value(&self.drive) * self.value(&far) >= 0.0 {
-            return beyond(Beyond::NeverTurns);
+            return beyond(Beyond::Unfound);
         }
-        let over = &spring.stiffness * square(&spring.stretch);
-        Ok(self.new_found(label, &names, "m", over / (number(2) * against)))
+        let stored = &spring.stiffness * square(&spring.stretch);
+        let moving = if self.v0 == ZERO { ZERO } else { &self.effective * square(&self.v0) };
+        Ok(-((stored + moving) / (number(2) * &self.drive)))
     }
 }
 

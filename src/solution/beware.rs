@@ -16,7 +16,7 @@ pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
             let part = format!("`{number}.{}`", draft.problem.questions[question].id);
             let pieces =
                 [("did", words.did.as_str()), ("part", &part), ("wrong", &wrong), ("see", &words.see)];
-            draft.say("solution.beware.item", &pieces)
+            draft.words.say("solution.beware.item", &pieces)
         })
         .collect();
     if items.is_empty() {

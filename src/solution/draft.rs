@@ -6,7 +6,8 @@ use crate::bank::expression;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
-use crate::scene::{Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::text::SolutionSection;
@@ -65,6 +66,10 @@ pub struct Draft<'a> {
     data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
     told: Vec<String>,
+    /// Data that are `any`, each with the value that was chosen.
+    pub chosen: Vec<SymbolId>,
+    /// What the contacts are taken as, where another scene is worked.
+    pub as_if: Option<AsIf>,
     /// Constants of the bank that were given a symbol: value (bits) and symbol.
     constants: Vec<(u64, String, SymbolId)>,
 }
@@ -75,7 +80,21 @@ impl<'a> Draft<'a> {
     /// # Errors
     /// The variant has a case that the problem has not.
     pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words) -> Result<Self, Finding> {
-        Self::with(problem, variant, Symbols::new(words), words)
+        let unknown = asked::unknown_value(problem, variant, words);
+        Self::with(problem, variant, Symbols::new(words), words, unknown)
+    }
+
+    /// As [`Draft::new`], with this value of the datum that is to be found.
+    ///
+    /// # Errors
+    /// Those of [`Draft::new`].
+    pub fn trial(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        words: &'a Words,
+        unknown: f64,
+    ) -> Result<Self, Finding> {
+        Self::with(problem, variant, Symbols::new(words), words, Some(unknown))
     }
 
     /// As [`Draft::new`], for somebody who writes each quantity down with so many figures ([`Symbols::by_hand`]).
@@ -88,7 +107,8 @@ impl<'a> Draft<'a> {
         words: &'a Words,
         figures: usize,
     ) -> Result<Self, Finding> {
-        Self::with(problem, variant, Symbols::by_hand(words, figures), words)
+        let unknown = asked::unknown_value(problem, variant, words);
+        Self::with(problem, variant, Symbols::by_hand(words, figures), words, unknown)
     }
 
     fn with(
@@ -96,6 +116,7 @@ impl<'a> Draft<'a> {
         variant: &'a Variant,
         symbols: Symbols<'a>,
         words: &'a Words,
+        unknown: Option<f64>,
     ) -> Result<Self, Finding> {
         let Some(case) = problem.cases.get(variant.case) else {
             return Err(Finding::new(
@@ -114,6 +135,8 @@ impl<'a> Draft<'a> {
             found: Vec::new(),
             data: vec![None; problem.data.len()],
             told: Vec::new(),
+            chosen: Vec::new(),
+            as_if: None,
             constants: Vec::new(),
         };
         for (i, datum) in problem.data.iter().enumerate() {
@@ -140,12 +163,20 @@ impl<'a> Draft<'a> {
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
             let weighs = |b: &Body| b.pin.is_some() || matches!(b.mass, Mass::Weight(_));
             let bodies = &draft.scene.bodies;
-            let falls = draft.scene.end != End::AtOnce && !bodies.iter().all(Body::massless);
+            let falls = (draft.scene.end != End::AtOnce || draft.forces_asked())
+                && !bodies.iter().all(Body::massless);
             let idle = draft.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {
                 draft.told.push(format!("{} = {printed}{again}", datum.tex));
             }
             draft.data[i] = Some(symbol);
+        }
+        if let (Some(found), Some(x)) = (draft.scene.formulas.found, unknown) {
+            let datum = &problem.data[found.unknown.datum];
+            let unit = if datum.degrees { String::new() } else { si_unit(&datum.unit).tex() };
+            let digits = shown::significant(x, FIGURES);
+            let symbol = draft.symbols.given(&datum.tex, x, &digits, &unit, datum.degrees);
+            draft.data[found.unknown.datum] = Some(symbol);
         }
         Ok(draft)
     }
@@ -160,7 +191,7 @@ impl<'a> Draft<'a> {
             },
             Num::Fixed(0.0) => ZERO,
             Num::Fixed(_) | Num::Derived(_) => {
-                let x = self.value(num);
+                let x = self.datum(num);
                 let (digits, written) = match num {
                     Num::Derived(i) => {
                         let text = self.scene.formulas.numbers.get(i).map_or("", |n| n.text.as_str());
@@ -180,10 +211,23 @@ impl<'a> Draft<'a> {
                 let mut name = self.free(&[tex]);
                 for i in 1..10 {
                     if taken(&name) {
-                        name = format!("{tex}_{{{i}}}");
+                        name = match tex.split_once('_') {
+                            Some((head, below)) if !below.starts_with('{') => {
+                                format!("{head}_{{{below},{i}}}")
+                            }
+                            _ => format!("{tex}_{{{i}}}"),
+                        };
                     }
                 }
                 let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);
+                let any = |i: usize| self.scene.formulas.numbers.get(i).is_some_and(|n| n.any);
+                if let Num::Derived(i) = num
+                    && any(i)
+                {
+                    self.chosen.push(symbol);
+                    self.constants.push((x.to_bits(), tex.to_owned(), symbol));
+                    return symbol.into();
+                }
                 self.told.push(format!("{name}{written} = {}", self.symbols.shown(symbol)));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                 symbol.into()
@@ -192,7 +236,7 @@ impl<'a> Draft<'a> {
     }
 
     /// The value of a number of the scene, SI, slopes in degrees.
-    pub fn value(&self, num: Num) -> f64 {
+    pub fn datum(&self, num: Num) -> f64 {
         self.scene.value(num, &self.variant.data)
     }
 
@@ -208,6 +252,11 @@ impl<'a> Draft<'a> {
     /// A quantity that is not known yet, in the unit (ASCII) given.
     pub fn unknown(&mut self, tex: &str, unit: &str) -> SymbolId {
         self.symbols.unknown(tex, &tex_of(unit))
+    }
+
+    /// Pi, which is its own number.
+    pub fn pi(&mut self) -> SymbolId {
+        self.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false)
     }
 
     /// A phrase of the lists, its places filled in.
@@ -264,7 +313,35 @@ impl<'a> Draft<'a> {
 
     /// Is this quantity asked, of anything?
     pub fn asks(&self, quantity: Quantity) -> bool {
-        self.problem.questions.iter().any(|q| q.label.quantity == quantity)
+        asked::needed(self.scene, self.problem).iter().any(|label| label.quantity == quantity)
+    }
+
+    /// Does what is to move stay where it is?
+    pub fn stays(&self) -> bool {
+        self.as_if.is_none() && self.variant.solved.regime.stays()
+    }
+
+    /// Is anything asked at which forces have to be known?
+    pub fn forces_asked(&self) -> bool {
+        use Quantity::{
+            A, Alpha, Direction, Friction, FrictionIfRolled, MuRequired, Normal, PowerCouple, PowerPull,
+            Rolls, Tension, Value,
+        };
+        let forced = [
+            A,
+            Alpha,
+            Direction,
+            Friction,
+            FrictionIfRolled,
+            MuRequired,
+            Normal,
+            PowerCouple,
+            PowerPull,
+            Rolls,
+            Tension,
+            Value,
+        ];
+        asked::needed(self.scene, self.problem).iter().any(|label| forced.contains(&label.quantity))
     }
 
     /// Is this label asked?
@@ -299,7 +376,7 @@ fn si_digits(drawn: Decimal, unit: &Unit, value: f64) -> String {
 /// The shortest digits that give the double back.
 fn shortest(x: f64) -> String {
     let plain = format!("{x}");
-    if plain.len() > 12 { shown::significant(x, FIGURES) } else { plain }
+    if plain.len() > 12 { shown::significant(x, 2 * FIGURES) } else { plain }
 }
 
 /// The SI unit of the same kind.

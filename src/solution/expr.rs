@@ -38,6 +38,8 @@ pub enum Function {
     Cosine,
     /// Magnitude.
     Magnitude,
+    /// The angle, in radians, whose cosine it is.
+    ArcCosine,
 }
 
 /// A number that belongs to a formula.
@@ -199,6 +201,11 @@ pub fn cosine(of: impl Into<Expr>) -> Expr {
         Expr::Number(0, _) => ONE,
         angle => Expr::Of(Function::Cosine, Box::new(angle)),
     }
+}
+
+/// The angle from 0 to pi with this cosine.
+pub fn arc_cosine(of: impl Into<Expr>) -> Expr {
+    Expr::Of(Function::ArcCosine, Box::new(of.into()))
 }
 
 /// Magnitude.

@@ -31,16 +31,16 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let lamina = read(draft)?;
     let mut page = Page::new(draft);
     page.begin("idea");
-    page.add(page.draft.say("lamina.idea", &[]));
+    page.say("lamina.idea", &[]);
     page.begin("sketch");
     page.out.blocks = vec![Block::Picture("scene".to_owned())];
     let (mass, _) = lamina.decomposition(&mut page);
     lamina.particles(&mut page);
     lamina.cross(&mut page, mass);
     page.begin("limits");
-    page.add(page.draft.say("lamina.limits", &[]));
+    page.say("lamina.limits", &[]);
     page.begin("onward");
-    page.add(page.draft.say("lamina.onward", &[]));
+    page.say("lamina.onward", &[]);
     page.end();
     Ok(())
 }
@@ -48,7 +48,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
 fn read(draft: &mut Draft) -> Result<Lamina, DerivationStop> {
     let scene = draft.scene;
     if scene.bodies.len() != 1 {
-        return Err(Beyond::LaminaInCompany.into());
+        return Err(Beyond::Unfound.into());
     }
     let motion = scene.start.iter().find_map(|s| match s {
         Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
@@ -57,7 +57,7 @@ fn read(draft: &mut Draft) -> Result<Lamina, DerivationStop> {
         Start::Speed(..) => None,
     });
     let Some((body, known, vx, vy, spin)) = motion else {
-        return Err(Beyond::LaminaWithoutMotion.into());
+        return Err(Beyond::Unfound.into());
     };
     let particles = &scene.bodies[body].particles;
     let names: Vec<String> = particles.iter().map(|p| p.name.clone()).collect();
@@ -95,8 +95,8 @@ impl Lamina {
     /// A sum over the particles, as a quantity of its own, with how it is written.
     fn total(&self, page: &mut Page, tex: &str, unit: &str, term: &dyn Fn(usize) -> Expr) -> SymbolId {
         let all = sum((0..self.count()).map(term));
-        let symbol = page.draft.unknown(tex, unit);
-        page.draft.symbols.settle_by(symbol, &all);
+        let symbol = page.unknown(tex, unit);
+        page.symbols.settle_by(symbol, &all);
         symbol
     }
 
@@ -113,7 +113,7 @@ impl Lamina {
         for (i, name) in self.names.iter().enumerate() {
             let cells = cells(i).into_iter().enumerate().map(|(column, e)| match e {
                 Expr::Symbol(s) if column < given => {
-                    let shown = page.draft.symbols.shown(s);
+                    let shown = page.symbols.shown(s);
                     format!("${}$", shown.split(r"\ ").next().unwrap_or_default())
                 }
                 e => cell(page.draft, page.value(&e)),
@@ -127,7 +127,7 @@ impl Lamina {
 
     fn decomposition(&self, page: &mut Page) -> (SymbolId, SymbolId) {
         page.begin_as("short", "short_lamina");
-        page.add(page.draft.say("lamina.centre", &[]));
+        page.say("lamina.centre", &[]);
         let mass_sum = self.total(page, r"\sum m_i", "kg", &|i| self.m[i].clone());
         let moment = |page: &mut Page, letter: &str, c: &[Expr]| {
             let tex = format!(r"\sum m_i\,{letter}_i");
@@ -164,21 +164,21 @@ impl Lamina {
             page.display(symbol, &from.unwrap_or(ZERO), "");
         }
         for (quantity, symbol) in [(Quantity::XG, x), (Quantity::YG, y), (Quantity::IG, own)] {
-            page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
+            page.answer(self.label(quantity), DerivedAnswer::Value(symbol));
         }
         let k = self.known;
         let known = format!("${}$", self.names[k]);
-        page.add(page.draft.say("lamina.velocity", &[("known", &known)]));
+        page.say("lamina.velocity", &[("known", &known)]);
         let vx = &self.vx - &self.spin * (y - &self.y[k]);
         let vy = &self.vy + &self.spin * (x - &self.x[k]);
         let vx = page.find(&["v_{Gx}"], "m/s", vx);
         let vy = page.find(&["v_{Gy}"], "m/s", vy);
         page.tell_new();
-        page.add(page.draft.say("lamina.split", &[]));
+        page.say("lamina.split", &[]);
         let centre = ratio(1, 2) * mass * (square(vx) + square(vy));
         let turning = ratio(1, 2) * own * square(&self.spin);
         let energy = page.find(&["T", "E"], "J", centre + turning);
-        page.draft.answer(
+        page.answer(
             Label { quantity: Quantity::KineticEnergy, of: Owner::Scene },
             DerivedAnswer::Value(energy),
         );
@@ -191,7 +191,7 @@ impl Lamina {
     fn particles(&self, page: &mut Page) {
         page.begin_as("long", "long_lamina");
         let known = format!("${}$", self.names[self.known]);
-        page.add(page.draft.say("lamina.velocities", &[("known", &known)]));
+        page.say("lamina.velocities", &[("known", &known)]);
         let (vx, vy, spin) = (page.tex(&self.vx), page.tex(&self.vy), page.tex(&self.spin));
         let (xk, yk) = (page.tex(&self.x[self.known]), page.tex(&self.y[self.known]));
         page.formula(format!(r"v_{{x,i}} = {vx} - {spin}\,\left(y_i - {yk}\right)"));
@@ -219,13 +219,13 @@ impl Lamina {
     }
 
     fn cross(&self, page: &mut Page, mass: SymbolId) {
-        page.begin("why");
+        page.begin_as("why", "which");
         let known = format!("${}$", self.names[self.known]);
         let (n, count) = (self.count().to_string(), (2 * self.count()).to_string());
-        page.add(page.draft.say("lamina.why", &[("n", &n), ("count", &count)]));
-        page.add(page.draft.say("lamina.cross", &[("known", &known)]));
+        page.say("lamina.why", &[("n", &n), ("count", &count)]);
+        page.say("lamina.cross", &[("known", &known)]);
         let k = self.known;
-        let named = |tex: &str| page.draft.symbols.named(tex);
+        let named = |tex: &str| page.symbols.named(tex);
         let (Some(x), Some(y)) = (named("x_G"), named("y_G")) else { return };
         let cross = mass * &self.spin * (&self.vy * (x - &self.x[k]) - &self.vx * (y - &self.y[k]));
         page.find(&[r"T_{\times}", r"E_{\times}"], "J", cross);

@@ -12,12 +12,12 @@
 //!
 //! What is not covered has a short page: `answers`, `given`, `beyond` with the reason.
 pub mod account;
+pub mod asked;
 pub mod beware;
 pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
-pub mod instant;
 pub mod lamina;
 pub mod narrate;
 pub mod page;
@@ -131,6 +131,11 @@ fn made(
             sections.push(section);
         }
     }
+    // What is not given comes before the first formula, a question to go on with at the end.
+    if let Some(at) = sections.iter().position(|s| s.id == "unknown") {
+        let early = sections.remove(at);
+        sections.insert(2, early);
+    }
     if let Some(at) = sections.iter().position(|s| s.id == "onward") {
         let last = sections.remove(at);
         sections.push(last);
@@ -186,17 +191,18 @@ fn made(
     Ok((Document::new(markdown, pictures), beyond))
 }
 
-/// The derivation that the scene needs.
+/// All that is derived: the scene, then what is asked of it by formulas.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.formulas.numbers.iter().any(|n| n.any) {
-        return Err(Beyond::Any.into());
-    }
     if !draft.scene.growths.is_empty() {
         return Err(Beyond::GrowingForce.into());
     }
-    if draft.scene.formulas.found.is_some() {
-        return Err(Beyond::Found.into());
-    }
+    scene(draft)?;
+    asked::not_given(draft);
+    asked::answer(draft)
+}
+
+/// The derivation that the scene needs.
+fn scene(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::sections(draft);
     }

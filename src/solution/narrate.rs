@@ -2,20 +2,21 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::num::shown;
-use crate::scene::{Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
-use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie};
+use crate::scene::{AsIf, Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
+use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
+use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::{PACKED, Page, WITHIN, aligned, packed};
+use crate::solution::page::{PACKED, WITHIN, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::{Action, ForceKind, ForceSource};
 use crate::solution::text::{Block, LINE, SolutionSection};
+use crate::solution::way;
 use crate::solution::written::width;
-use crate::solution::{instant, way};
 use crate::solve::outcome::Word;
 use std::ops::{Deref, DerefMut};
 
@@ -28,6 +29,10 @@ enum Short {
     Motion,
     /// Neither: the contact slips, and each freedom needs an equation of its own.
     Neither,
+    /// The equations of several freedoms, or of what friction holds, solved together.
+    Together,
+    /// Velocities and forces of an instant.
+    Instant,
 }
 
 /// Writes the sections of a scene of lines and axles.
@@ -35,40 +40,35 @@ enum Short {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.end == End::AtOnce {
-        return instant::write(draft);
-    }
-    if draft.variant.solved.regime.stays() {
-        return Err(Beyond::NothingMoves.into());
-    }
     let ties = &draft.scene.ties;
     let slips: Vec<usize> = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. })).collect();
-    if slips.len() > 1 {
-        return Err(Beyond::SeveralSlips.into());
+    let alone = draft.scene.bodies.len() == 1 && slips.len() == 1;
+    let mut rolled = Vec::new();
+    for tie in slips {
+        rolled.extend(could_it_roll(draft, tie)?);
     }
-    let mut senses = Vec::new();
-    let mut rolled = None;
-    if let [tie] = slips.as_slice() {
-        let (sense, section) = could_it_roll(draft, *tie)?;
-        senses.push((*tie, sense));
-        rolled = Some(section);
+    let mut account = Account::new(draft, None)?;
+    let stays = account.stays();
+    if !stays {
+        account.arrive()?;
     }
-    let mut account = Account::new(draft, false, &senses)?;
-    account.arrive()?;
-    let end = account.page.draft.scene.end;
+    let end = account.scene.end;
     let short = match end {
-        _ if rolled.is_some() => Short::Neither,
+        End::AtOnce => Short::Instant,
+        _ if stays || !account.m.one => Short::Together,
+        _ if !rolled.is_empty() && alone => Short::Neither,
+        _ if !rolled.is_empty() => Short::Together,
         End::Time(..) => Short::Motion,
         _ => Short::Energy,
     };
-    let mut n = Narrator::new(account, short);
+    let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
+    let mut n = Narrator { t: account, short, rows: Vec::new(), gone: Vec::new() };
     n.idea();
     n.sketch();
-    if let Some(section) = rolled {
-        n.end();
-        n.t.page.draft.sections.push(section);
-    }
+    n.end();
+    n.draft.sections.extend(rolled);
     match short {
+        Short::Energy | Short::Motion if swings => n.swings()?,
         Short::Energy => {
             n.energy();
             n.motion("long")?;
@@ -82,43 +82,97 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
             n.motion("short")?;
             n.energy_of_slip()?;
         }
+        Short::Together => {
+            n.motion("short")?;
+            if !stays {
+                n.why_together();
+            }
+        }
+        Short::Instant => n.instant()?,
     }
-    n.forces()?;
+    let forced = short != Short::Instant || n.forces_asked();
+    if forced {
+        n.forces()?;
+    }
     n.rest()?;
-    n.holds()?;
+    if forced {
+        n.holds()?;
+    }
     n.limits()?;
     n.onward();
     Ok(())
 }
 
-/// What friction rolling would need, and its sense, positive up.
-fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<(f64, SolutionSection), DerivationStop> {
-    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else {
-        return Err(Beyond::Arrangement.into());
-    };
-    let mut n = Narrator::new(Account::new(draft, true, &[])?, Short::Neither);
+/// Quantities of the scene as if its contacts were others: the equations of motion, solved again.
+///
+/// # Errors
+/// What is not covered.
+pub fn as_if(
+    draft: &mut Draft,
+    how: AsIf,
+    labels: &[Label],
+) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
+    let mut account = Account::new(draft, None)?;
+    account.arrive()?;
+    let mut n = Narrator { t: account, short: Short::Instant, rows: Vec::new(), gone: Vec::new() };
+    n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
+    n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
+    n.write_rows();
+    n.tell_ratios();
+    let a = n.acceleration();
+    if n.m.one {
+        let right = Factors::of(&n.effective).times(&Factors::of(&a.into())).expr();
+        let line = format!("{} = {}", n.tex(&n.all_shares()), n.tex(&right));
+        n.say("asked.together", &[]);
+        n.formula(line);
+    }
+    n.skip_new();
+    let mut found = Vec::new();
+    for label in labels {
+        found.push((*label, n.get(*label)?));
+    }
+    let mut wanted = vec![Some(a)];
+    wanted
+        .extend(n.steps.iter().filter(|s| found.iter().any(|(_, f)| *f == s.symbol)).map(|s| Some(s.symbol)));
+    wanted.extend(n.kinetic_frictions().into_iter().map(Some));
+    n.forget(&wanted);
+    n.tell_new();
+    n.end();
+    Ok(found)
+}
+
+/// What friction rolling would need on a contact that is said to slip.
+fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
+    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
+    let told = draft.scene.end != End::AtOnce;
+    let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
+    if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
+        return Ok(None);
+    }
+    let account = Account::new(draft, Some(tie))?;
+    let mut n = Narrator { t: account, short: Short::Neither, rows: Vec::new(), gone: Vec::new() };
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
-    let closed = n.t.closed_friction(body);
-    let needed = match closed {
-        Some(closed) => {
-            let Some(f) = n.t.m.force_of(tie) else { return Err(Beyond::Arrangement.into()) };
-            n.t.found(friction, f, closed.expr())
-        }
-        None => {
-            n.t.arrive()?;
-            n.t.get(friction)?
+    let closed = if n.m.one { n.t.closed_friction(body) } else { None };
+    let needed = match (closed, n.m.force_of(tie)) {
+        (Some(closed), Some(f)) => n.found(friction, f, closed.expr()),
+        _ => {
+            if n.m.one {
+                n.arrive()?;
+            }
+            n.get(friction)?
         }
     };
-    n.say("rolled.needs", &[]);
+    let name = if n.m.one { "rolled.needs" } else { "rolled.needs_together" };
+    n.say(name, &[]);
     n.tell_new();
-    let normal = n.t.get(of_body(Quantity::Normal, body))?;
-    let value = n.t.page.draft.symbols.value(needed);
-    n.t.page.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(needed));
-    let mu = n.t.page.draft.number(mu_s, r"\mu_s", "1");
+    let normal = n.get(of_body(Quantity::Normal, body))?;
+    let value = n.symbols.value(needed);
+    n.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(needed));
+    let mu = n.number(mu_s, r"\mu_s", "1");
     let most = mu * normal;
-    let slips = value.abs() > n.t.value(&most);
-    let size = n.relation(&n.t.size(needed.into()), value.abs(), "N");
+    let slips = value.abs() > n.value(&most);
+    let size = n.relation(&n.size(needed.into()), value.abs(), "N");
     let limit = n.valued(&most, "N");
     let sense = n.way(body, value);
     n.say(
@@ -126,11 +180,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<(f64, SolutionSection)
         &[("needed", &size), ("limit", &limit), ("way", &sense)],
     );
     n.stop();
-    let section = std::mem::replace(&mut n.out, SolutionSection::new("", ""));
-    if !slips {
-        return Err(Beyond::RollsAfterAll.into());
-    }
-    Ok((value.signum(), section))
+    Ok(Some(std::mem::replace(&mut n.out, SolutionSection::new("", ""))))
 }
 
 /// Who words the sections, one after the other.
@@ -143,43 +193,39 @@ struct Narrator<'d, 'a> {
 }
 
 impl<'d, 'a> Deref for Narrator<'d, 'a> {
-    type Target = Page<'d, 'a>;
+    type Target = Account<'d, 'a>;
     fn deref(&self) -> &Self::Target {
-        &self.t.page
+        &self.t
     }
 }
 
 impl DerefMut for Narrator<'_, '_> {
     fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.t.page
+        &mut self.t
     }
 }
 
 impl<'d, 'a> Narrator<'d, 'a> {
-    fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self { t, short, rows: Vec::new(), gone: Vec::new() }
-    }
-
     fn way(&self, body: usize, value: f64) -> String {
-        let name = way(self.t.page.draft.scene, Owner::Body(body), value);
-        name.map_or_else(String::new, |w| self.t.page.draft.words.get(w).to_owned())
+        let name = way(self.scene, Owner::Body(body), value);
+        name.map_or_else(String::new, |w| self.words.get(w).to_owned())
     }
     fn body(&self, body: usize) -> String {
-        names::body_within(self.t.page.draft.words, self.t.page.draft.scene, body)
+        names::body_within(self.words, self.scene, body)
     }
     /// The speed of the lead.
     fn speed(&self) -> SymbolId {
-        self.t.m.speed(self.t.lead()).unwrap_or(SymbolId(0))
+        self.m.speed(self.lead()).unwrap_or(SymbolId(0))
     }
     /// The acceleration of the lead.
     fn acceleration(&self) -> SymbolId {
-        self.t.m.acceleration(self.t.lead()).unwrap_or(SymbolId(0))
+        self.m.acceleration(self.lead()).unwrap_or(SymbolId(0))
     }
 
     // What the scene has.
 
     fn rolling(&self) -> Vec<(usize, usize)> {
-        let ties = self.t.page.draft.scene.ties.iter().enumerate();
+        let ties = self.scene.ties.iter().enumerate();
         ties.filter_map(|(t, tie)| match tie {
             Tie::Roll { body, .. } => Some((t, *body)),
             _ => None,
@@ -188,65 +234,54 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
     fn cords(&self) -> Vec<usize> {
         let between = |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Body(_)));
-        let ties = self.t.page.draft.scene.ties.iter().enumerate();
+        let ties = self.scene.ties.iter().enumerate();
         ties.filter(|(_, t)| between(t)).map(|(t, _)| t).collect()
     }
     fn held(&self) -> Option<(usize, usize)> {
-        self.t.page.draft.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
+        self.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
             Tie::Cord(c) if c.to == Far::Fixed => Some((t, c.from.body)),
             _ => None,
         })
     }
-    fn reactions(&self) -> Vec<SymbolId> {
-        let mut all = Vec::new();
-        for a in self.t.m.actions.iter().filter(|a| a.kind == ForceKind::Reaction) {
-            if let ForceSource::Tie(t) = a.source
-                && let Some(f) = self.t.m.force_of(t)
-                && !all.contains(&f)
-            {
-                all.push(f);
-            }
-        }
-        all
+    fn hidden(&self) -> Vec<SymbolId> {
+        self.reactions().into_iter().map(|(_, f)| f).collect()
     }
     fn normals(&self) -> Vec<SymbolId> {
-        self.t.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
+        self.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
     }
     fn kinetic_frictions(&self) -> Vec<SymbolId> {
-        let kinetic = self.t.m.actions.iter().filter(|a| a.kind == ForceKind::Kinetic);
+        let kinetic = self.m.actions.iter().filter(|a| a.kind == ForceKind::Kinetic);
         kinetic
             .filter_map(|a| match a.source {
-                ForceSource::Tie(t) => self.t.m.force_of(t),
+                ForceSource::Tie(t) => self.m.force_of(t),
                 _ => None,
             })
             .collect()
     }
     fn coordinates(&self) -> Vec<Coordinate> {
-        self.t
-            .page
-            .draft
-            .scene
+        self.scene
             .coordinates()
-            .filter(|c| !self.t.m.inertia(*c).is_empty() || self.t.m.speed(*c).is_some())
+            .filter(|c| !self.m.inertia(*c).is_empty() || self.m.speed(*c).is_some())
             .collect()
     }
     fn speeds(&self) -> Vec<SymbolId> {
-        self.coordinates().iter().filter_map(|c| self.t.m.speed(*c)).collect()
+        self.coordinates().iter().filter_map(|c| self.m.speed(*c)).collect()
     }
     fn accelerations(&self) -> Vec<SymbolId> {
-        self.coordinates().iter().filter_map(|c| self.t.m.acceleration(*c)).collect()
+        self.coordinates().iter().filter_map(|c| self.m.acceleration(*c)).collect()
     }
-    /// `v = r omega` and its likes: every other coordinate by the lead's.
-    fn links(&self, of: impl Fn(&Self, Coordinate) -> Option<SymbolId>) -> Vec<String> {
-        let lead = self.t.lead();
+    /// `v = r omega` and its likes: every other coordinate by the lead's; speeds are magnitudes.
+    fn links(&self, signed: bool, of: impl Fn(&Self, Coordinate) -> Option<SymbolId>) -> Vec<String> {
+        let lead = self.lead();
         let Some(by) = of(self, lead) else { return Vec::new() };
-        let others = self.coordinates().into_iter().filter(|c| *c != lead && !self.t.own(*c));
+        let others = self.coordinates().into_iter().filter(|c| *c != lead && !self.own(*c));
         others
             .filter_map(|c| {
                 let symbol = of(self, c)?;
-                let ratio = self.t.magnitude(self.t.m.ratio(c));
+                let ratio = self.m.ratio(c);
+                let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
                 let right = Factors::of(&by.into()).times(&ratio).expr();
-                Some(format!("${} = {}$", self.t.page.draft.symbols.tex(symbol), self.tex(&right)))
+                Some(format!("${} = {}$", self.symbols.tex(symbol), self.tex(&right)))
             })
             .collect()
     }
@@ -255,8 +290,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     fn idea(&mut self) {
         self.begin("idea");
-        let spring = self.t.spring.is_some();
-        let name = match (self.short, self.t.page.draft.scene.end) {
+        let spring = self.spring.is_some();
+        let name = match (self.short, self.scene.end) {
+            (Short::Instant, _) => "idea.instant",
+            (Short::Together, _) if self.stays() => "idea.stays",
+            (Short::Together, _) => "idea.together",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
             (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
@@ -264,18 +302,18 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (Short::Energy, _) => "idea.speed",
         };
         self.say(name, &[]);
-        if self.short != Short::Neither {
+        if matches!(self.short, Short::Energy | Short::Motion) {
             if let Some((t, body)) = self.rolling().first().copied() {
                 let body = self.body(body);
                 self.say("idea.rolls", &[("body", &body)]);
-                let f = self.t.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
+                let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
                 if self.short == Short::Energy {
                     self.say("idea.idle_roll", &[("force", &f)]);
                 }
             }
             if let Some((t, body)) = self.held() {
                 let body = self.body(body);
-                let f = self.t.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
+                let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
                 self.say("idea.held", &[("body", &body)]);
                 if self.short == Short::Energy {
                     self.say("idea.idle_held", &[("force", &f)]);
@@ -283,7 +321,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             }
             let cords = self.cords();
             if !cords.is_empty() {
-                let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.t.m.force_of(*t)).collect();
+                let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
                 let forces = self.names(&forces);
                 self.say("idea.cords", &[]);
                 if self.short == Short::Energy {
@@ -296,7 +334,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn sketch(&mut self) {
         self.begin("sketch");
         let mut all = vec![Block::Picture("scene".to_owned())];
-        let bodies = &self.t.page.draft.scene.bodies;
+        let bodies = &self.scene.bodies;
         all.extend(bodies.iter().map(|b| Block::Picture(format!("forces-{}", b.name))));
         self.out.blocks = all;
     }
@@ -304,34 +342,34 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Work and energy: how far each point goes, the balance, what follows.
     fn energy(&mut self) {
         self.begin_as("short", "short_energy");
-        if self.t.page.draft.asks(Quantity::Direction) {
+        if self.asks(Quantity::Direction) {
             self.tell_direction();
         }
         self.tell_ratios();
-        let place = matches!(self.t.page.draft.scene.end, End::Travel(..) | End::Position(..));
-        let (lead, d) = (self.t.lead(), self.t.distance());
-        let against = self.t.value(&self.t.s) < 0.0;
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let (lead, d) = (self.lead(), self.distance());
+        let against = self.value(&self.s) < 0.0;
         if place && against {
             let body = self.body(lead.body);
-            let sense = self.way(lead.body, -f64::from(self.t.m.parts[lead.body].up));
+            let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
             self.say("energy.against", &[("body", &body), ("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
-        let spring = self.t.spring.clone();
-        let v = self.t.get(self.t.of_lead(Quantity::V, Quantity::Omega)).ok();
-        let at = self.t.page.steps.iter().position(|s| Some(s.symbol) == v);
+        let spring = self.spring.clone();
+        let v = self.t.speed_at_end().ok();
+        let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
-            let kept = self.t.page.steps.split_off(at.unwrap_or(0));
+            let kept = self.steps.split_off(at.unwrap_or(0));
             self.say("energy.stretch", &[]);
             let normals = self.normals();
             self.tell_as_known(normals);
             self.tell_new();
-            self.t.page.steps.extend(kept);
+            self.steps.extend(kept);
         }
-        let start = if self.t.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
+        let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
         let balance = self.balance(&d);
-        let links = self.links(|n, c| n.t.m.speed(c));
+        let links = self.links(false, |n, c| n.m.speed(c));
         self.formula(balance);
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
@@ -339,8 +377,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !self.kinetic_frictions().is_empty() {
             self.tell_frictions();
         }
-        let target = if place { v } else { self.t.page.steps.last().map(|s| s.symbol) };
-        let step = self.t.page.steps.iter().find(|s| Some(s.symbol) == target).cloned();
+        let target = if place { v } else { self.steps.last().map(|s| s.symbol) };
+        let step = self.steps.iter().find(|s| Some(s.symbol) == target).cloned();
         if let Some(step) = step {
             if !place {
                 // The way, with the acceleration put in.
@@ -359,15 +397,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !place {
             self.forget(&[v]);
         }
-        let asked: Vec<Label> = self.t.page.draft.problem.questions.iter().map(|q| q.label).collect();
+        let asked = asked::needed(self.scene, self.problem);
         for label in asked {
             if matches!(label.quantity, Quantity::V | Quantity::Omega) {
-                let _ = self.t.get(label);
+                let _ = self.get(label);
             }
         }
         self.tell_new();
         for quantity in [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax] {
-            if self.t.page.draft.asks(quantity) && self.t.spring.is_some() {
+            if self.asks(quantity) && self.spring.is_some() {
                 self.tell_fastest();
                 break;
             }
@@ -381,19 +419,22 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// `s = m_e (v^2 - v0^2)/(2 F)`
     fn way_by_energy(&self) -> Expr {
-        let squares = square(&self.t.v) - square(&self.t.v0);
-        let squares = if self.t.v == ZERO { -square(&self.t.v0) } else { squares };
-        &self.t.effective * squares / (Expr::Number(2, 1) * &self.t.drive)
+        let squares = square(&self.v) - square(&self.v0);
+        let squares = if self.v == ZERO { -square(&self.v0) } else { squares };
+        &self.effective * squares / (Expr::Number(2, 1) * &self.drive)
     }
 
     /// The named ratios of displacements, from the distances to the point of contact.
     fn tell_ratios(&mut self) {
-        let gammas = self.t.gammas.clone();
+        let gammas = self.gammas.clone();
         for (tie, gamma, is) in gammas {
-            let Some(action) = self.t.m.action_of(tie).cloned() else { continue };
-            let contact = self.t.contact_of(action.body).and_then(|t| self.t.m.action_of(t)).cloned();
-            let Some(contact) = contact else { continue };
-            let c = self.t.magnitude(&contact.arm);
+            let Some(action) = self.m.action_of(tie).cloned() else { continue };
+            let contact = self.contact_of(action.body).and_then(|t| self.m.action_of(t)).cloned();
+            let Some(contact) = contact else {
+                self.display(gamma, &is, "");
+                continue;
+            };
+            let c = self.magnitude(&contact.arm);
             let away = c.times(&Factors::of(&is)).expr();
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
@@ -401,9 +442,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say(name, &[("centre", &c), ("point", &away)]);
             let line = self.chain(gamma, &is).concat();
             let travel = of_tie(Quantity::CordTravel, tie);
-            let tail = if !spring && self.t.s != ZERO && self.t.page.draft.asks_label(travel) {
-                self.t.get(travel).ok().map(|l| {
-                    let from = self.t.page.steps.last().map_or(ZERO, |s| s.from.clone());
+            let tail = if !spring && self.s != ZERO && self.asks_label(travel) {
+                self.get(travel).ok().map(|l| {
+                    let from = self.steps.last().map_or(ZERO, |s| s.from.clone());
                     self.chain(l, &from).concat()
                 })
             } else {
@@ -414,7 +455,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
                 _ => self.formula(line),
             }
-            if self.t.page.draft.symbols.value(gamma) > 1.0 && !spring {
+            if self.symbols.value(gamma) > 1.0 && !spring {
                 let gamma = self.names(&[gamma]);
                 self.say("energy.ratio_check", &[("gamma", &gamma)]);
             }
@@ -424,34 +465,32 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Works on the left, kinetic energies on the right.
     fn balance(&self, d: &Expr) -> String {
         let half = Factors::of(&ratio(1, 2));
-        let sense = if self.t.value(&self.t.s) < 0.0 { -1.0 } else { 1.0 };
+        let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
-        if let Some(s) = &self.t.spring {
-            let last = self.t.stretch_at(&self.t.s);
-            let x1 = self.t.page.steps.iter().find(|step| step.from == last).map(|s| Expr::from(s.symbol));
-            let squares = match x1 {
-                Some(x1) => square(&s.stretch) - square(x1),
-                None => square(&s.stretch),
+        if let Some(s) = &self.spring {
+            let squares = match &self.last {
+                &ZERO => square(&s.stretch),
+                x1 => square(&s.stretch) - square(x1),
             };
             works.push(ratio(1, 2) * &s.stiffness * squares);
         }
-        for (_, share) in self.t.shares(&[ForceKind::Given, ForceKind::Kinetic]) {
+        for (_, share) in self.shares(&[ForceKind::Given, ForceKind::Kinetic]) {
             works.push(in_sense(Factors::of(&share).times(&Factors::of(d)).expr(), sense));
         }
         let left = positive_first(works);
-        let right = if self.t.v0 == ZERO {
+        let right = if self.v0 == ZERO {
             let mut all = Vec::new();
             for c in self.coordinates() {
-                let Some(v) = self.t.m.speed(c) else { continue };
-                for i in self.t.m.inertia(c) {
+                let Some(v) = self.m.speed(c) else { continue };
+                for i in self.m.inertia(c) {
                     all.push(i.times(&Factors::of(&square(v))).times(&half).expr());
                 }
             }
             sum(all)
         } else {
-            let gain = square(self.t.v.clone()) - square(&self.t.v0);
-            let gain = if self.t.v == ZERO { -square(&self.t.v0) } else { gain };
-            ratio(1, 2) * &self.t.effective * gain
+            let gain = square(self.v.clone()) - square(&self.v0);
+            let gain = if self.v == ZERO { -square(&self.v0) } else { gain };
+            ratio(1, 2) * &self.effective * gain
         };
         let one = format!("{} = {}", self.tex(&left), self.tex(&right));
         if width(&one) <= LINE {
@@ -463,9 +502,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The sums in the formula of the speed, in numbers.
     fn tell_groups(&mut self) {
-        let (force, inertia) = if self.t.straight() { ("N", "kg") } else { ("N m", "kg m^2") };
+        let (force, inertia) = if self.straight() { ("N", "kg") } else { ("N m", "kg m^2") };
         let mut groups = Vec::new();
-        for (_, share) in self.t.shares(&[ForceKind::Given]) {
+        for (_, share) in self.shares(&[ForceKind::Given]) {
             let size = match share {
                 Expr::Minus(inner) => *inner,
                 other => other,
@@ -474,98 +513,131 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 groups.push(self.valued(&size, force));
             }
         }
-        if !matches!(self.t.effective, Expr::Symbol(_)) {
-            groups.push(self.valued(&self.t.effective.clone(), inertia));
+        if !matches!(self.effective, Expr::Symbol(_)) {
+            groups.push(self.valued(&self.effective.clone(), inertia));
         }
         if !groups.is_empty() {
             self.say("energy.groups", &[("groups", &groups.join(", "))]);
         }
     }
 
+    /// Sliding friction, with the normal forces that it hangs on.
     fn tell_frictions(&mut self) {
-        let all = self.kinetic_frictions();
-        for f in all {
-            let normal = self
-                .normals()
-                .first()
-                .and_then(|n| self.t.page.steps.iter().find(|s| s.symbol == *n))
-                .cloned();
-            let normal =
-                normal.map_or_else(String::new, |n| format!("${}$", self.chain(n.symbol, &n.from).concat()));
-            if self.draft.detail == Detail::Full {
-                for symbol in self.normals().into_iter().take(1).chain([f]) {
-                    let from = self.t.page.steps.iter().find(|s| s.symbol == symbol).map(|s| s.from.clone());
-                    self.display(symbol, &from.unwrap_or(ZERO), "");
+        let of = |n: &Self, s: SymbolId| {
+            n.steps.iter().find(|step| step.symbol == s).map(|step| step.from.clone())
+        };
+        for f in self.kinetic_frictions() {
+            let Some(from) = of(self, f) else { continue };
+            let normals: Vec<SymbolId> =
+                self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
+            if self.detail == Detail::Full {
+                for symbol in normals.into_iter().chain([f]) {
+                    let from = of(self, symbol).unwrap_or(ZERO);
+                    self.display(symbol, &from, "");
                 }
             } else {
+                let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
                 let chain = self.chained(f);
-                self.say("energy.slides", &[("normal", &normal), ("friction", &chain)]);
+                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &chain)]);
             }
         }
     }
 
     fn tell_fastest(&mut self) {
         self.skip_new();
-        let _ = self.t.get(of_scene(Quantity::XEq));
+        let _ = self.get(of_scene(Quantity::XEq));
         self.say("energy.equilibrium", &[]);
         self.tell_new();
-        if self.t.page.draft.asks(Quantity::VMax) || self.t.page.draft.asks(Quantity::DAtVMax) {
-            let _ = self.t.get(of_body(Quantity::VMax, self.t.lead().body));
+        if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
+            let _ = self.t.top_speed();
             self.say("energy.fastest", &[]);
             self.tell_new();
         }
     }
 
     fn tell_direction(&mut self) {
-        let lead = self.t.lead();
-        let part = &self.t.m.parts[lead.body];
-        let up = self.t.sense * f64::from(part.up) > 0.0;
+        let lead = self.lead();
+        let part = &self.m.parts[lead.body];
+        let up = self.sense * f64::from(part.up) > 0.0;
         let sense = self.way(lead.body, if up { 1.0 } else { -1.0 });
-        match self.t.spring.clone() {
+        match self.spring.clone() {
             Some(s) => {
                 let pull = Factors::of(&s.stiffness).times(&s.gamma).times(&Factors::of(&s.stretch)).expr();
                 let pull = self.valued(&pull, "N");
-                let drive = self.t.drive.clone();
-                let against = self.valued(&in_sense(drive.clone(), self.t.value(&drive)), "N");
+                let drive = self.drive.clone();
+                let against = self.valued(&in_sense(drive.clone(), self.value(&drive)), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
                 self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
             }
-            None => self.say("energy.direction", &[("way", &sense)]),
+            None => {
+                let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
+                let helps = |n: &Self, e: &Expr| n.value(e) * n.sense > 0.0;
+                let (with, against): (Vec<Expr>, Vec<Expr>) = shares.partition(|e| helps(self, e));
+                let size = |n: &Self, all: Vec<Expr>| {
+                    let whole = sum(all);
+                    let unit = if n.straight() { "N" } else { "N m" };
+                    n.valued(&in_sense(whole.clone(), n.value(&whole)), unit)
+                };
+                let free = against.is_empty();
+                let (pull, against) = (size(self, with), size(self, against));
+                let name = if free { "energy.direction_free" } else { "energy.direction" };
+                self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
+            }
         }
     }
 
     /// The equations of motion, the elimination, the integral.
     fn motion(&mut self, id: &'static str) -> Result<(), DerivationStop> {
         let title = match (id, self.short) {
+            (_, Short::Instant) => "motion",
             ("long", _) => "long_motion",
-            (_, Short::Neither) => "one_motion",
+            (_, Short::Neither | Short::Together) => "one_motion",
             _ => "short_motion",
         };
         self.begin_as(id, title);
+        let first = self.short == Short::Instant
+            || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
+        if first {
+            self.tell_ratios();
+        }
         self.say_senses();
         self.write_rows();
-        let slips = self.short == Short::Neither;
-        let links = self.links(|n, c| n.t.m.acceleration(c));
-        if let Some(s) = self.t.spring.clone() {
-            let s_now = self.t.new_symbol(&["s", "s_1"], "m");
+        if first || self.short == Short::Together && self.m.one {
+            self.tell_frictions();
+        }
+        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
+            && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
+        {
+            let pull = self.chained(pull);
+            self.say("motion.spring_there", &[("pull", &pull)]);
+        }
+        let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
+        if let Some(s) = self.spring.clone() {
+            // One place on the way, not that at the end.
+            let names = if self.symbols.named("s").is_some() { ["s_{x}"] } else { ["s"] };
+            let s_now = self.new_symbol(&names, "m");
             let stretch = &s.stretch - s.gamma.times(&Factors::of(&s_now.into())).expr();
             let law = &s.stiffness * stretch;
-            let law = format!("${} = {}$", self.t.page.draft.symbols.tex(s.tension), self.tex(&law));
-            self.say("motion.spring", &[("law", &law)]);
+            let still = self.t.still();
+            let law = format!("${} = {}$", self.symbols.tex(s.tension), self.tex(&law));
+            if !still {
+                self.say("motion.spring", &[("law", &law)]);
+            }
         }
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
         }
-        if slips {
+        if self.short == Short::Neither {
             return self.two_freedoms();
         }
-        let (gone, last) = self.t.elimination()?;
+        let gone = if self.m.one { self.elimination().ok() } else { None };
+        let Some((gone, last)) = gone else { return self.solved_together(id) };
         let a = self.acceleration();
         let from: Vec<String> = gone
             .iter()
             .map(|g| {
                 let n = self.number_of(g.row);
-                let is = format!("${} = {}$", self.t.page.draft.symbols.tex(g.force), self.tex(&g.is));
+                let is = format!("${} = {}$", self.symbols.tex(g.force), self.tex(&g.is));
                 self.phrase("motion.from", &[("n", &n), ("is", &is)])
             })
             .collect();
@@ -575,11 +647,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
         let sum_of = self.all_shares();
-        let right = Factors::of(&self.t.effective).times(&Factors::of(&a.into())).expr();
+        let right = Factors::of(&self.effective).times(&Factors::of(&a.into())).expr();
         let line = format!("{} = {}", self.tex(&sum_of), self.tex(&right));
-        let value = self.t.page.draft.symbols.shown(a);
-        let tex = self.t.page.draft.symbols.tex(a).to_owned();
-        if self.t.spring.is_none() {
+        let value = self.symbols.shown(a);
+        let tex = self.symbols.tex(a).to_owned();
+        if self.spring.is_none() {
             let whole = format!(r"{line}, \qquad {tex} = {value}");
             if !from.is_empty() || width(&whole) > WITHIN {
                 self.formula(whole);
@@ -593,14 +665,100 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
+    /// What the ties demand of the accelerations.
+    fn demands(&self) -> Vec<String> {
+        let each = |(tie, _): (usize, SymbolId)| {
+            let terms = self.tied(tie).into_iter().filter_map(|(c, share)| {
+                let a = self.m.acceleration(c)?;
+                Some(share.times(&Factors::of(&a.into())).expr())
+            });
+            let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
+            let right = sum(right.into_iter().map(|t| -t));
+            let (left, right) = if left.is_empty() { (right, ZERO) } else { (sum(left), right) };
+            format!("${} = {}$", self.tex(&left), self.tex(&right))
+        };
+        self.reactions().into_iter().map(each).collect()
+    }
+
+    /// All equations at once: what comes out.
+    fn solved_together(&mut self, id: &str) -> Result<(), DerivationStop> {
+        if self.m.one {
+            let all: Vec<Label> = self.reactions().iter().map(|(t, _)| self.label_of_tie(*t)).collect();
+            for label in all {
+                let _ = self.get(label);
+            }
+        }
+        self.tell_frictions();
+        self.say("motion.together", &[]);
+        let all = [self.accelerations(), self.hidden()].concat();
+        let settled: Vec<Option<SymbolId>> =
+            all.into_iter().filter(|s| !self.symbols.value(*s).is_nan()).map(Some).collect();
+        let later: Vec<SymbolId> = self.steps.iter().map(|s| s.symbol).collect();
+        self.skip_new();
+        self.forget(&settled);
+        self.tell_new();
+        if self.short == Short::Together && !self.stays() {
+            self.tell_as_known(later.into_iter().filter(|s| settled.contains(&Some(*s))).collect());
+            let normals = [self.normals(), self.kinetic_frictions()].concat();
+            for symbol in normals {
+                self.told(symbol);
+            }
+            let time = matches!(self.scene.end, End::Time(..));
+            self.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
+            self.tell_new();
+        } else {
+            self.integrate(id == "long");
+        }
+        Ok(())
+    }
+
+    /// Energy is one balance for the unknown speeds of several freedoms.
+    fn why_together(&mut self) {
+        self.begin_as("why", "which");
+        let speeds = self.speeds();
+        let speeds = self.names(&speeds);
+        self.say("why.together", &[("unknown", &speeds)]);
+        self.say("why.ask", &[]);
+    }
+
+    /// A motion on a spring that ends at a time, at a speed or where it turns.
+    fn swings(&mut self) -> Result<(), DerivationStop> {
+        self.motion("short")?;
+        self.say("motion.swing", &[]);
+        let normals = [self.normals(), self.kinetic_frictions()].concat();
+        self.tell_as_known(normals);
+        self.tell_new();
+        self.begin("why");
+        let time = matches!(self.scene.end, End::Time(..));
+        self.say(if time { "why.swing_time" } else { "why.swing" }, &[]);
+        Ok(())
+    }
+
+    /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
+    fn instant(&mut self) -> Result<(), DerivationStop> {
+        self.begin_as("short", "instant");
+        for c in self.coordinates() {
+            let _ = self.get(speed_of(c));
+        }
+        let speeds: Vec<Option<SymbolId>> = self.speeds().into_iter().map(Some).collect();
+        self.skip_new();
+        self.forget(&speeds);
+        self.say("instant.speeds", &[]);
+        self.tell_new();
+        self.get(of_scene(Quantity::KineticEnergy))?;
+        self.say("instant.energy", &[]);
+        self.tell_new();
+        if self.forces_asked() { self.motion("long") } else { Ok(()) }
+    }
+
     fn all_shares(&self) -> Expr {
         let kinds = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
-        positive_first(self.t.shares(&kinds).into_iter().map(|(_, e)| e).collect())
+        positive_first(self.shares(&kinds).into_iter().map(|(_, e)| e).collect())
     }
 
     fn say_senses(&mut self) {
         self.say("motion.senses", &[]);
-        let slopes = self.t.page.draft.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
+        let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
         if slopes && !self.rolling().is_empty() && self.short != Short::Neither {
             self.say("motion.other_sign", &[]);
         }
@@ -611,14 +769,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mut rows: Vec<String> = Vec::new();
         let mut n = 0;
         let mut firsts: Vec<(usize, usize, usize)> = Vec::new();
-        for body in 0..self.t.m.parts.len() {
+        for body in 0..self.m.parts.len() {
             let before = n;
             for degree in [Degree::Along, Degree::Turn] {
                 let c = Coordinate { body, degree };
-                let inertia = self.t.m.inertia(c);
-                let shares: Vec<Expr> = self.t.row(c).into_iter().map(|(_, e)| e).collect();
-                if let Some(a) =
-                    self.t.m.acceleration(c).filter(|_| !inertia.is_empty() || !shares.is_empty())
+                let inertia = self.m.inertia(c);
+                let shares: Vec<Expr> = self.row(c).into_iter().map(|(_, e)| e).collect();
+                if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || !shares.is_empty())
                 {
                     n += 1;
                     let by = Factors::of(&a.into());
@@ -627,7 +784,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                     rows.push(format!(r"{} = {} \quad ({n})", self.tex(&left), self.tex(&right)));
                     self.rows.push((c, n));
                 }
-                let across = self.t.m.parts[body].normal.clone().filter(|_| degree == Degree::Along);
+                let across = self.m.parts[body].normal.clone().filter(|_| degree == Degree::Along);
                 if let Some((normal, is)) = across {
                     n += 1;
                     let left = Expr::from(normal) - is;
@@ -641,11 +798,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for line in packed(rows) {
             self.formula(line);
         }
-        if self.t.m.parts.len() > 1 {
+        if self.m.parts.len() > 1 {
             let of: Vec<String> = firsts
                 .iter()
                 .map(|(body, first, last)| {
-                    let label = &self.t.m.parts[*body].label;
+                    let label = &self.m.parts[*body].label;
                     let more = if last > first { format!("–({last})") } else { String::new() };
                     format!("{label} ({first}){more}")
                 })
@@ -665,22 +822,24 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let pieces = [
             ("v", self.names(&[v])),
             ("a", self.names(&[a])),
-            ("ds", if self.t.straight() { "ds".to_owned() } else { r"d\varphi".to_owned() }),
-            ("d", self.inline(&self.t.distance())),
-            ("vv", format!(r"{0}\,d{0}", self.t.page.draft.symbols.tex(v))),
-            ("aa", self.t.page.draft.symbols.tex(a).to_owned()),
+            ("ds", if self.straight() { r"\mathrm{d}s".to_owned() } else { r"\mathrm{d}\varphi".to_owned() }),
+            ("d", self.inline(&self.s)),
+            ("vv", format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
+            ("aa", self.symbols.tex(a).to_owned()),
         ];
         let pieces: Vec<(&str, &str)> = pieces.iter().map(|(n, t)| (*n, t.as_str())).collect();
-        match self.t.page.draft.scene.end {
+        match self.scene.end {
+            End::Time(..) if self.spring.is_some() => {}
             End::Time(..) => {
                 self.say("motion.over_time", &pieces);
                 // What comes after the acceleration.
-                let at = self.t.page.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
-                let known = self.t.page.steps[..at].iter().map(|s| s.symbol).collect();
+                let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
+                let known = self.steps[..at].iter().map(|s| s.symbol).collect();
                 self.tell_as_known(known);
                 self.tell_new();
             }
-            _ if self.t.spring.is_some() => self.say("motion.integral_spring", &pieces),
+            End::AtOnce => {}
+            _ if self.spring.is_some() => self.say("motion.integral_spring", &pieces),
             _ if again => self.say("motion.integral", &pieces),
             _ => {}
         }
@@ -688,21 +847,21 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// A slipping wheel: each freedom has its own equation.
     fn two_freedoms(&mut self) -> Result<(), DerivationStop> {
-        let Some(body) = self.t.m.parts.iter().position(|p| p.slips) else {
-            return Err(Beyond::Arrangement.into());
+        let Some(body) = self.m.parts.iter().position(|p| p.slips) else {
+            return Err(Beyond::Unfound.into());
         };
-        if self.t.m.parts.len() > 1 {
-            return Err(Beyond::SlipInCompany.into());
+        if self.m.parts.len() > 1 {
+            return Err(Beyond::Unfound.into());
         }
         self.tell_frictions();
-        let a = self.t.get(of_body(Quantity::A, body))?;
-        let from = self.t.page.steps.iter().find(|s| s.symbol == a).map_or(ZERO, |s| s.from.clone());
+        let a = self.get(of_body(Quantity::A, body))?;
+        let from = self.steps.iter().find(|s| s.symbol == a).map_or(ZERO, |s| s.from.clone());
         let line = self.chain(a, &from).concat();
-        let alpha = self.t.get(of_body(Quantity::Alpha, body))?;
-        let from = self.t.page.steps.iter().find(|s| s.symbol == alpha).map_or(ZERO, |s| s.from.clone());
+        let alpha = self.get(of_body(Quantity::Alpha, body))?;
+        let from = self.steps.iter().find(|s| s.symbol == alpha).map_or(ZERO, |s| s.from.clone());
         let other = self.chain(alpha, &from).concat();
         self.say("motion.own", &[]);
-        if self.t.page.draft.detail == Detail::Full || width(&line) + width(&other) > PACKED {
+        if self.detail == Detail::Full || width(&line) + width(&other) > PACKED {
             for l in [line, other] {
                 let l = if l.contains('&') { aligned(&l) } else { l };
                 self.formula(l);
@@ -710,25 +869,25 @@ impl<'d, 'a> Narrator<'d, 'a> {
         } else {
             self.formula(format!(r"{line}, \qquad {other}"));
         }
-        let c = self.t.contact_of(body).and_then(|t| self.t.m.action_of(t)).map(|x| self.t.magnitude(&x.arm));
+        let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| self.magnitude(&x.arm));
         if let Some(c) = c {
             let share = c.times(&Factors::of(&alpha.into())).per(&Factors::of(&a.into())).expr();
             let share = self.valued(&share, "1");
             self.say("motion.share", &[("share", &share)]);
         }
         self.skip_new();
-        let v = self.t.get(self.t.of_lead(Quantity::V, Quantity::Omega))?;
-        if let Some(step) = self.t.page.steps.iter().find(|s| s.symbol == v).cloned() {
-            if matches!(self.t.page.draft.scene.end, End::Travel(..) | End::Position(..)) {
+        let v = self.t.speed_at_end()?;
+        if let Some(step) = self.steps.iter().find(|s| s.symbol == v).cloned() {
+            if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
                 // v^2 = 2 a d, with the acceleration as it was found.
-                let by = in_sense(a.into(), self.t.value(&a.into()));
-                let from = root(Expr::Number(2, 1) * by * self.t.distance());
+                let by = in_sense(a.into(), self.value(&a.into()));
+                let from = root(Expr::Number(2, 1) * by * self.distance());
                 self.say("motion.speed_of_slip", &[]);
                 let tex = self.chain(v, &from).concat();
                 let tex = if tex.contains('&') { aligned(&tex) } else { tex };
                 self.formula(tex);
             } else {
-                let displacement = match self.t.s {
+                let displacement = match self.s {
                     Expr::Symbol(s) => Some(s),
                     _ => None,
                 };
@@ -737,7 +896,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             }
         }
         for quantity in [Quantity::Omega, Quantity::Phi, Quantity::SlipDistance] {
-            self.t.get(of_body(quantity, body))?;
+            self.get(of_body(quantity, body))?;
         }
         self.say("motion.spin_of_slip", &[]);
         self.tell_new();
@@ -747,13 +906,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Energy for a slipping wheel: one equation for two unknowns, and the theorem of the mass centre beside it.
     fn energy_of_slip(&mut self) -> Result<(), DerivationStop> {
         self.begin_as("long", "slip_energy");
-        let Some(body) = self.t.m.parts.iter().position(|p| p.slips) else { return Ok(()) };
-        let phi = self.t.get(of_body(Quantity::Phi, body))?;
-        let (part, d) = (self.t.m.parts[body].clone(), self.t.distance());
+        let Some(body) = self.m.parts.iter().position(|p| p.slips) else { return Ok(()) };
+        let phi = self.get(of_body(Quantity::Phi, body))?;
+        let (part, d) = (self.m.parts[body].clone(), self.distance());
         let (Some(v), Some(w)) = (part.v, part.omega) else { return Ok(()) };
         let half = ratio(1, 2);
-        let place = if self.t.value(&self.t.s) < 0.0 { -1.0 } else { 1.0 };
-        let turn = if self.t.value(
+        let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
+        let turn = if self.value(
             &self
                 .t
                 .page
@@ -768,7 +927,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             1.0
         };
         let row = |n: &Self, degree| {
-            let row = n.t.row(Coordinate { body, degree });
+            let row = n.row(Coordinate { body, degree });
             positive_first(row.into_iter().map(|(_, e)| e).collect())
         };
         let (forces, moments) = (row(self, Degree::Along), row(self, Degree::Turn));
@@ -791,9 +950,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        let even = self.reactions().is_empty() && self.t.spring.is_none();
+        let even = self.hidden().is_empty() && self.spring.is_none();
         self.begin_as("why", if even { "which" } else { "why" });
-        let (reactions, normals, rubs) = (self.reactions(), self.normals(), self.kinetic_frictions());
+        let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, speeds) = (self.accelerations(), self.speeds());
         let newton: Vec<SymbolId> =
             [reactions.clone(), rubs.clone(), normals.clone(), accelerations, speeds.clone()].concat();
@@ -806,7 +965,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("why.neither", &pieces);
         } else {
             let hidden = self.names(&reactions);
-            self.say("why.newton", &pieces);
+            let ties = match (!self.rolling().is_empty() || self.held().is_some(), !self.cords().is_empty()) {
+                (true, true) => "both",
+                (true, false) => "roll",
+                (false, true) => "cord",
+                (false, false) => "none",
+            };
+            let ties = self.phrase(&format!("why.ties_{ties}"), &[]);
+            let with = [&pieces[..], &[("ties", ties.trim_end())]].concat();
+            self.say("why.newton", &with);
             if self.gone.is_empty() {
                 self.say("why.no_reaction", &[]);
             } else {
@@ -819,7 +986,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let silent = self.names(&silent);
                 self.say("why.price", &[("forces", &silent)]);
             }
-            if self.t.page.draft.asks(Quantity::T) {
+            if self.asks(Quantity::T) {
                 self.say("why.price_time", &[]);
             }
         }
@@ -829,7 +996,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn why_not_energy(&mut self) {
         self.begin("why");
         let v = self.speed();
-        let s = self.inline(&self.t.s.clone());
+        let s = self.inline(&self.s.clone());
         let v = self.names(&[v]);
         self.say("why.not_energy", &[("v", &v), ("s", &s)]);
         self.say("why.ask", &[]);
@@ -838,38 +1005,37 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Forces that are asked; friction of a rolling body always: in closed form, and why it points as it does.
     fn forces(&mut self) -> Result<(), DerivationStop> {
         self.begin("forces");
-        let asked: Vec<Label> = self.t.page.draft.problem.questions.iter().map(|q| q.label).collect();
+        let asked = asked::needed(self.scene, self.problem);
         self.skip_new();
         let rolling = self.rolling();
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
-            self.t.get(*label)?;
+            self.get(*label)?;
         }
         let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
         for label in asked.iter().filter(|l| wanted(l.quantity)) {
-            self.t.get(*label)?;
+            self.get(*label)?;
         }
         for (_, body) in &rolling {
-            self.t.get(of_body(Quantity::Friction, *body))?;
+            let _ = self.get(of_body(Quantity::Friction, *body));
         }
         let kinds = [ForceKind::Spring];
-        let sprung = !self.t.shares(&kinds).is_empty();
+        let sprung = !self.shares(&kinds).is_empty();
         if sprung {
-            let at_end = [self.t.spring.as_ref().map(|s| s.tension), Some(self.acceleration())];
+            let at_end = [self.spring.as_ref().map(|s| s.tension), Some(self.acceleration())];
             self.forget(&at_end);
             self.say("forces.spring", &[]);
-        } else if self.t.page.steps.iter().any(|s| !self.is_told(s.symbol)) {
+        } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.acceleration();
-            let name = if self.short == Short::Energy && self.t.v0 == ZERO && self.t.straight() {
+            let name = if self.short == Short::Energy && self.v0 == ZERO && self.straight() {
                 "forces.back"
             } else {
                 "forces.rows"
             };
             let v = self.speed();
-            let by = square(v) / (Expr::Number(2, 1) * self.t.distance());
-            let place = matches!(self.t.page.draft.scene.end, End::Travel(..));
+            let by = square(v) / (Expr::Number(2, 1) * self.distance());
+            let place = matches!(self.scene.end, End::Travel(..));
             let name = if place { name } else { "forces.rows" };
-            let by =
-                format!("${} = {}$", self.t.page.draft.symbols.tex(a), self.tex(&in_sense(by, self.t.sense)));
+            let by = format!("${} = {}$", self.symbols.tex(a), self.tex(&in_sense(by, self.sense)));
             self.say(name, &[("a", &by)]);
         }
         let normals: Vec<Option<SymbolId>> = self.normals().into_iter().map(Some).collect();
@@ -885,23 +1051,19 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The closed form of a rolling body's friction, and what its signs say.
     fn read_friction(&mut self, tie: usize, body: usize) -> Result<(), DerivationStop> {
-        let f = self.t.get(of_body(Quantity::Friction, body))?;
-        let value = self.t.page.draft.symbols.value(f);
+        let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
+        let value = self.symbols.value(f);
         let up = self.way(body, 1.0);
-        if self.t.m.parts[body].normal.is_none() {
+        if self.m.parts[body].normal.is_none() {
             return Ok(());
         }
-        if let Some(closed) = self.t.closed_friction(body) {
+        if let Some(closed) = self.closed_friction(body) {
             let whole = closed.expr();
             let scale = value.abs().max(1e-9);
-            if !closed.terms.is_empty() && (self.t.value(&whole) - value).abs() < 1e-6 * scale {
+            if !closed.terms.is_empty() && (self.value(&whole) - value).abs() < 1e-6 * scale {
                 self.say("friction.closed", &[]);
-                let tex = format!(
-                    "{} = {} = {}",
-                    self.t.page.draft.symbols.tex(f),
-                    self.tex(&whole),
-                    self.t.page.draft.symbols.shown(f)
-                );
+                let tex =
+                    format!("{} = {} = {}", self.symbols.tex(f), self.tex(&whole), self.symbols.shown(f));
                 self.formula(tex);
                 self.read_signs(body, &closed.terms);
             }
@@ -911,25 +1073,24 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let symbol = self.names(&[f]);
             self.say("friction.points", &[("f", &symbol), ("way", &sense)]);
         }
-        if let Tie::Roll { mu_s: Some(mu), .. } = self.t.page.draft.scene.ties[tie] {
-            let mu = self.t.page.draft.number(mu, r"\mu_s", "1");
-            let n = self.t.get(of_body(Quantity::Normal, body))?;
+        if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
+            let mu = self.number(mu, r"\mu_s", "1");
+            let n = self.get(of_body(Quantity::Normal, body))?;
             let most = self.valued(&(mu * n), "N");
             let symbol = self.names(&[f]);
             self.say("friction.not_mu", &[("f", &symbol), ("most", &most)]);
         }
-        if self.t.page.draft.asks(Quantity::KBound) {
+        if self.asks(Quantity::KBound) {
             self.skip_new();
-            let k0 = self.t.get(of_body(Quantity::KBound, body))?;
+            let k0 = self.get(of_body(Quantity::KBound, body))?;
             self.say("friction.bound", &[("way", &up)]);
             self.tell_new();
-            let outer = self.t.page.draft.scene.bodies[body].radii_m.iter().map(|(_, r)| *r);
-            let outer =
-                outer.max_by(|a, b| self.t.page.draft.value(*a).total_cmp(&self.t.page.draft.value(*b)));
+            let outer = self.scene.bodies[body].radii_m.iter().map(|(_, r)| *r);
+            let outer = outer.max_by(|a, b| self.datum(*a).total_cmp(&self.datum(*b)));
             if let Some(r) = outer
-                && self.t.page.draft.symbols.value(k0) >= self.t.page.draft.value(r)
+                && self.symbols.value(k0) >= self.datum(r)
             {
-                let r = self.t.page.draft.number(r, "R", "m");
+                let r = self.number(r, "R", "m");
                 let r = self.inline(&r);
                 self.say("friction.any_wheel", &[("r", &r), ("way", &up)]);
             }
@@ -953,7 +1114,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 ),
                 _ => false,
             };
-            let positive = self.t.value(&(whole.clone() * self.t.size(action.force.clone()))) > 0.0;
+            let positive = self.value(&(whole.clone() * self.size(action.force.clone()))) > 0.0;
             let sense = self.way(body, if positive { 1.0 } else { -1.0 });
             if mixed {
                 let factor = self.inline(&whole);
@@ -968,14 +1129,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn rest(&mut self) -> Result<(), DerivationStop> {
         self.begin("rest");
         self.skip_new();
-        let asked: Vec<Label> = self.t.page.draft.problem.questions.iter().map(|q| q.label).collect();
-        for label in &asked {
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        if place && self.asks(Quantity::T) && self.m.one && self.v0 == ZERO && self.spring.is_none() {
+            self.say("forces.mean", &[]);
+        }
+        for label in &asked::needed(self.scene, self.problem) {
             let skip = matches!(label.quantity, Quantity::FrictionIfRolled);
             if label.quantity.is_word() || skip {
                 continue;
             }
-            let symbol = self.t.get(*label)?;
-            self.t.page.draft.answer(*label, DerivedAnswer::Value(symbol));
+            let symbol = self.get(*label)?;
+            self.draft.answer(*label, DerivedAnswer::Value(symbol));
         }
         self.tell_new();
         Ok(())
@@ -984,31 +1148,30 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Is what was assumed so? And the words that are asked.
     fn holds(&mut self) -> Result<(), DerivationStop> {
         self.begin("holds");
-        let lead = self.t.lead();
-        let part = &self.t.m.parts[lead.body];
+        let lead = self.lead();
+        let part = &self.m.parts[lead.body];
         let sloped = matches!(part.path, "incline" | "vertical");
-        let up = self.t.sense * f64::from(part.up) > 0.0;
+        let up = self.sense * f64::from(part.up) > 0.0;
         let word = match (sloped, up) {
+            _ if self.stays() => Word::Stays,
             (true, true) => Word::Up,
             (true, false) => Word::Down,
             (false, true) => Word::Forward,
             (false, false) => Word::Back,
         };
-        self.answer(Label { quantity: Quantity::Direction, of: Owner::Body(lead.body) }, word);
+        self.word(Label { quantity: Quantity::Direction, of: Owner::Body(lead.body) }, word);
         self.torn_loose()?;
         let mut taut: Vec<String> = Vec::new();
-        for tie in 0..self.t.page.draft.scene.ties.len() {
-            match self.t.page.draft.scene.ties[tie].clone() {
-                Tie::Roll { body, mu_s, .. } if self.t.m.parts[body].normal.is_some() => {
+        for tie in 0..self.scene.ties.len() {
+            match self.scene.ties[tie].clone() {
+                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
                     self.grips(body, mu_s)?;
                 }
                 Tie::Slip { body, .. } => self.slides_against(body)?,
                 Tie::Cord(c) => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
                     Far::Spring { rigid: false, .. } => {
-                        if let Some(t) = self.taut(tie)? {
-                            self.say("holds.taut_spring", &[("t", &t)]);
-                        }
+                        self.spring_taut(tie)?;
                     }
                     Far::Spring { .. } | Far::Pull(_) => {}
                 },
@@ -1022,26 +1185,27 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.reaches()
     }
 
-    fn answer(&mut self, label: Label, word: Word) {
-        self.t.page.draft.answer(label, DerivedAnswer::Word(word));
+    fn word(&mut self, label: Label, word: Word) {
+        self.draft.answer(label, DerivedAnswer::Word(word));
     }
 
     /// Slides that start from rest have to be torn loose.
     fn torn_loose(&mut self) -> Result<(), DerivationStop> {
-        if self.t.v0 != ZERO {
-            return Ok(());
-        }
-        for tie in self.t.page.draft.scene.ties.clone() {
-            let Tie::Slide { body, mu_s: Some(mu), .. } = tie else { continue };
+        for tie in self.scene.ties.clone() {
+            let Tie::Slide { body, mu_s, mu_k } = tie else { continue };
+            if self.m.actions.iter().any(|a| a.contact && a.body == body && a.kind == ForceKind::Reaction) {
+                self.held_by_friction(body, mu_s.unwrap_or(mu_k))?;
+            }
+            let (true, Some(mu)) = (self.v0 == ZERO && self.m.one, mu_s) else { continue };
             let along = Coordinate { body, degree: Degree::Along };
-            if self.t.m.ratio(along).is_zero() {
+            if self.m.ratio(along).is_zero() {
                 continue;
             }
-            let mu = self.t.page.draft.number(mu, r"\mu_s", "1");
-            let n = self.t.get(of_body(Quantity::Normal, body))?;
-            let given = self.t.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
-            let push = positive_first(vec![in_sense(sum(given), self.t.sense)]);
-            let ratio = self.t.magnitude(self.t.m.ratio(along));
+            let mu = self.number(mu, r"\mu_s", "1");
+            let n = self.get(of_body(Quantity::Normal, body))?;
+            let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
+            let push = positive_first(vec![in_sense(sum(given), self.sense)]);
+            let ratio = self.magnitude(self.m.ratio(along));
             let hold = (mu * n) * ratio.expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
@@ -1049,26 +1213,37 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
+    /// What slides as soon as it moves, and stays.
+    fn held_by_friction(&mut self, body: usize, mu: crate::scene::Num) -> Result<(), DerivationStop> {
+        let mu = self.number(mu, r"\mu_s", "1");
+        let n = self.get(of_body(Quantity::Normal, body))?;
+        let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
+        let (name, most) = (self.body(body), self.valued(&(mu * n), "N"));
+        let f = self.shown(f);
+        self.say("holds.held", &[("body", &name), ("f", &f), ("most", &most)]);
+        Ok(())
+    }
+
     /// `|F| <= mu_s N` as far as the scene looks.
     fn grips(&mut self, body: usize, mu_s: Option<crate::scene::Num>) -> Result<(), DerivationStop> {
-        let n = self.t.get(of_body(Quantity::Normal, body))?;
-        let f = self.t.get(of_body(Quantity::Friction, body))?;
+        let n = self.get(of_body(Quantity::Normal, body))?;
         let normal = self.shown(n);
+        let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let Some(mu) = mu_s else {
             self.say("holds.pressed", &[("n", &normal)]);
             self.say("holds.no_coefficient", &[]);
             return Ok(());
         };
-        let mu = self.t.page.draft.number(mu, r"\mu_s", "1");
-        let most = self.t.value(&(&mu * n));
+        let mu = self.number(mu, r"\mu_s", "1");
+        let most = self.value(&(&mu * n));
         let mut largest = f;
         self.skip_new();
-        if self.t.spring.is_some() {
-            let ends = self.t.extremes(body)?;
-            let [a, b] = ends.map(|(_, f)| self.t.page.draft.symbols.value(f).abs());
+        if self.spring.is_some() {
+            let ends = self.extremes(body)?;
+            let [a, b] = ends.map(|(_, f)| self.symbols.value(f).abs());
             largest = if a >= b { ends[0].1 } else { ends[1].1 };
             let both: Vec<String> = ends.iter().map(|(_, f)| self.shown(*f)).collect();
-            let far = match self.t.page.draft.scene.span {
+            let far = match self.scene.span {
                 Span::ToEnd => "end",
                 Span::ToTurningPoint => "turn",
             };
@@ -1076,14 +1251,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("holds.extremes", &[("range", &range), ("one", &both[0]), ("two", &both[1])]);
             self.skip_new();
         }
-        let value = self.t.page.draft.symbols.value(largest).abs();
-        let share = self.relation(&(magnitude(largest) / n), value / self.t.page.draft.symbols.value(n), "1");
+        let value = self.symbols.value(largest).abs();
+        let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
         let mu = self.valued_plain(&mu);
         self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &mu)]);
         if value > most {
-            return Err(Beyond::SlipsAfterAll.into());
+            return Ok(());
         }
-        self.answer(of_body(Quantity::Rolls, body), Word::Yes);
+        self.word(of_body(Quantity::Rolls, body), Word::Yes);
         Ok(())
     }
 
@@ -1096,35 +1271,35 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The contact slides against the friction that was assumed.
     fn slides_against(&mut self, body: usize) -> Result<(), DerivationStop> {
-        let a = self.t.get(of_body(Quantity::A, body))?;
-        let alpha = self.t.get(of_body(Quantity::Alpha, body))?;
-        let friction = self.t.get(of_body(Quantity::Friction, body))?;
-        let arm = self.t.contact_of(body).and_then(|t| self.t.m.action_of(t)).map(|x| x.arm.clone());
-        let Some(arm) = arm else { return Err(Beyond::Arrangement.into()) };
-        let c = self.t.magnitude(&arm).expr();
+        let a = self.get(of_body(Quantity::A, body))?;
+        let alpha = self.get(of_body(Quantity::Alpha, body))?;
+        let friction = self.get(of_body(Quantity::Friction, body))?;
+        let arm = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| x.arm.clone());
+        let Some(arm) = arm else { return Err(Beyond::Unfound.into()) };
+        let c = self.magnitude(&arm).expr();
         let contact = a - c * alpha;
-        let up = f64::from(self.t.m.parts[body].up);
-        let value = self.t.value(&contact) * up;
-        let friction = self.t.page.draft.symbols.value(friction);
+        let up = f64::from(self.m.parts[body].up);
+        let value = self.value(&contact) * up;
+        let friction = self.symbols.value(friction);
         if value * friction >= 0.0 {
-            return Err(Beyond::FrictionWithSlip.into());
+            return Ok(());
         }
         let (slides, force) = (self.way(body, value), self.way(body, friction));
         let contact = self.valued(&contact, "m/s^2");
         self.say("holds.slides", &[("a", &contact), ("slides", &slides), ("force", &force)]);
-        self.answer(of_body(Quantity::Rolls, body), Word::No);
+        self.word(of_body(Quantity::Rolls, body), Word::No);
         Ok(())
     }
 
     /// Tension of a cord, none where it is 0.
     fn taut(&mut self, tie: usize) -> Result<Option<String>, DerivationStop> {
-        let told = self.t.page.steps.len();
-        let t = self.t.get(of_tie(Quantity::Tension, tie))?;
-        let value = self.t.page.draft.symbols.value(t);
+        let told = self.steps.len();
+        let Ok(t) = self.get(of_tie(Quantity::Tension, tie)) else { return Ok(None) };
+        let value = self.symbols.value(t);
         if value < 0.0 {
-            return Err(Beyond::SlackCord.into());
+            return Ok(None);
         }
-        let new: Vec<SymbolId> = self.t.page.steps[told..].iter().map(|s| s.symbol).collect();
+        let new: Vec<SymbolId> = self.steps[told..].iter().map(|s| s.symbol).collect();
         let shown = match new.is_empty() {
             true => self.shown(t),
             false => new.iter().map(|s| self.chained(*s)).collect::<Vec<_>>().join(", "),
@@ -1132,24 +1307,45 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok((value > 0.0).then_some(shown))
     }
 
+    /// The cord of a spring up to the end: its least tension, and where it goes slack, if that is looked at.
+    fn spring_taut(&mut self, tie: usize) -> Result<(), DerivationStop> {
+        let (Some(spring), Some(end)) = (self.spring.clone(), self.taut(tie)?) else { return Ok(()) };
+        let first = &spring.stiffness * &spring.stretch;
+        let least = if self.value(&first) < self.value(&spring.tension.into()) {
+            let unit = self.valued(&first, "N");
+            unit
+        } else {
+            end
+        };
+        self.say("holds.taut_spring", &[("t", &least)]);
+        if self.scene.span == Span::ToTurningPoint
+            && let Ok((slack, true)) = self.t.turning_or_slack()
+        {
+            let size = in_sense(slack.clone(), self.value(&slack));
+            let slack = self.valued(&size, "m");
+            self.say("holds.goes_slack", &[("s", &slack)]);
+        }
+        Ok(())
+    }
+
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
-        let lead = self.t.lead();
-        if !matches!(self.t.page.draft.scene.end, End::Travel(..) | End::Position(..)) || !self.t.straight() {
+        let lead = self.lead();
+        if !matches!(self.scene.end, End::Travel(..) | End::Position(..)) || !self.straight() {
             return Ok(());
         }
-        let turns = self.t.spring.is_some() || self.t.value(&self.t.drive) * self.t.sense < 0.0;
-        let level = self.t.spring.as_ref().is_some_and(|s| !s.rigid) && self.t.value(&self.t.drive) == 0.0;
+        let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;
+        let level = self.spring.as_ref().is_some_and(|s| !s.rigid) && self.value(&self.drive) == 0.0;
         if !turns || level {
             return Ok(());
         }
         self.skip_new();
-        let turn = self.t.get(of_body(Quantity::DTurn, lead.body))?;
-        let (d, far) = (self.t.value(&self.t.distance()), self.t.page.draft.symbols.value(turn));
+        let Ok(turn) = self.get(of_body(Quantity::DTurn, lead.body)) else { return Ok(()) };
+        let (d, far) = (self.value(&self.distance()), self.symbols.value(turn));
         if d > far {
-            return Err(Beyond::BehindTurning.into());
+            return Ok(());
         }
-        let distance = self.inline(&self.t.distance());
+        let distance = self.inline(&self.distance());
         let shown = self.shown(turn);
         self.skip_new();
         self.say("holds.reaches", &[("d", &distance), ("turn", &shown)]);
@@ -1159,18 +1355,18 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// A limit or two, and where the energy went.
     fn limits(&mut self) -> Result<(), DerivationStop> {
         self.begin("limits");
-        if self.short == Short::Energy && self.t.v0 == ZERO && self.t.spring.is_none() {
+        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
             self.massless_limit();
         }
-        if self.t.spring.is_none() && self.t.v0 == ZERO && self.short == Short::Energy {
+        if self.spring.is_none() && self.v0 == ZERO && self.short == Short::Energy {
             self.balance_limit();
         }
-        if self.t.v0 == ZERO && self.short != Short::Motion {
+        if self.v0 == ZERO && self.short != Short::Motion {
             self.energies()?;
         }
-        if let Some(spring) = self.t.spring.clone() {
-            let still = self.t.get(of_scene(Quantity::XEq)).ok();
-            if let Some(x) = still.filter(|_| self.t.value(&spring.stretch) > 0.0) {
+        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
+            let still = self.get(of_scene(Quantity::XEq)).ok();
+            if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
                 let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
                 self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
             }
@@ -1184,32 +1380,32 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let turning: Vec<Coordinate> = self
             .coordinates()
             .into_iter()
-            .filter(|c| c.degree == Degree::Turn && !self.t.m.inertia(*c).is_empty())
+            .filter(|c| c.degree == Degree::Turn && !self.m.inertia(*c).is_empty())
             .collect();
         let v = self.speed();
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
         let masses: Vec<Expr> = lines
             .flat_map(|c| {
-                let by = self.t.m.ratio(c).squared();
-                self.t.m.inertia(c).into_iter().map(move |i| i.times(&by).expr())
+                let by = self.m.ratio(c).squared();
+                self.m.inertia(c).into_iter().map(move |i| i.times(&by).expr())
             })
             .filter(|e| *e != ZERO)
             .collect();
-        if turning.is_empty() || masses.is_empty() || !self.t.straight() {
+        if turning.is_empty() || masses.is_empty() || !self.straight() {
             return;
         }
-        let drive = positive_first(vec![in_sense(self.t.drive.clone(), self.t.sense)]);
-        let light = Expr::Number(2, 1) * self.t.distance() * drive;
+        let drive = positive_first(vec![in_sense(self.drive.clone(), self.sense)]);
+        let light = Expr::Number(2, 1) * self.distance() * drive;
         let light = Factors::of(&light).per(&Factors::of(&sum(masses))).expr();
-        let fast = self.relation(&root(light.clone()), self.t.value(&light).sqrt(), "m/s");
+        let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
         let v = self.shown(v);
         self.say("limits.massless", &[("v", &v), ("fast", &fast)]);
     }
 
     /// Where the driving force just balances: nothing happens.
     fn balance_limit(&mut self) {
-        let pull = self.t.shares(&[ForceKind::Given]).into_iter().find(|(a, share)| {
-            matches!(a.source, ForceSource::Tie(_)) && self.t.value(share) * self.t.sense > 0.0
+        let pull = self.shares(&[ForceKind::Given]).into_iter().find(|(a, share)| {
+            matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
         });
         let Some((action, share)) = pull else { return };
         let others: Vec<Expr> = self
@@ -1221,11 +1417,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
             .collect();
         let per = Factors::of(&share).per(&Factors::of(&action.force));
         let needed = Factors::of(&positive_first(others.clone())).per(&per).expr();
-        if others.is_empty() || self.t.value(&needed) <= 0.0 {
+        if others.is_empty() || self.value(&needed) <= 0.0 {
             return;
         }
         let force = self.tex(&action.force);
-        let digits = tex_digits(&shown::significant(self.t.value(&needed), FIGURES), self.t.page.draft.words);
+        let digits = tex_digits(&shown::significant(self.value(&needed), FIGURES), self.words);
         let text = format!(r"${force} = {} = {digits}\ {}$", self.tex(&needed), tex_of("N")).replace(
             &format!("${force} ="),
             &format!("${} =", marked(&force, r"\mathrm{0}").replace(r"\mathrm{0}", "0")),
@@ -1236,19 +1432,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
-        let turning = self
-            .coordinates()
-            .into_iter()
-            .any(|c| c.degree == Degree::Turn && !self.t.m.inertia(c).is_empty());
+        let turning =
+            self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty());
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
-        if !turning || !moving || self.t.value(&self.t.v) == 0.0 {
+        if !turning || !moving || self.value(&self.v) == 0.0 {
             return Ok(());
         }
         self.skip_new();
-        let share = self.t.get(of_scene(Quantity::RotationalFraction))?;
-        let percent = shown::significant(100.0 * self.t.page.draft.symbols.value(share), 2);
+        let share = self.get(of_scene(Quantity::RotationalFraction))?;
+        let percent = shown::significant(100.0 * self.symbols.value(share), 2);
         self.skip_new();
-        let percent = tex_digits(&percent, self.t.page.draft.words);
+        let percent = tex_digits(&percent, self.words);
         self.say("limits.spin", &[("percent", &percent)]);
         Ok(())
     }
@@ -1256,20 +1450,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// A question to go on with.
     fn onward(&mut self) {
         self.begin("onward");
-        let pulled = self
-            .t
-            .page
-            .draft
-            .scene
-            .ties
-            .iter()
-            .any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
-        let wheel = !self.rolling().is_empty() && self.t.m.parts.len() == 1;
-        let pulley = self.t.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
-        let weighed = self.t.page.draft.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
+        let pulled =
+            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
+        let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
+        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
+        let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         let name = match () {
             () if self.short == Short::Neither => "onward.slips",
-            () if self.t.spring.is_some() => "onward.spring",
+            () if self.spring.is_some() => "onward.spring",
             () if wheel && pulled => "onward.pulled",
             () if wheel => "onward.wheel",
             () if pulley && weighed => "onward.pulley",

@@ -6,6 +6,7 @@ use crate::solution::expr::{Expr, SymbolId};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
+use std::ops::{Deref, DerefMut};
 
 /// Widest formula that stands within a sentence.
 pub const WITHIN: f64 = 34.0;
@@ -37,6 +38,19 @@ pub struct Page<'d, 'a> {
     told: Vec<SymbolId>,
 }
 
+impl<'a> Deref for Page<'_, 'a> {
+    type Target = Draft<'a>;
+    fn deref(&self) -> &Self::Target {
+        self.draft
+    }
+}
+
+impl DerefMut for Page<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        self.draft
+    }
+}
+
 impl<'d, 'a> Page<'d, 'a> {
     /// Nothing yet.
     pub fn new(draft: &'d mut Draft<'a>) -> Self {
@@ -45,18 +59,18 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// The value of an expression.
     pub fn value(&self, e: &Expr) -> f64 {
-        e.value(&self.draft.symbols)
+        e.value(&self.symbols)
     }
     /// Notes what a quantity is equal to.
     pub fn step(&mut self, symbol: SymbolId, from: Expr) -> SymbolId {
-        self.draft.settle(symbol, &from);
+        self.settle(symbol, &from);
         self.steps.push(Step { symbol, from });
         symbol
     }
     /// A new quantity, the first of these names that is free, and what it is equal to. The unit is ASCII.
     pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
-        let tex = self.draft.free(names);
-        let symbol = self.draft.unknown(&tex, unit);
+        let tex = self.free(names);
+        let symbol = self.unknown(&tex, unit);
         self.step(symbol, from.into())
     }
     /// Has it been told?
@@ -95,7 +109,7 @@ impl<'d, 'a> Page<'d, 'a> {
     /// The same with another title.
     pub fn begin_as(&mut self, id: &'static str, title: &str) {
         self.end();
-        let title = self.draft.words.get(&format!("solution.title.{title}"));
+        let title = self.words.get(&format!("solution.title.{title}"));
         self.out = SolutionSection::new(id, title);
     }
     /// Ends the section; one without content is not there.
@@ -103,7 +117,7 @@ impl<'d, 'a> Page<'d, 'a> {
         self.stop();
         let done = std::mem::replace(&mut self.out, SolutionSection::new("", ""));
         if !done.blocks.is_empty() {
-            self.draft.sections.push(done);
+            self.sections.push(done);
         }
     }
     /// Ends the paragraph.
@@ -116,7 +130,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// A phrase of the solutions.
     pub fn phrase(&self, name: &str, pieces: &[(&str, &str)]) -> String {
-        self.draft.say(&format!("solution.{name}"), pieces)
+        self.words.say(&format!("solution.{name}"), pieces)
     }
     /// A sentence of the paragraph that is being written.
     pub fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
@@ -130,7 +144,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// An expression in symbols.
     pub fn tex(&self, e: &Expr) -> String {
-        e.symbols(&self.draft.symbols)
+        e.symbols(&self.symbols)
     }
     /// In a sentence.
     pub fn inline(&self, e: &Expr) -> String {
@@ -138,12 +152,12 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// Several symbols.
     pub fn names(&self, all: &[SymbolId]) -> String {
-        let list: Vec<String> = all.iter().map(|s| format!("${}$", self.draft.symbols.tex(*s))).collect();
+        let list: Vec<String> = all.iter().map(|s| format!("${}$", self.symbols.tex(*s))).collect();
         list.join(", ")
     }
     /// `$e = 12.3 N$`
     pub fn relation(&self, e: &Expr, value: f64, unit: &str) -> String {
-        let digits = tex_digits(&shown::significant(value, FIGURES), self.draft.words);
+        let digits = tex_digits(&shown::significant(value, FIGURES), self.words);
         let unit = tex_of(unit);
         let unit = if unit.is_empty() { unit } else { format!(r"\ {unit}") };
         format!("${} = {digits}{unit}$", self.tex(e))
@@ -152,22 +166,22 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn valued(&self, e: &Expr, unit: &str) -> String {
         match e {
             Expr::Symbol(s) => self.shown(*s),
-            e => self.relation(e, e.value(&self.draft.symbols), unit),
+            e => self.relation(e, e.value(&self.symbols), unit),
         }
     }
     /// `$v = 4.94 m/s$`
     pub fn shown(&self, s: SymbolId) -> String {
-        format!("${} = {}$", self.draft.symbols.tex(s), self.draft.symbols.shown(s))
+        format!("${} = {}$", self.symbols.tex(s), self.symbols.shown(s))
     }
     /// `v = ... = 4.94 m/s`, with the numbers put in where every detail is wanted.
     pub fn chain(&self, symbol: SymbolId, from: &Expr) -> Vec<String> {
-        let symbols = &self.draft.symbols;
+        let symbols = &self.symbols;
         let (name, letters, value) = (symbols.tex(symbol), from.symbols(symbols), symbols.shown(symbol));
         if from.uses().is_empty() || letters == name {
             return vec![format!("{name} = {value}")];
         }
         let mut lines = vec![format!("{name} = {letters} = {value}")];
-        if self.draft.detail == Detail::Full && from.numbers(symbols) != value {
+        if self.detail == Detail::Full && from.numbers(symbols) != value {
             let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
             lines[0] = format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
         }
@@ -195,6 +209,10 @@ impl<'d, 'a> Page<'d, 'a> {
     /// Takes all steps as told.
     pub fn skip_new(&mut self) {
         self.told = self.steps.iter().map(|s| s.symbol).collect();
+    }
+    /// Takes this one as told.
+    pub fn told(&mut self, symbol: SymbolId) {
+        self.told.push(symbol);
     }
     /// Takes these as not told yet.
     pub fn forget(&mut self, steps: &[Option<SymbolId>]) {

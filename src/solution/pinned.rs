@@ -69,7 +69,7 @@ type Pull = Option<(Expr, Expr, Expr)>;
 /// What this does not cover.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let Some((body, pin)) = draft.scene.pinned() else {
-        return Err(Beyond::Arrangement.into());
+        return Err(Beyond::Unfound.into());
     };
     let pin = *pin;
     let ended = [
@@ -81,7 +81,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         .iter()
         .any(|(quantity, of)| draft.variant.solved.get(Label { quantity: *quantity, of: *of }).is_some())
     {
-        return Err(Beyond::NotThere.into());
+        return Err(Beyond::Unfound.into());
     }
     let mut page = Page::new(draft);
     let swing = read(&mut page, body, &pin)?;
@@ -95,8 +95,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     swing.limits(&mut page, omega);
     page.begin("onward");
     // A spring that is stretched further holds it back.
-    let stretch =
-        |tex: &str| page.draft.symbols.named(tex).map_or(0.0, |s| page.draft.symbols.value(s).abs());
+    let stretch = |tex: &str| page.symbols.named(tex).map_or(0.0, |s| page.symbols.value(s).abs());
     let braked = stretch(r"\delta_1") > stretch(r"\delta_0");
     let name = if braked { "pinned.onward_spring" } else { "pinned.onward" };
     swing.say(&mut page, name, &[]);
@@ -123,7 +122,7 @@ impl PinnedSpring {
 
 /// Idea, sketch, and the quantities that everything else needs.
 fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, DerivationStop> {
-    let scene = page.draft.scene;
+    let scene = page.scene;
     let draft = &mut *page.draft;
     let angle = draft.free(&[r"\phi", r"\varphi", r"\theta", r"\beta"]);
     let (zero, one) = (format!("{angle}_0"), format!("{angle}_1"));
@@ -147,7 +146,7 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         Arm::HalfOf(l) => draft.number(l, "L", "m") / whole(2),
     };
     if h.value(&draft.symbols) <= 0.0 {
-        return Err(Beyond::PinAtCentre.into());
+        return Err(Beyond::Unfound.into());
     }
     let own = match &scene.bodies[body].inertia {
         Some(RotaryInertia::Gyration(k)) => {
@@ -162,15 +161,15 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         End::Angle(..) => "pinned.idea",
         _ => "pinned.idea_speed",
     };
-    page.add(page.draft.say(place, &[]));
+    page.say(place, &[]);
     if scene.end != End::AtOnce {
-        page.add(page.draft.say("pinned.idea_pin", &[]));
+        page.say("pinned.idea_pin", &[]);
     }
     page.begin("sketch");
     let name = format!("forces-{}", scene.bodies[body].name);
     page.out.blocks = vec![Block::Picture("scene".to_owned()), Block::Picture(name)];
     page.begin_as("short", "short_energy");
-    page.add(page.draft.say(if own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]));
+    page.say(if own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
     let steiner = &own + &m.expr() * square(&h);
     let about = page.find(&["I_O", "J_O"], "kg m^2", steiner.clone());
     let short = Factors::of(&own).plus(&m.times(&Factors::of(&h).squared())).expr();
@@ -181,13 +180,13 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         && width(&line) < LINE - 20.0
         && own != ZERO
     {
-        let tex = page.draft.symbols.tex(about).to_owned();
+        let tex = page.symbols.tex(about).to_owned();
         line = line.replacen(" = ", &format!(" = {} = ", page.tex(&short)), 1);
         line = format!("{tex}{}", &line[tex.len()..]);
     }
     page.skip_new();
     page.formula(if line.contains('&') { aligned(&line) } else { line });
-    page.draft.answer(Label { quantity: Quantity::IO, of: Owner::Body(body) }, DerivedAnswer::Value(about));
+    page.answer(Label { quantity: Quantity::IO, of: Owner::Body(body) }, DerivedAnswer::Value(about));
     let mut swing = PinnedBody {
         body,
         up: pin.from == Zero::Upright,
@@ -208,19 +207,19 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
     if let Some(Rest::Stretch(_)) = pin.spring.as_ref().map(|s| s.rest) {
         swing.natural_length(page);
     }
-    let spin = swing.w0.value(&page.draft.symbols);
-    let drive = swing.moment_at(page.draft, swing.phi0.value(&page.draft.symbols));
+    let spin = swing.w0.value(&page.symbols);
+    let drive = swing.moment_at(page.draft, swing.phi0.value(&page.symbols));
     swing.sense = if spin != 0.0 { spin.signum() } else { drive.signum() };
     swing.phi1 = match scene.end {
         End::AtOnce => swing.phi0.clone(),
-        End::Angle(_, angle) => page.draft.number(angle, &one, "deg"),
+        End::Angle(_, angle) => page.number(angle, &one, "deg"),
         End::TurningPoint(_) => swing.angle_of_speed(page.draft, &one, 0.0)?,
         End::Speed(_, w) => {
-            let w = page.draft.value(w);
+            let w = page.datum(w);
             swing.angle_of_speed(page.draft, &one, w)?
         }
         _ => {
-            return Err(Beyond::PinnedEnd.into());
+            return Err(Beyond::Unfound.into());
         }
     };
     Ok(swing)
@@ -254,20 +253,18 @@ impl PinnedBody {
     }
 
     fn say(&self, page: &mut Page, name: &str, pieces: &[(&str, &str)]) {
-        let text = page.draft.say(name, pieces);
-        page.add(text);
+        page.say(name, pieces);
     }
 
     fn answer(&self, page: &mut Page, quantity: Quantity, symbol: SymbolId) {
-        page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
+        page.answer(self.label(quantity), DerivedAnswer::Value(symbol));
     }
 
     /// The natural length is what is left of the length at the start without the stretch there.
     fn natural_length(&mut self, page: &mut Page) {
         let length = self.spring.as_ref().map(|s| (s.length(self.up, &self.phi0), s.l0.clone()));
         let Some((length, stretch)) = length else { return };
-        let text = page.draft.say("pinned.natural", &[]);
-        page.add(text);
+        page.say("pinned.natural", &[]);
         let first = page.find(&["s_0", "d_0"], "m", length);
         let l0 = page.find(&["l_0", "l_n"], "m", first - stretch);
         page.tell_new();
@@ -315,7 +312,7 @@ impl PinnedBody {
         if self.instant {
             return;
         }
-        let ends = match page.draft.scene.end {
+        let ends = match page.scene.end {
             End::TurningPoint(_) => Some("pinned.angle_turning"),
             End::Speed(..) => Some("pinned.angle_speed"),
             _ => None,
@@ -337,7 +334,7 @@ impl PinnedBody {
         }
         if let Some(s) = &self.spring {
             self.say(page, "pinned.lengths", &[]);
-            let known = page.draft.symbols.named("s_0");
+            let known = page.symbols.named("s_0");
             let first = match known {
                 Some(symbol) => symbol,
                 None => page.find(&["s_0", "d_0"], "m", s.length(self.up, &self.phi0)),
@@ -350,8 +347,8 @@ impl PinnedBody {
             works.push(ratio(1, 2) * &s.k * (square(d0) - square(d1)));
         }
         works.retain(|w| *w != ZERO);
-        let omega = page.draft.free(&[r"\omega", r"\omega_1"]);
-        let omega = page.draft.unknown(&omega, "rad/s");
+        let omega = page.free(&[r"\omega", r"\omega_1"]);
+        let omega = page.unknown(&omega, "rad/s");
         let gained = if self.w0 == ZERO { square(omega) } else { square(omega) - square(&self.w0) };
         let name = if self.w0 == ZERO { "from_rest" } else { "moving" };
         page.say(&format!("energy.{name}"), &[]);
@@ -366,7 +363,7 @@ impl PinnedBody {
                 positive_first(doubled) / self.about
             }
         };
-        let from = if matches!(page.draft.scene.end, End::TurningPoint(_)) {
+        let from = if matches!(page.scene.end, End::TurningPoint(_)) {
             ZERO
         } else {
             root(square(&self.w0) + twice)
@@ -383,7 +380,7 @@ impl PinnedBody {
 
     /// The angular speed at the end.
     fn omega(&self, page: &mut Page) -> SymbolId {
-        let found = page.draft.found_for(self.label(Quantity::Omega));
+        let found = page.found_for(self.label(Quantity::Omega));
         if let Some(DerivedAnswer::Value(omega)) = found {
             return omega;
         }
@@ -401,7 +398,7 @@ impl PinnedBody {
             if self.instant { "short_motion" } else { "long_motion" },
         );
         let from = if self.up { "pinned.from_upright" } else { "pinned.from_hanging" };
-        let name = |page: &Page, names: &[&str]| page.draft.free(names);
+        let name = |page: &Page, names: &[&str]| page.free(names);
         let (radial, across) = (name(page, &["R", "O_r"]), name(page, &["S", "O_t"]));
         let angle = page.tex(&self.phi);
         self.say(
@@ -415,8 +412,8 @@ impl PinnedBody {
         );
         let (alpha, omega) = (name(page, &[r"\alpha", r"\alpha_1"]), name(page, &[r"\omega", r"\omega_1"]));
         let mut generic = |tex: &[&str]| {
-            let tex = page.draft.free(tex);
-            Expr::Symbol(page.draft.unknown(&tex, "1"))
+            let tex = page.free(tex);
+            Expr::Symbol(page.unknown(&tex, "1"))
         };
         let pull: Pull = self.spring.as_ref().map(|_| {
             (generic(&["F_s", r"F_{\mathrm{s}}"]), generic(&["n_r", "c_r"]), generic(&["n_t", "c_t"]))
@@ -431,7 +428,7 @@ impl PinnedBody {
         };
         let mh = page.tex(&Factors::of(&self.m).times(&Factors::of(&self.h)).expr());
         let rows = [
-            format!(r"{} = {}\,{alpha} \quad (1)", page.tex(&moments), page.draft.symbols.tex(self.about)),
+            format!(r"{} = {}\,{alpha} \quad (1)", page.tex(&moments), page.symbols.tex(self.about)),
             format!(r"{} = {mh}\,{omega}^{{2}} \quad (2)", with(page, &radial, &toward)),
             format!(r"{} = {mh}\,{alpha} \quad (3)", with(page, &across, &aside)),
         ];
@@ -459,7 +456,7 @@ impl PinnedBody {
     /// Force and direction of the spring at the end.
     fn pull(&self, page: &mut Page) -> Pull {
         let s = self.spring.as_ref()?;
-        let length = match page.draft.symbols.named("s_1").or_else(|| page.draft.symbols.named("d_1")) {
+        let length = match page.symbols.named("s_1").or_else(|| page.symbols.named("d_1")) {
             Some(symbol) => symbol,
             None => page.find(&["s_1", "d_1"], "m", s.length(self.up, &self.phi1)),
         };
@@ -479,7 +476,7 @@ impl PinnedBody {
             Quantity::PinForce,
             Quantity::SpringForce,
         ];
-        if !asked.iter().any(|q| page.draft.asks(*q)) {
+        if !asked.iter().any(|q| page.asks(*q)) {
             return;
         }
         page.begin("forces");
@@ -497,7 +494,7 @@ impl PinnedBody {
             Factors::of(&over).per(&Factors::of(&self.about.into())).expr(),
         );
         self.answer(page, Quantity::Alpha, alpha);
-        if asked[1..4].iter().any(|q| page.draft.asks(*q)) {
+        if asked[1..4].iter().any(|q| page.asks(*q)) {
             let mh = Factors::of(&self.m).times(&Factors::of(&self.h));
             let radial = mh.times(&Factors::of(&square(omega))).expr() - toward;
             let radial = page.find(&["R", "O_r"], "N", positive_first(vec![radial]));
@@ -505,12 +502,12 @@ impl PinnedBody {
             let across = page.find(&["S", "O_t"], "N", positive_first(vec![across]));
             self.answer(page, Quantity::PinRadial, radial);
             self.answer(page, Quantity::PinTangential, across);
-            if page.draft.asks(Quantity::PinForce) {
+            if page.asks(Quantity::PinForce) {
                 let force = page.find(&["F_O", "O"], "N", root(square(radial) + square(across)));
                 self.answer(page, Quantity::PinForce, force);
             }
             page.tell_new();
-            let (r, s) = (page.draft.symbols.value(radial), page.draft.symbols.value(across));
+            let (r, s) = (page.symbols.value(radial), page.symbols.value(across));
             let names = [page.names(&[radial]), page.names(&[across])];
             if r != 0.0 {
                 self.say(
@@ -533,11 +530,11 @@ impl PinnedBody {
     /// The angle turned, in radians with its sign.
     fn turned(&self, page: &mut Page) -> SymbolId {
         let name = format!(r"\Delta {}", page.tex(&self.phi));
-        if let Some(known) = page.draft.symbols.named(&name) {
+        if let Some(known) = page.symbols.named(&name) {
             return known;
         }
-        let pi = page.draft.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
-        let half = page.draft.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        let pi = page.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
+        let half = page.symbols.given(r"180^\circ", 180.0, "180", "", true);
         let angle = &self.phi1 - &self.phi0;
         page.find(&[&name], "rad", angle * pi / half)
     }
@@ -546,7 +543,7 @@ impl PinnedBody {
     fn rest(&self, page: &mut Page, omega: SymbolId) {
         page.begin("rest");
         page.skip_new();
-        if page.draft.asks(Quantity::V) {
+        if page.asks(Quantity::V) {
             let v = page.find(
                 &["v_G", "u_G"],
                 "m/s",
@@ -554,26 +551,26 @@ impl PinnedBody {
             );
             self.answer(page, Quantity::V, v);
         }
-        if page.draft.asks(Quantity::KineticEnergy) {
+        if page.asks(Quantity::KineticEnergy) {
             let t = page.find(&["E_{k}", r"E_{\mathrm{kin}}"], "J", ratio(1, 2) * self.about * square(omega));
-            page.draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(t));
+            page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(t));
         }
-        if page.draft.asks(Quantity::RotationalFraction) {
+        if page.asks(Quantity::RotationalFraction) {
             let share = page.find(
                 &[r"\zeta", r"\zeta_r"],
                 "1",
                 Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr(),
             );
-            page.draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
+            page.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
         }
-        if page.draft.asks(Quantity::Phi) && !self.instant {
+        if page.asks(Quantity::Phi) && !self.instant {
             let turned = self.turned(page);
-            let size = magnitude_of(&turned.into(), page.draft.symbols.value(turned));
-            let name = format!(r"\left|{}\right|", page.draft.symbols.tex(turned));
+            let size = magnitude_of(&turned.into(), page.symbols.value(turned));
+            let name = format!(r"\left|{}\right|", page.symbols.tex(turned));
             let size = page.find(&[&name], "rad", size);
             self.answer(page, Quantity::Phi, size);
         }
-        if page.draft.asks(Quantity::Rise) && !self.instant {
+        if page.asks(Quantity::Rise) && !self.instant {
             let from = -(Factors::of(&self.h).times(&Factors::of(&self.sinking())).expr());
             let rise = page.find(&[r"\Delta z"], "m", from);
             self.answer(page, Quantity::Rise, rise);
@@ -583,15 +580,16 @@ impl PinnedBody {
 
     /// Is this true? A particle in the mass centre, and the share of the rotation.
     fn limits(&self, page: &mut Page, omega: SymbolId) {
-        if self.instant || self.own == ZERO || page.draft.symbols.value(omega) == 0.0 {
+        if self.instant || self.own == ZERO || page.symbols.value(omega) == 0.0 {
             return;
         }
         page.begin("limits");
         let share = Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr();
-        let percent = tex_digits(&shown::significant(100.0 * page.value(&share), 2), page.draft.words);
-        let omega = page.names(&[omega]);
-        self.say(page, "pinned.particle", &[("percent", &percent), ("omega", &omega)]);
-        let given = matches!(page.draft.scene.bodies[self.body].inertia, Some(RotaryInertia::Moment(_)));
+        let percent = tex_digits(&shown::significant(100.0 * page.value(&share), 2), page.words);
+        let faster = page.symbols.value(omega) >= page.value(&self.w0).abs();
+        let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
+        self.say(page, name, &[("percent", &percent)]);
+        let given = matches!(page.scene.bodies[self.body].inertia, Some(RotaryInertia::Moment(_)));
         if self.couples.is_empty() && self.spring.is_none() && !given {
             self.say(page, "pinned.no_mass", &[]);
         }
@@ -600,11 +598,11 @@ impl PinnedBody {
     /// Does it get there, and which way?
     fn regime(&self, page: &mut Page) {
         let word = if self.sense > 0.0 { Word::Forward } else { Word::Back };
-        page.draft.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
+        page.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
         if self.instant {
             return;
         }
-        let (first, last) = (self.phi0.value(&page.draft.symbols), self.phi1.value(&page.draft.symbols));
+        let (first, last) = (self.phi0.value(&page.symbols), self.phi1.value(&page.symbols));
         let way = (last - first).abs();
         page.begin("holds");
         let told = |page: &Page, angle: &Expr| match angle {
@@ -613,10 +611,10 @@ impl PinnedBody {
         };
         let (start, end) = (told(page, &self.phi0), told(page, &self.phi1));
         let growing = if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" };
-        let sense = page.draft.words.get(growing).to_owned();
+        let sense = page.words.get(&format!("solution.{growing}")).to_owned();
         let drive = self.moment_at(page.draft, first);
         let rough = |page: &Page, value: f64, unit: &str| {
-            let digits = tex_digits(&shown::significant(value, 4), page.draft.words);
+            let digits = tex_digits(&shown::significant(value, 4), page.words);
             format!(r"${digits}\ {}$", crate::solution::draft::tex_of(unit))
         };
         if self.w0 == ZERO {
@@ -635,7 +633,7 @@ impl PinnedBody {
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         let square = self.square_at(page.draft, last);
         let angle = [("angle", end.as_str())];
-        if matches!(page.draft.scene.end, End::TurningPoint(_)) {
+        if matches!(page.scene.end, End::TurningPoint(_)) {
             self.say(page, "pinned.turns_there", &angle);
         } else if helps {
             self.say(page, "pinned.only_faster", &angle);
@@ -707,7 +705,7 @@ impl PinnedBody {
             low = high;
         };
         let Some((mut low, mut high)) = found else {
-            return Err(Beyond::NoAngle.into());
+            return Err(Beyond::Unfound.into());
         };
         for _ in 0..80 {
             let middle = 0.5 * (low + high);
@@ -734,20 +732,20 @@ impl PinnedBody {
         if !self.up {
             return &self.phi0 / whole(2);
         }
-        let turn = page.draft.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        let turn = page.symbols.given(r"180^\circ", 180.0, "180", "", true);
         (turn - &self.phi0) / whole(2)
     }
 
     /// Periods and the greatest speed.
     fn swings(&self, page: &mut Page) {
         let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
-        if !page.draft.scene.is_pendulum() || !all.iter().any(|q| page.draft.asks(*q)) {
+        if !page.scene.is_pendulum() || !all.iter().any(|q| page.asks(*q)) {
             return;
         }
         page.begin_as("swings", "swings");
         page.skip_new();
         let pulled = Factors::of(&self.m).times(&Factors::of(&self.g)).times(&Factors::of(&self.h));
-        if page.draft.asks(Quantity::OmegaMax) {
+        if page.asks(Quantity::OmegaMax) {
             self.say(page, "pinned.fastest", &[]);
             let fall = pulled.times(&Factors::of(&whole(2))).times(&Factors::of(&self.above_lowest()));
             let inside = square(&self.w0) + fall.per(&Factors::of(&self.about.into())).expr();
@@ -756,15 +754,15 @@ impl PinnedBody {
             page.tell_new();
         }
         self.say(page, "pinned.small", &[]);
-        let pi = page.draft.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
+        let pi = page.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let frequency = page.find(&[r"\Omega", r"\omega_s"], "rad/s", root(pulled.expr() / self.about));
         self.answer(page, Quantity::OmegaSmall, frequency);
-        if page.draft.asks(Quantity::PeriodSmall) {
+        if page.asks(Quantity::PeriodSmall) {
             let small = page.find(&[r"\tau_0", r"\tau_s"], "s", whole(2) * pi / frequency);
             self.answer(page, Quantity::PeriodSmall, small);
         }
         page.tell_new();
-        if page.draft.asks(Quantity::Period) {
+        if page.asks(Quantity::Period) {
             self.period(page, frequency, pi);
         }
     }
@@ -787,7 +785,7 @@ impl PinnedBody {
         if over {
             let kappa = page.find(&[r"\kappa", r"\lambda"], "1", amplitude);
             let rest = page.find(&[r"\kappa_c", r"\lambda_c"], "1", root(square(kappa) - ONE));
-            (a, b, turns) = (page.draft.symbols.value(kappa), page.draft.symbols.value(rest), Expr::from(pi));
+            (a, b, turns) = (page.symbols.value(kappa), page.symbols.value(rest), Expr::from(pi));
         } else {
             let from = if started {
                 root(ONE - square(&amplitude))
@@ -795,23 +793,28 @@ impl PinnedBody {
                 magnitude_of(&cosine_half, page.value(&cosine_half))
             };
             let rest = page.find(&[r"\kappa_c", r"\lambda_c"], "1", from);
-            (a, b, turns) = (1.0, page.draft.symbols.value(rest), whole(2) * pi);
+            (a, b, turns) = (1.0, page.symbols.value(rest), whole(2) * pi);
         }
         page.tell_new();
         let mut pairs = Vec::new();
         for _ in 0..40 {
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            let digits = |x: f64| tex_digits(&shown::significant(x, 6), page.draft.words);
+            let digits = |x: f64| tex_digits(&shown::significant(x, 6), page.words);
             if pairs.len() < 3 {
-                pairs.push(format!("${}$ {} ${}$", digits(a), page.draft.words.get("pinned.and"), digits(b)));
+                pairs.push(format!(
+                    "${}$ {} ${}$",
+                    digits(a),
+                    page.words.get("solution.pinned.and"),
+                    digits(b)
+                ));
             }
             if (a - b).abs() <= 1e-15 * a {
                 break;
             }
         }
         self.say(page, "pinned.means", &[("pairs", &pairs.join("; "))]);
-        let name = page.draft.free(&[r"\mu", r"\nu"]);
-        let mean = page.draft.symbols.found(&name, a, "");
+        let name = page.free(&[r"\mu", r"\nu"]);
+        let mean = page.symbols.found(&name, a, "");
         let shown = page.shown(mean);
         self.say(page, "pinned.mean_found", &[("mean", &shown)]);
         let period = page.find(&[r"\tau", r"\tau_1"], "s", turns / (frequency * mean));

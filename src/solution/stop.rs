@@ -61,48 +61,9 @@ macro_rules! beyond {
     };
 }
 beyond! {
-    Any "any";
-    Found "found";
-    Arrangement "arrangement";
-    BehindTurning "behind_turning";
-    CannotRoll "cannot_roll";
-    CordsLock "cords_lock";
-    EndBySpin "end_by_spin";
-    FastestSlack "fastest_slack";
-    FrictionWithSlip "friction_with_slip";
     GrowingForce "growing_force";
-    HeldFast "held_fast";
     JoinedBodies "joined_bodies";
-    LaminaInCompany "lamina_in_company";
-    LaminaWithoutMotion "lamina_without_motion";
-    LooseSpin "loose_spin";
-    NeverFastest "never_fastest";
-    NeverRolls "never_rolls";
-    NeverTurns "never_turns";
-    NoAngle "no_angle";
-    NoBound "no_bound";
-    NotThere "not_there";
-    NothingMoves "nothing_moves";
-    OtherEnd "other_end";
-    PinAtCentre "pin_at_centre";
-    PinnedEnd "pinned_end";
-    RollsAfterAll "rolls_after_all";
-    SeveralEquations "several_equations";
-    SeveralSlips "several_slips";
-    SeveralSpeeds "several_speeds";
-    SlackCord "slack_cord";
-    SlipInCompany "slip_in_company";
-    SlipWithSpeed "slip_with_speed";
-    SlipsAfterAll "slips_after_all";
-    SpringTime "spring_time";
-    SpringWithSpeed "spring_with_speed";
-    SpringWithoutPlace "spring_without_place";
-    ThrownVertically "thrown_vertically";
-    ThrownWithoutInertia "thrown_without_inertia";
-    ThrownWithoutSlip "thrown_without_slip";
     Unfound "unfound";
-    Untied "untied";
-    WoundOnSlipping "wound_on_slipping";
 }
 
 impl Beyond {

@@ -4,12 +4,14 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Shape, Slope, Tie,
+    AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia,
+    Shape, Slope, Tie,
 };
+use crate::solution::asked;
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
 use crate::solution::factors::Factors;
-use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solve::outcome::Entry;
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,8 +100,10 @@ pub struct Terms {
     pub lead: Coordinate,
     /// Free fall.
     pub g: Expr,
-    /// Is there gravity in any equation?
-    pub weighty: bool,
+    /// Do the ties give all velocities from the lead's?
+    pub tied: bool,
+    /// And does it move? Not where a contact holds by friction.
+    pub one: bool,
 }
 
 /// Friction or tension of a tie as a symbol.
@@ -111,22 +115,30 @@ fn symbol_of(action: &Action) -> Option<SymbolId> {
 }
 
 impl Terms {
-    /// Reads the scene; `rolled`: what is said to slip is taken as rolling, its unknowns get an r.
-    ///
-    /// # Errors
-    /// What the derivation does not cover.
-    pub fn new(draft: &mut Draft, rolled: bool) -> Result<Self, DerivationStop> {
+    /// Reads the scene; `rolled`: the contact that is said to slip and is taken as rolling; the unknowns get an r.
+    pub fn new(draft: &mut Draft, rolled: Option<usize>) -> Self {
         let lead = draft.scene.ending_coordinate();
         let g = gravity(draft);
         let parts = parts(draft, rolled);
-        let mut this = Self { parts, actions: Vec::new(), lead, g, weighty: false };
+        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true };
         this.act(draft, rolled);
-        this.ratios(draft, rolled)?;
-        Ok(this)
+        this.tied = this.ratios(draft, rolled).is_some();
+        if !this.tied {
+            for part in &mut this.parts {
+                (part.along, part.turn) = (Factors::zero(), Factors::zero());
+            }
+            match lead.degree {
+                Degree::Along => this.parts[lead.body].along = Factors::one(),
+                Degree::Turn => this.parts[lead.body].turn = Factors::one(),
+            }
+        }
+        let held = this.actions.iter().any(|a| a.contact && a.kind == ForceKind::Reaction && a.arm.is_zero());
+        this.one = this.tied && !held && !draft.stays();
+        this
     }
 
     /// All forces at their points.
-    fn act(&mut self, draft: &mut Draft, rolled: bool) {
+    fn act(&mut self, draft: &mut Draft, rolled: Option<usize>) {
         let scene = draft.scene;
         let contacts = scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
         let tensed = scene.cords_with(Quantity::Tension).count();
@@ -134,16 +146,17 @@ impl Terms {
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } => {
-                    let rolls = rolled || matches!(tie, Tie::Roll { .. });
+                    let rolls = rolled == Some(t) || matches!(tie, Tie::Roll { .. });
                     let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(tag, rolled));
+                    let force = friction(draft, &below(draft, tag, rolled));
                     self.rub(draft, t, kind, force);
                 }
                 Tie::Slide { body, .. } => {
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(tag, rolled));
-                    self.rub(draft, t, ForceKind::Kinetic, force);
+                    let force = friction(draft, &below(draft, tag, rolled));
+                    let kind = if stays(draft, *body) { ForceKind::Reaction } else { ForceKind::Kinetic };
+                    self.rub(draft, t, kind, force);
                 }
                 Tie::Cord(cord) => {
                     let (kind, force) = match &cord.to {
@@ -151,7 +164,7 @@ impl Terms {
                         other => {
                             cords += 1;
                             let tag = if tensed > 1 { cords.to_string() } else { String::new() };
-                            let tag = below(&tag, rolled);
+                            let tag = below(draft, &tag, rolled);
                             let tex = draft.free(&[&tagged("T", &tag), &tagged("S", &tag)]);
                             let spring = matches!(other, Far::Spring { .. });
                             let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
@@ -219,7 +232,6 @@ impl Terms {
             if climb == ZERO {
                 continue;
             }
-            self.weighty = true;
             let part = &self.parts[i];
             self.actions.push(Action {
                 contact: false,
@@ -233,14 +245,14 @@ impl Terms {
         }
     }
 
-    /// Velocity ratios from the ties: first within each body, then from body to body.
-    fn ratios(&mut self, draft: &mut Draft, rolled: bool) -> Result<(), DerivationStop> {
+    /// Velocity ratios from the ties: first within each body, then from body to body; `None` where they do not give all.
+    fn ratios(&mut self, draft: &mut Draft, rolled: Option<usize>) -> Option<()> {
         let scene = draft.scene;
         // Spin per unit velocity of the centre, where a tie of the body alone gives it.
         let mut inner: Vec<Option<Factors>> = vec![None; self.parts.len()];
-        for tie in &scene.ties {
+        for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
-                Tie::Slip { .. } if !rolled => {}
+                Tie::Slip { .. } if rolled != Some(t) => {}
                 Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
                     let c = Factors::of(&draft.number(*radius_m, "R", "m"));
                     inner[*body] = Some(Factors::one().per(&c));
@@ -248,102 +260,77 @@ impl Terms {
                 Tie::Cord(cord) if cord.to == Far::Fixed => {
                     let part = &self.parts[cord.from.body];
                     let (along, arm) = lever(draft, &cord.from);
-                    // along v + arm omega = 0
-                    if part.a.is_none() || part.alpha.is_none() || arm.is_zero() {
-                        return Err(Beyond::HeldFast.into());
+                    let loose = part.a.is_none() || part.alpha.is_none() || part.slips;
+                    if loose || arm.is_zero() || inner[cord.from.body].is_some() {
+                        return None;
                     }
+                    // along v + arm omega = 0
                     inner[cord.from.body] = Some(along.per(&arm).opposite());
                 }
                 _ => {}
             }
         }
-        let mut known = vec![false; self.parts.len()];
-        // Sets the ratios of a body from one of its coordinates.
-        let settle = |parts: &mut Vec<BodyTerms>, body: usize, degree: Degree, ratio: Factors| -> bool {
-            let part = &mut parts[body];
-            match (part.a.is_some(), part.alpha.is_some() && !part.slips, &inner[body], degree) {
-                (true, true, Some(inner), Degree::Along) => {
-                    part.turn = ratio.times(inner);
-                    part.along = ratio;
-                }
-                (true, true, Some(inner), Degree::Turn) => {
-                    part.along = ratio.per(inner);
-                    part.turn = ratio;
-                }
-                (true, true, None, _) => return false,
-                (true, false, _, Degree::Along) => part.along = ratio,
-                (false, true, _, Degree::Turn) => part.turn = ratio,
-                _ => return false,
-            }
-            true
-        };
-        if self.parts[self.lead.body].slips && self.lead.degree == Degree::Turn {
-            return Err(Beyond::EndBySpin.into());
-        }
-        if !settle(&mut self.parts, self.lead.body, self.lead.degree, Factors::one()) {
-            return Err(Beyond::LooseSpin.into());
-        }
-        known[self.lead.body] = true;
-        loop {
-            let mut progress = false;
-            for tie in &scene.ties {
-                let Tie::Cord(cord) = tie else { continue };
-                let Far::Body(other) = &cord.to else { continue };
-                let (one, two) = match (known[cord.from.body], known[other.body]) {
-                    (true, false) => (&cord.from, other),
-                    (false, true) => (other, &cord.from),
-                    _ => continue,
+        // Sets the ratios of a body from one of its coordinates; not where its centre and spin are tied by others only.
+        let settle =
+            |parts: &mut Vec<BodyTerms>, body: usize, degree: Degree, ratio: Factors| -> Option<()> {
+                let part = &mut parts[body];
+                let (line, spin) = (part.a.is_some(), part.alpha.is_some() && !part.slips);
+                let (along, turn) = match (&inner[body], degree) {
+                    (Some(inner), Degree::Along) if spin => (ratio.clone(), ratio.times(inner)),
+                    (Some(inner), Degree::Turn) if line => (ratio.per(inner), ratio),
+                    (_, Degree::Along) if !spin => (ratio, Factors::zero()),
+                    (_, Degree::Turn) if spin && !line => (Factors::zero(), ratio),
+                    _ => return None,
                 };
-                let given = self.point_of(draft, one);
-                let (along, arm) = lever(draft, two);
-                let part = &self.parts[two.body];
-                if part.slips && !arm.is_zero() {
-                    return Err(Beyond::WoundOnSlipping.into());
-                }
-                // given + (along v + arm omega) = 0, with omega = inner v.
-                let (degree, per) = match (part.a.is_some(), part.alpha.is_some() && !part.slips) {
-                    (true, true) => match &inner[two.body] {
-                        Some(inner) => (Degree::Along, along.plus(&arm.times(inner))),
-                        None if arm.is_zero() => (Degree::Along, along),
-                        None => {
-                            return Err(Beyond::LooseSpin.into());
-                        }
-                    },
-                    (true, false) => (Degree::Along, along),
+                (part.along, part.turn) = (along, turn);
+                Some(())
+            };
+        settle(&mut self.parts, self.lead.body, self.lead.degree, Factors::one())?;
+        let mut known = vec![false; self.parts.len()];
+        known[self.lead.body] = true;
+        while known.contains(&false) {
+            let next = scene.ties.iter().find_map(|tie| match tie {
+                Tie::Cord(cord) => match &cord.to {
+                    Far::Body(other) if known[cord.from.body] && !known[other.body] => {
+                        Some((&cord.from, other))
+                    }
+                    Far::Body(other) if known[other.body] && !known[cord.from.body] => {
+                        Some((other, &cord.from))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            });
+            let (one, two) = next?;
+            let given = self.point_of(draft, one);
+            let (along, arm) = lever(draft, two);
+            let part = &self.parts[two.body];
+            if part.slips && !arm.is_zero() {
+                return None;
+            }
+            // given + (along v + arm omega) = 0, with omega = inner v.
+            let (degree, per) =
+                match (part.a.is_some(), part.alpha.is_some() && !part.slips, &inner[two.body]) {
+                    (true, true, Some(inner)) => (Degree::Along, along.plus(&arm.times(inner))),
+                    (true, true, None) => return None,
+                    (true, false, _) => (Degree::Along, along),
                     _ => (Degree::Turn, arm),
                 };
-                if per.is_zero() {
-                    return Err(Beyond::HeldFast.into());
-                }
-                if !settle(&mut self.parts, two.body, degree, given.per(&per).opposite()) {
-                    return Err(Beyond::LooseSpin.into());
-                }
-                known[two.body] = true;
-                progress = true;
+            if per.is_zero() {
+                return None;
             }
-            if !progress {
-                break;
+            settle(&mut self.parts, two.body, degree, given.per(&per).opposite())?;
+            known[two.body] = true;
+        }
+        // A cord that closes a loop has to keep its length too.
+        let keeps = |tie: &Tie, draft: &mut Draft| match tie {
+            Tie::Cord(Cord { from, to: Far::Body(other), .. }) => {
+                let ends = [from, other].map(|end| self.point_of(draft, end).expr().value(&draft.symbols));
+                (ends[0] + ends[1]).abs() <= 1e-9 * ends[0].abs().max(ends[1].abs())
             }
-        }
-        if known.contains(&false) {
-            return Err(Beyond::Untied.into());
-        }
-        self.cords_keep_their_length(draft)
-    }
-
-    fn cords_keep_their_length(&self, draft: &mut Draft) -> Result<(), DerivationStop> {
-        for tie in &draft.scene.ties {
-            if let Tie::Cord(cord) = tie
-                && let Far::Body(other) = &cord.to
-            {
-                let ends =
-                    [&cord.from, other].map(|end| self.point_of(draft, end).expr().value(&draft.symbols));
-                if (ends[0] + ends[1]).abs() > 1e-9 * ends[0].abs().max(ends[1].abs()) {
-                    return Err(Beyond::CordsLock.into());
-                }
-            }
-        }
-        Ok(())
+            _ => true,
+        };
+        scene.ties.iter().all(|tie| keeps(tie, draft)).then_some(())
     }
 
     /// Velocity of a cord's end along the cord, away from the body, per unit velocity of the lead.
@@ -419,8 +406,15 @@ impl Terms {
     }
 }
 
+/// Does friction hold this body where it slides as soon as it moves? As the key has it.
+fn stays(draft: &Draft, body: usize) -> bool {
+    let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
+    let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(_, v)| draft.datum(v) == 0.0);
+    rests && of(Quantity::A) == Some(0.0) && of(Quantity::V).is_none_or(|v| v == 0.0)
+}
+
 /// The bodies with their unknowns, before anything ties them.
-pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyTerms> {
+pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
     let scene = draft.scene;
     let g = gravity(draft);
     let mut parts = Vec::new();
@@ -434,7 +428,7 @@ pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyTerms> {
         let mass = mass(draft, body, &g, &tag);
         let inertia = inertia(draft, body, &mass, &g, &tag);
         let named = |draft: &mut Draft, names: &[&str], several: bool, unit: &str| {
-            let tag = below(if several { &tag } else { "" }, rolled);
+            let tag = below(draft, if several { &tag } else { "" }, rolled);
             let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             let tex = draft.free(&names);
@@ -472,7 +466,8 @@ pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyTerms> {
             turn: Factors::zero(),
             up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
             path,
-            slips: !rolled && scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == i)),
+            slips: (0..scene.ties.len())
+                .any(|t| rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)),
         });
     }
     parts
@@ -494,11 +489,20 @@ pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
 }
 
 /// A tag, with an r if it belongs to the rolling that does not happen.
-fn below(tag: &str, rolled: bool) -> String {
-    match (rolled, tag) {
-        (false, tag) => tag.to_owned(),
-        (true, "") => r"\mathrm{r}".to_owned(),
-        (true, tag) => format!(r"{tag},\mathrm{{r}}"),
+fn below(draft: &Draft, tag: &str, rolled: Option<usize>) -> String {
+    match (mark_of(draft, rolled), tag) {
+        ("", tag) => tag.to_owned(),
+        (mark, "") => mark.to_owned(),
+        (mark, tag) => format!("{tag},{mark}"),
+    }
+}
+
+/// What marks the symbols where a contact is taken as another than it is.
+pub fn mark_of(draft: &Draft, rolled: Option<usize>) -> &'static str {
+    match (draft.as_if, rolled) {
+        (Some(how), _) => asked::mark(how),
+        (None, Some(_)) => asked::mark(AsIf::Rolls),
+        (None, None) => "",
     }
 }
 

@@ -5,10 +5,11 @@ use crate::solution;
 use crate::solution::account::{marked, of_scene};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, signed, sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, number as whole_number, positive_first, ratio,
+    signed, sine, square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::Page;
+use crate::solution::page::{Page, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms;
 use crate::solution::text::Block;
@@ -65,25 +66,25 @@ struct State {
 /// # Errors
 /// What this does not cover.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let Some(thrown) = draft.scene.thrown() else { return Err(Beyond::Arrangement.into()) };
+    let Some(thrown) = draft.scene.thrown() else { return Err(Beyond::Unfound.into()) };
     let throw = ThrownBody::new(draft, &thrown)?;
     let mut page = Page::new(draft);
     page.begin("idea");
     throw.say(&mut page, if throw.t1.is_some() { "idea_time" } else { "idea" }, &[]);
     page.begin("sketch");
-    let name = format!("forces-{}", page.draft.scene.bodies[throw.body].name);
+    let name = format!("forces-{}", page.scene.bodies[throw.body].name);
     page.out.blocks = vec![Block::Picture("scene".to_owned()), Block::Picture(name)];
     page.begin_as("short", "one_motion");
     let slipping = throw.slip(&mut page)?;
     let holds = throw.holds(&page);
     let rolls = match (&throw.t1, slipping.event) {
         (None, Some(_)) if holds => false,
-        (None, _) => return Err(Beyond::NeverRolls.into()),
+        (None, _) => return Err(Beyond::Unfound.into()),
         (Some(t1), Some(event)) => page.value(t1) > page.value(&event.into()),
         (Some(_), None) => false,
     };
     if rolls && !holds {
-        return Err(Beyond::CannotRoll.into());
+        return Err(Beyond::Unfound.into());
     }
     let slid: Expr = match (&throw.t1, slipping.event) {
         (Some(t1), _) if !rolls => t1.clone(),
@@ -94,14 +95,14 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let energy = throw.friction_work(&mut page, &slipping, &slid, rolls);
     let rates = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
     let mut rolling = None;
-    if rolls || rates.iter().any(|q| page.draft.asks(*q)) {
+    if rolls || rates.iter().any(|q| page.asks(*q)) {
         rolling = Some(throw.rolling(&mut page, &slipping));
     }
     let last = match (rolls, rolling, &throw.t1, slipping.event) {
         (true, Some((a, _)), Some(t1), Some(event)) => throw.rolling_leg(&mut page, first, a, t1 - event),
         _ => first,
     };
-    throw.other_method(&mut page, first, &slid, energy);
+    throw.other_method(&mut page, &slipping, (first, &slid), energy, rolls);
     throw.answers(&mut page, &slipping, last, rolling.filter(|_| rolls));
     throw.regime(&mut page, &slipping, rolls, holds);
     page.begin("limits");
@@ -119,18 +120,18 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
 impl ThrownBody {
     fn new(draft: &mut Draft, thrown: &Thrown) -> Result<Self, DerivationStop> {
         let (scene, body) = (draft.scene, thrown.body);
-        let Some(line) = scene.bodies[body].line else { return Err(Beyond::Arrangement.into()) };
+        let Some(line) = scene.bodies[body].line else { return Err(Beyond::Unfound.into()) };
         let theta = match line.slope {
             Slope::Level => None,
             Slope::Degrees(angle) => Some(draft.number(angle, r"\theta", "deg")).filter(|t| *t != ZERO),
-            Slope::Vertical => return Err(Beyond::ThrownVertically.into()),
+            Slope::Vertical => return Err(Beyond::Unfound.into()),
         };
         let g = terms::gravity(draft);
         let m = terms::mass(draft, &scene.bodies[body], &g, "");
         let own = terms::inertia(draft, &scene.bodies[body], &m, &g, "");
         let own = own.iter().fold(Factors::zero(), |all, i| all.plus(i));
         if own.is_zero() {
-            return Err(Beyond::ThrownWithoutInertia.into());
+            return Err(Beyond::Unfound.into());
         }
         Ok(Self {
             body,
@@ -149,14 +150,13 @@ impl ThrownBody {
             t1: match scene.end {
                 End::Time(_, t) => Some(draft.number(t, "t_1", "s")),
                 End::Rolling(_) => None,
-                _ => return Err(Beyond::OtherEnd.into()),
+                _ => return Err(Beyond::Unfound.into()),
             },
         })
     }
 
     fn say(&self, page: &mut Page, name: &str, pieces: &[(&str, &str)]) {
-        let text = page.draft.say(&format!("thrown.{name}"), pieces);
-        page.add(text);
+        page.say(&format!("thrown.{name}"), pieces);
     }
 
     fn label(&self, quantity: Quantity) -> Label {
@@ -164,7 +164,7 @@ impl ThrownBody {
     }
 
     fn answer(&self, page: &mut Page, quantity: Quantity, symbol: SymbolId) {
-        page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
+        page.answer(self.label(quantity), DerivedAnswer::Value(symbol));
     }
 
     /// Component of the weight against forward, positive where forward is up, over a length or a time.
@@ -177,27 +177,27 @@ impl ThrownBody {
     /// The words for where something points that is positive forward.
     fn way(&self, page: &Page, forward: f64) -> String {
         let value = if self.up { forward } else { -forward };
-        let name = solution::way(page.draft.scene, Owner::Body(self.body), value);
-        name.map_or_else(String::new, |phrase| page.draft.words.get(phrase).to_owned())
+        let name = solution::way(page.scene, Owner::Body(self.body), value);
+        name.map_or_else(String::new, |phrase| page.words.get(phrase).to_owned())
     }
 
     /// A magnitude: the quantity itself, or under bars where it is negative.
     fn size(page: &mut Page, symbol: SymbolId) -> SymbolId {
-        if page.draft.symbols.value(symbol) >= 0.0 {
+        if page.symbols.value(symbol) >= 0.0 {
             return symbol;
         }
-        let name = format!(r"\left|{}\right|", page.draft.symbols.tex(symbol));
-        let size = page.draft.symbols.unknown_like(&name, symbol);
-        page.draft.symbols.settle_by(size, &magnitude(symbol));
+        let name = format!(r"\left|{}\right|", page.symbols.tex(symbol));
+        let size = page.symbols.unknown_like(&name, symbol);
+        page.symbols.settle_by(size, &magnitude(symbol));
         size
     }
 
     /// The rows while it slips, and the end of the slip.
     fn slip(&self, page: &mut Page) -> Result<Slipping, DerivationStop> {
         let slip = page.find(&["u_0", "w_0"], "m/s", positive_first(vec![&self.v0 - &self.c * &self.w0]));
-        let value = page.draft.symbols.value(slip);
+        let value = page.symbols.value(slip);
         if value == 0.0 {
-            return Err(Beyond::ThrownWithoutSlip.into());
+            return Err(Beyond::Unfound.into());
         }
         let sense = value.signum();
         self.say(page, "slip", &[]);
@@ -207,8 +207,8 @@ impl ThrownBody {
         let (slides, points) = (self.way(page, sense), self.way(page, -sense));
         self.say(page, "sense", &[("slides", &slides), ("points", &points)]);
         let unknown = |page: &mut Page, names: &[&str], unit: &str| {
-            let tex = page.draft.free(names);
-            page.draft.unknown(&tex, unit)
+            let tex = page.free(names);
+            page.unknown(&tex, unit)
         };
         let force = unknown(page, &["F", "F_f"], "N");
         let normal = unknown(page, &["N", "F_N"], "N");
@@ -241,9 +241,9 @@ impl ThrownBody {
         let turned = Factors::of(&(-(&forward * &self.c))).per(&self.own).expr();
         page.step(alpha, turned);
         page.tell_new();
-        let dotted = page.draft.free(&["u", "w"]);
+        let dotted = page.free(&["u", "w"]);
         let rate = page.find(&[&format!(r"\dot{{{dotted}}}")], "m/s^2", a - &self.c * alpha);
-        let closes = page.draft.symbols.value(rate) * sense < 0.0;
+        let closes = page.symbols.value(rate) * sense < 0.0;
         self.say(page, if closes { "even" } else { "even_open" }, &[]);
         let event = closes.then(|| {
             let names: [&str; 2] = if self.t1.is_some() { ["t_r", "t_e"] } else { ["t", "t_r"] };
@@ -257,7 +257,7 @@ impl ThrownBody {
     fn state(&self, page: &mut Page, s: &Slipping, t: &Expr, rolls: bool) -> State {
         let one = if rolls { r"\mathrm{r}" } else { "1" };
         let name = |page: &Page, names: &[&str]| {
-            let tex = page.draft.free(names);
+            let tex = page.free(names);
             if self.t1.is_some() { marked(&tex, one) } else { tex }
         };
         if let (Some(t1), Some(event)) = (&self.t1, s.event) {
@@ -278,11 +278,11 @@ impl ThrownBody {
         page.tell_new();
         let tex = name(page, &[r"\phi", r"\varphi", r"\psi"]);
         let phi = page.find(&[&tex], "rad", way(&self.w0, s.alpha));
-        if page.draft.asks(Quantity::Phi) {
+        if page.asks(Quantity::Phi) {
             page.tell_new();
         }
         page.skip_new();
-        if self.v0.value(&page.draft.symbols) * page.draft.symbols.value(v) < 0.0 {
+        if self.v0.value(&page.symbols) * page.symbols.value(v) < 0.0 {
             self.say(page, "turns_back", &[]);
         }
         State { v, w, x, phi }
@@ -305,7 +305,7 @@ impl ThrownBody {
         );
         self.answer(page, Quantity::SlipDistance, way);
         let heat = page.find(&["Q", "Q_f"], "J", &self.mu_k * s.normal * way);
-        page.draft.answer(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
+        page.answer(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
         page.tell_new();
         heat
     }
@@ -324,16 +324,15 @@ impl ThrownBody {
         let j = self.own.per(&Factors::of(&self.c).squared());
         let carried = self.m.plus(&j);
         let from = Factors::of(&self.weight(&ONE)).opposite().per(&carried).expr();
-        let a = page.draft.free(&["a", "a_G"]);
+        let a = page.free(&["a", "a_G"]);
         let a = page.find(&[&marked(&a, r"\mathrm{r}")], "m/s^2", from);
-        let f = page.draft.free(&["F", "F_f"]);
+        let f = page.free(&["F", "F_f"]);
         let from = signed(j.times(&Factors::of(&a.into())).expr(), !self.up);
         let friction = page.find(&[&marked(&f, r"\mathrm{r}")], "N", if self.level { ZERO } else { from });
         self.answer(page, Quantity::ARolling, a);
         self.answer(page, Quantity::FrictionIfRolled, friction);
-        if page.draft.asks(Quantity::MuRequired) {
-            let size =
-                if page.draft.symbols.value(friction) < 0.0 { magnitude(friction) } else { friction.into() };
+        if page.asks(Quantity::MuRequired) {
+            let size = if page.symbols.value(friction) < 0.0 { magnitude(friction) } else { friction.into() };
             let mu = page.find(&[r"\mu_{\mathrm{min}}"], "1", size / s.normal);
             self.answer(page, Quantity::MuRequired, mu);
         }
@@ -344,7 +343,7 @@ impl ThrownBody {
     fn rolling_leg(&self, page: &mut Page, from: State, a: SymbolId, time: Expr) -> State {
         self.say(page, "leg", &[]);
         let left = page.find(&[r"\Delta t"], "s", time);
-        let name = |page: &Page, names: &[&str]| marked(&page.draft.free(names), "1");
+        let name = |page: &Page, names: &[&str]| marked(&page.free(names), "1");
         let tex = name(page, &["v", "v_G"]);
         let v = page.find(&[&tex], "m/s", from.v + a * left);
         let tex = name(page, &[r"\omega", r"\Omega"]);
@@ -355,7 +354,7 @@ impl ThrownBody {
         page.tell_new();
         let tex = name(page, &[r"\phi", r"\varphi", r"\psi"]);
         let phi = page.find(&[&tex], "rad", from.phi + (x - from.x) / &self.c);
-        if page.draft.asks(Quantity::Phi) {
+        if page.asks(Quantity::Phi) {
             page.forget(&[Some(from.phi), Some(phi)]);
             page.tell_new();
         }
@@ -364,7 +363,14 @@ impl ThrownBody {
     }
 
     /// Angular momentum about the contact, and the balance of energies: what they give, and what not.
-    fn other_method(&self, page: &mut Page, end: State, t: &Expr, heat: SymbolId) {
+    fn other_method(
+        &self,
+        page: &mut Page,
+        s: &Slipping,
+        (end, t): (State, &Expr),
+        heat: SymbolId,
+        rolls: bool,
+    ) {
         page.begin_as("long", "slip_energy");
         self.say(page, if self.level { "momentum_level" } else { "momentum" }, &[]);
         let mc = self.m.times(&Factors::of(&self.c));
@@ -385,9 +391,30 @@ impl ThrownBody {
         let left = kinetic(&self.w0, &self.v0) - heat;
         let left = left - if self.level { ZERO } else { self.weight(&end.x.into()) };
         page.formula(format!("{} = {}", page.tex(&left), page.tex(&kinetic(&end.w.into(), &end.v.into()))));
+        if self.level && (self.t1.is_none() || rolls) {
+            self.by_momentum(page, s, end, heat);
+        }
         page.begin_as("why", "which");
         self.say(page, if self.level { "why_level" } else { "why" }, &[]);
-        page.say("why.ask", &[]);
+        page.say("why.ask_slip", &[]);
+    }
+
+    /// The speed at which rolling begins, and the heat, without the friction.
+    fn by_momentum(&self, page: &mut Page, s: &Slipping, end: State, heat: SymbolId) {
+        let c = Factors::of(&self.c);
+        let spin = self.own.times(&Factors::of(&self.w0)).per(&c);
+        let moving = self.m.times(&Factors::of(&self.v0));
+        let carried = self.m.plus(&self.own.per(&c.squared()));
+        let over = sum([moving.expr(), spin.expr()]);
+        let speed = Factors::of(&over).per(&carried).expr();
+        let lost = self.m.times(&self.own).times(&Factors::of(&square(s.slip)));
+        let whole = self.own.plus(&self.m.times(&c.squared())).times(&Factors::of(&whole_number(2)));
+        let lost = lost.per(&whole).expr();
+        self.say(page, "by_momentum", &[]);
+        let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| page.chain(symbol, &from).concat());
+        for line in packed(lines) {
+            page.formula(if line.contains('&') { aligned(&line) } else { line });
+        }
     }
 
     fn answers(&self, page: &mut Page, s: &Slipping, end: State, rolling: Option<(SymbolId, SymbolId)>) {
@@ -403,9 +430,9 @@ impl ThrownBody {
         self.answer(page, Quantity::Friction, friction);
         let mut alpha = s.alpha;
         if rolling.is_some() {
-            let tex = marked(&page.draft.free(&[r"\alpha", r"\alpha_G"]), r"\mathrm{r}");
+            let tex = marked(&page.free(&[r"\alpha", r"\alpha_G"]), r"\mathrm{r}");
             alpha = page.find(&[&tex], "rad/s^2", a / &self.c);
-            if !page.draft.asks(Quantity::Alpha) {
+            if !page.asks(Quantity::Alpha) {
                 page.skip_new();
             }
         }
@@ -415,26 +442,26 @@ impl ThrownBody {
             (_, event) => event,
         };
         if let Some(t) = time {
-            page.draft.answer(of_scene(Quantity::T), DerivedAnswer::Value(t));
+            page.answer(of_scene(Quantity::T), DerivedAnswer::Value(t));
         }
-        if page.draft.asks(Quantity::Rise) {
+        if page.asks(Quantity::Rise) {
             let rise = page.find(&["h", "h_G"], "m", signed(end.x * &self.sine, self.up));
             self.answer(page, Quantity::Rise, rise);
         }
-        if page.draft.asks(Quantity::KineticEnergy) || page.draft.asks(Quantity::RotationalFraction) {
+        if page.asks(Quantity::KineticEnergy) || page.asks(Quantity::RotationalFraction) {
             let half = Factors::of(&ratio(1, 2));
             let of = |i: &Factors, rate: SymbolId| i.times(&half).times(&Factors::of(&square(rate))).expr();
             let spin = of(&self.own, end.w);
             let energy = page.find(&["E_{k}", r"E_{\mathrm{kin}}"], "J", of(&self.m, end.v) + &spin);
-            page.draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
-            if page.draft.asks(Quantity::RotationalFraction) {
+            page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
+            if page.asks(Quantity::RotationalFraction) {
                 let share = page.find(&[r"\zeta", r"\zeta_r"], "1", spin / energy);
-                page.draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
+                page.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
             }
         }
         page.tell_new();
-        let v = page.draft.symbols.value(end.v);
-        let sloped = page.draft.scene.bodies[self.body].line.is_some_and(|l| l.slope != Slope::Level);
+        let v = page.symbols.value(end.v);
+        let sloped = page.scene.bodies[self.body].line.is_some_and(|l| l.slope != Slope::Level);
         let word = match (sloped, (v > 0.0) == self.up) {
             _ if v == 0.0 => Word::Stays,
             (true, true) => Word::Up,
@@ -442,13 +469,13 @@ impl ThrownBody {
             (false, _) if v > 0.0 => Word::Forward,
             (false, _) => Word::Back,
         };
-        page.draft.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
+        page.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
     }
 
     /// Can it roll on?
     fn regime(&self, page: &mut Page, s: &Slipping, rolls: bool, holds: bool) {
         let word = if holds { Word::Yes } else { Word::No };
-        page.draft.answer(self.label(Quantity::Rolls), DerivedAnswer::Word(word));
+        page.answer(self.label(Quantity::Rolls), DerivedAnswer::Word(word));
         page.begin("holds");
         let normal = page.shown(s.normal);
         self.say(page, "presses", &[("n", &normal)]);

@@ -37,6 +37,10 @@ impl Expr {
                     Function::Sine => angle(x).0,
                     Function::Cosine => angle(x).1,
                     Function::Magnitude => x.abs(),
+                    Function::ArcCosine => {
+                        let across: f64 = ((1.0 - x) * (1.0 + x)).max(0.0);
+                        trig::atan2(across.sqrt(), x)
+                    }
                 }
             }
         }
@@ -68,6 +72,10 @@ impl Expr {
             Self::Root(inner) => {
                 let (x, doubt) = of(inner);
                 if doubt == 0.0 { 0.0 } else { doubt / (2.0 * x.abs().sqrt()) }
+            }
+            Self::Of(Function::ArcCosine, inner) => {
+                let (x, doubt) = of(inner);
+                if doubt == 0.0 { 0.0 } else { doubt / (1.0 - x * x).max(doubt).sqrt() }
             }
             // The sine and the cosine move at most as much as the angle.
             Self::Of(Function::Sine | Function::Cosine, inner) => {

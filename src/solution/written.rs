@@ -135,7 +135,11 @@ impl Expr {
             Self::Of(function, inner) => {
                 // The power of a function's value needs parentheses around the whole.
                 wrap(place >= Surroundings::Tight, out, &|out| {
-                    out.push_str(if *function == Function::Sine { r"\sin " } else { r"\cos " });
+                    out.push_str(match function {
+                        Function::Sine => r"\sin ",
+                        Function::ArcCosine => r"\arccos ",
+                        _ => r"\cos ",
+                    });
                     inner.write(symbols, form, Surroundings::Tight, out);
                 });
             }
@@ -181,7 +185,8 @@ fn write_sum(terms: &[Expr], symbols: &Symbols, form: Notation, out: &mut String
 
 fn write_product(factors: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
     // Sines last: what follows one could be read as part of its argument.
-    let is_wave = |e: &&Expr| matches!(e, Expr::Of(Function::Sine | Function::Cosine, _));
+    let is_wave =
+        |e: &&Expr| matches!(e, Expr::Of(Function::Sine | Function::Cosine | Function::ArcCosine, _));
     let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
     for (i, factor) in ordered.enumerate() {
         if i > 0 {
@@ -237,6 +242,7 @@ pub fn width(tex: &str) -> f64 {
                     "quad" => sum += 2.0,
                     "qquad" => sum += 4.0,
                     "sin" | "cos" | "int" => sum += 2.6,
+                    "arccos" => sum += 5.0,
                     "mathrm" => {}
                     _ => sum += 1.0,
                 }

@@ -11,7 +11,7 @@ use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road, Scope};
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
-const STEPS: [i32; 4] = [-24, -29, -36, -46];
+const STEPS: [i32; 4] = [-26, -29, -36, -46];
 /// Up to this relative change of an answer its change to one side tells its slope, up to the second its changes to both sides.
 const FINE: [f64; 2] = [6e-7, 2e-4];
 

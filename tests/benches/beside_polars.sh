@@ -10,8 +10,8 @@ python=$(command -v "${1:-python3}")
 rows=${2:-1000000} students=${3:-10000} runs=${4:-3}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cargo build --release --locked --quiet
-slipstick=$PWD/target/release/slipstick
+cargo build --profile dist --locked --quiet
+slipstick=$PWD/target/dist/slipstick
 here=$PWD/tests/benches/beside_polars.py
 { echo student; seq -f 's%06g' 1 "$students"; } > "$work/roster.csv"
 "$slipstick" generate wheels-on-inclines --roster "$work/roster.csv" --seed 1 --problems pulled-rolling --out "$work/set" >/dev/null

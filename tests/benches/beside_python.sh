@@ -6,10 +6,10 @@ cd "$(dirname "$0")/../.."
 python=$(command -v "${1:-python3}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cargo build --release --locked --quiet
+cargo build --profile dist --locked --quiet
 cargo bench --locked --no-run --bench one_file 2>/dev/null
 one_file=$(ls -t target/release/deps/one_file-* | grep -v '\.d$' | head -1)
-slipstick=target/release/slipstick
+slipstick=target/dist/slipstick
 seconds() { # seconds CPUS COMMAND...: wall seconds and peak MiB of a whole process, median of five by time
   local cpus=$1; shift
   for _ in 1 2 3 4 5; do

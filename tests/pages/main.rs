@@ -12,9 +12,13 @@
 mod support;
 
 mod beware;
+mod composed;
 mod english;
 mod figures;
 mod gallery;
+#[path = "../physics/composed.rs"]
+#[allow(dead_code, reason = "the judge of another program reads more of a scene")]
+mod lot;
 mod particles;
 #[cfg(feature = "pdf")]
 mod pdf;

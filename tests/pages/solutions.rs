@@ -9,7 +9,6 @@ use slipstick::bank::{Draw, Problem, load};
 use slipstick::num::shown;
 use slipstick::problem::maker;
 use slipstick::problem::maker::{Maker, Variant};
-use slipstick::scene::Owner;
 use slipstick::sheet::html;
 use slipstick::solution;
 use slipstick::solution::draft::Detail;
@@ -267,11 +266,11 @@ fn scenes_of_textbooks() {
     let mut files: Vec<_> =
         std::fs::read_dir(folder).expect("scenes").map(|f| f.expect("a file").path()).collect();
     files.sort();
-    let mut solved = 0;
+    let (mut solved, mut bad) = (0, 0);
     for file in files {
         let text = std::fs::read_to_string(&file).expect("text");
         let bank = load::scenes_only(&text, &file.display().to_string()).expect("a bank");
-        for problem in bank.problems.iter().filter(|p| linear(p)) {
+        for problem in &bank.problems {
             let draws = problem.cases[0].draws.iter();
             let values: Vec<Option<Decimal>> = draws
                 .map(|d| match d {
@@ -281,17 +280,14 @@ fn scenes_of_textbooks() {
                     _ => None,
                 })
                 .collect();
-            // Some of these scenes are drawn and have no printed data.
-            if values.iter().any(Option::is_none) {
+            // Some of these scenes are drawn and have no printed data; what is to be found is not printed anywhere.
+            let unknown = problem.cases[0].scene.formulas.found.map(|f| f.unknown.datum);
+            if values.iter().enumerate().any(|(i, v)| v.is_none() && Some(i) != unknown) {
                 continue;
             }
             let variant = maker::from_values(problem, 0, &values).expect("solved");
-            // What is asked by an expression of the bank's own, or with data that are not given, has a short page.
-            let formulas = &problem.cases[0].scene.formulas;
-            if formulas.found.is_some() || formulas.numbers.iter().any(|n| n.any) {
-                continue;
-            }
-            if problem.questions.iter().any(|q| matches!(q.label.of, Owner::Asked(_))) {
+            // Forces that grow with time have a short page.
+            if !problem.cases[0].scene.growths.is_empty() {
                 continue;
             }
             // One is printed to show that it does not roll.
@@ -299,12 +295,17 @@ fn scenes_of_textbooks() {
                 continue;
             }
             let wrong = wrong(problem, &variant, &words, &templates);
-            assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+            if !wrong.is_empty() {
+                println!("{}: {}", file.display(), wrong.join("\n"));
+                bad += 1;
+                continue;
+            }
             solved += 1;
         }
     }
     println!("{solved} scenes of textbooks");
-    assert!(solved >= 15);
+    assert_eq!(bad, 0);
+    assert!(solved >= 25, "{solved}");
 }
 
 /// Every way to start, to end and to pull; every quantity.

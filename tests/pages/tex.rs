@@ -219,6 +219,15 @@ impl Reader<'_> {
             let argument = self.factor()?;
             return Some(argument.wave(|x| trig::sin_cos(x).0, std::f64::consts::FRAC_PI_2));
         }
+        if self.take(r"\arccos") {
+            // Falling, and steep at its ends.
+            let x = self.factor()?;
+            let angle = |x: f64| x.clamp(-1.0, 1.0).acos();
+            return Some(Interval::new(angle(x.high), angle(x.low)));
+        }
+        if self.take(r"\pi") {
+            return Some(Interval::new(std::f64::consts::PI, std::f64::consts::PI));
+        }
         if self.take(r"\cos") {
             return Some(self.factor()?.wave(|x| trig::sin_cos(x).1, 0.0));
         }

@@ -358,3 +358,38 @@ fn a_boundary_in_the_printed_decimals_is_a_boundary() {
         assert!(value(&s, Quantity::A) < 0.0);
     }
 }
+
+/// A rigid spring: from rest to the turning point takes half a period, however far that is; a soft spring on a cord that never
+/// goes slack oscillates alike.
+#[test]
+fn half_a_period_leads_to_the_turning_point() {
+    for (slope, k, stiffness, stretch) in
+        [(0, 0.2, 300, 0.4), (25, 0.31, 900, 0.02), (40, 0.05, 150, 1.3), (12, 0.25, 60, 0.0)]
+    {
+        let text = |attached: &str, end: &str| {
+            format!(
+                "
+      surfaces: {{incline: {{slope: {slope} deg}}}}
+      bodies: {{wheel: {{mass: m, radius of gyration: {k} m, radii: {{rim: 0.4 m, hub: 0.15 m}}, moves: along incline, positive: up}}}}
+      ties:
+        - rolls: {{body: wheel, on its: rim}}
+        - cord: {{from: {{body: wheel, wound on: hub, leaves: top forward}}, spring: {{stiffness: {stiffness} N/m, stretch: {stretch} m, attached: {attached}}}}}
+      start: at rest
+      end: {end}"
+            )
+        };
+        let turned = scene(&text("rigidly", "{turning point: wheel}"));
+        let period = value(&turned, Quantity::PeriodSmall);
+        let half = value(&turned, Quantity::T);
+        assert!((2.0 * half - period).abs() <= 1e-12 * period, "{slope}: {half}, {period}");
+        let turns = 2.0 * std::f64::consts::PI;
+        assert!((value(&turned, Quantity::OmegaSmall) * period - turns).abs() <= 1e-12);
+        // Without equilibrium under tension there is a kink, and no small oscillation.
+        let loose = scene(&text("by the cord", "{time: {of: wheel, is: 0.01 s}}"));
+        let told = loose.entries.iter().find(|e| e.label.quantity == Quantity::PeriodSmall);
+        assert_eq!(told.is_some(), slope > 0);
+        if let Some(told) = told {
+            assert!((told.value() - period).abs() <= 1e-12 * period);
+        }
+    }
+}

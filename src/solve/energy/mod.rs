@@ -13,6 +13,7 @@ pub mod speeds;
 pub mod swing;
 pub mod thrown;
 
+use crate::num::dd::Dd;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
@@ -436,6 +437,14 @@ impl<'a, T: Real> Ledger<'a, T> {
             let x_eq = -others / (s.stiffness * s.lost);
             if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
                 self.say(Quantity::XEq, Owner::Scene, x_eq);
+                if self.scene.oscillates() && (s.rigid || x_eq.sign() > 0.0) {
+                    // What the spring stores in a displacement is what moves at the place of rest.
+                    let frequency = (s.stiffness * s.lost.square() / doubled).root();
+                    let frequency = plant!("energy: frequency of small oscillations", frequency);
+                    let of = Owner::Body(self.end.body);
+                    self.say(Quantity::OmegaSmall, of, frequency);
+                    self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+                }
             }
         }
         self.if_rolled();

@@ -1,7 +1,8 @@
 //! Free bodies and constraints as rows of one linear system (Newton-Euler with constraint reactions).
 //!
 //! Unknowns: an acceleration for each line, an angular acceleration for each body that turns, and one reaction for each
-//! surface, contact and cord of unknown tension. For each body, positive forward:
+//! contact and cord of unknown tension. The normal force is none of them: cords are parallel to the line, so only the weight
+//! presses a body on its surface. For each body, positive forward:
 //!
 //! ```text
 //! m a         = sum of forces along the line         (weight -m g sin, friction F, cords e T)
@@ -46,7 +47,6 @@ type Places = SmallVec<[Option<usize>; 2]>;
 struct Layout {
     along: Places,
     turn: Places,
-    normal: Places,
     reaction: Places,
     count: usize,
     columns: usize,
@@ -61,11 +61,10 @@ impl Layout {
                 count - 1
             })
         };
-        let (mut along, mut turn, mut normal) = (Places::new(), Places::new(), Places::new());
+        let (mut along, mut turn) = (Places::new(), Places::new());
         for b in &scene.bodies {
             along.push(next(b.line.is_some()));
             turn.push(next(b.spins()));
-            normal.push(next(b.line.is_some_and(|l| l.surface)));
         }
         let reaction = scene
             .ties
@@ -77,7 +76,7 @@ impl Layout {
             .collect();
         let varies = scene.spring().is_some() || !scene.growths.is_empty();
         let columns = 1 + usize::from(varies) + usize::from(setting.probe.is_some());
-        Self { along, turn, normal, reaction, count, columns }
+        Self { along, turn, reaction, count, columns }
     }
 }
 
@@ -86,6 +85,8 @@ impl Layout {
 pub struct Response<T> {
     layout: Layout,
     solution: Solution<T>,
+    /// Normal force on each body; 0 where it has no surface.
+    normal: SmallVec<[T; 2]>,
 }
 
 impl<T: Real> Response<T> {
@@ -101,7 +102,7 @@ impl<T: Real> Response<T> {
     }
     /// Normal force on a body.
     pub fn normal(&self, body: usize) -> T {
-        self.at(self.layout.normal[body], CONSTANT)
+        self.normal[body]
     }
     /// Friction of a contact (positive forward), or tension of a cord.
     pub fn reaction(&self, tie: usize, column: usize) -> T {
@@ -135,18 +136,20 @@ pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T
 pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Result<Response<T>, Refusal> {
     let layout = Layout::of(scene, setting);
     let mut rows = Linear::new(layout.count, layout.columns);
+    let mut normals: SmallVec<[T; 2]> = SmallVec::new();
 
     // The row of a coordinate bears the same number as its unknown.
     for (b, numbers) in n.bodies.iter().enumerate() {
+        let mut normal = T::zero();
         if let Some(row) = layout.along[b] {
             rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
             let weight = numbers.mass * n.gravity;
             rows.right(row, CONSTANT, -plant!("eom: weight along the line", weight * numbers.climb));
-            if let Some(normal) = layout.normal[b] {
-                rows.term(normal, normal, T::of(1.0));
-                rows.right(normal, CONSTANT, plant!("eom: weight on the surface", weight * numbers.level));
+            if scene.bodies[b].line.is_some_and(|l| l.surface) {
+                normal = plant!("eom: weight on the surface", weight * numbers.level);
             }
         }
+        normals.push(normal);
         if let Some(row) = layout.turn[b] {
             rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
         }
@@ -205,10 +208,8 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                 match tie {
                     Tie::Slip { mu_k, .. } if !setting.grip.rolls(t) => {
                         rows.term(row, row, T::of(1.0));
-                        if let Some(normal) = layout.normal[*body] {
-                            let mu = plant!("eom: kinetic friction coefficient", n.get(*mu_k));
-                            rows.term(row, normal, -mu.signed(setting.friction_sense[t]));
-                        }
+                        let mu = plant!("eom: kinetic friction coefficient", n.get(*mu_k));
+                        rows.right(row, CONSTANT, mu.signed(setting.friction_sense[t]) * normals[*body]);
                     }
                     _ => {
                         if let (Some(a), Some(alpha)) = (layout.along[*body], layout.turn[*body]) {
@@ -228,10 +229,8 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                     continue;
                 }
                 rows.term(row, row, T::of(1.0));
-                if let Some(normal) = layout.normal[*body] {
-                    let mu = if setting.starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
-                    rows.term(row, normal, -n.get(mu).signed(setting.friction_sense[t]));
-                }
+                let mu = n.get(if setting.starting { mu_s.unwrap_or(*mu_k) } else { *mu_k });
+                rows.right(row, CONSTANT, mu.signed(setting.friction_sense[t]) * normals[*body]);
             }
             Tie::Cord(cord) => {
                 for end in tie.actions() {
@@ -270,5 +269,5 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
         let open = (0..layout.count).filter(|i| solution.is_open(*i)).count();
         return Err(Refusal::Singular { unknowns: layout.count, rank: layout.count - open });
     }
-    Ok(Response { layout, solution })
+    Ok(Response { layout, solution, normal: normals })
 }

@@ -11,7 +11,7 @@ pub mod swing;
 pub mod thrown;
 pub mod travel;
 
-use crate::num::dd::pow2;
+use crate::num::dd::{Dd, pow2};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real};
@@ -472,10 +472,11 @@ impl<'a, T: Real> Walk<'a, T> {
             Some(Heading::Back) => sense > 0.0,
             None => false,
         };
-        if let (Some(x_eq), Some(s)) = (self.x_eq, &self.spring)
+        if let (Some(x_eq), Some(s)) = (self.x_eq, &self.spring.clone())
             && (x_eq.sign() >= 0.0 || s.rigid)
         {
             self.say(Quantity::XEq, Owner::Scene, x_eq);
+            self.small_oscillations(s, x_eq);
         }
         self.contacts_if_rolled();
         if !self.scene.growths.is_empty() {
@@ -567,6 +568,22 @@ impl<'a, T: Real> Walk<'a, T> {
             _ => self.standing(tension0),
         }
         Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
+    }
+
+    /// Small oscillations about equilibrium, where nothing rubs and the cord stays taut: `a = -omega^2 s`.
+    fn small_oscillations(&mut self, spring: &Spring<T>, x_eq: T) {
+        if !self.scene.oscillates() || !(spring.rigid || x_eq.sign() > 0.0) {
+            return;
+        }
+        let loss =
+            spring.stiffness * self.response.acceleration(self.end, VARYING) * self.take_up(&spring.end);
+        if loss.is_zero() || !self.asks(&[Quantity::OmegaSmall, Quantity::PeriodSmall]) {
+            return;
+        }
+        let frequency = plant!("eom: frequency of small oscillations", loss.root());
+        let turn = T::constant(Dd::PI.scale2(1));
+        self.say(Quantity::OmegaSmall, Owner::Body(self.end.body), frequency);
+        self.say(Quantity::PeriodSmall, Owner::Body(self.end.body), turn / frequency);
     }
 
     /// The motion under forces that grow evenly with time: the acceleration grows evenly too, and is integrated over time.

@@ -301,6 +301,13 @@ impl<T: Real> Pinned<T> {
         pull.across * self.unit.turn_by_force + pull.moment * self.unit.turn_by_moment
     }
 
+    /// Magnitude of the terms that make up the share of the spring, without its natural length.
+    pub fn pull_terms(&self) -> f64 {
+        let Some(s) = &self.spring else { return 0.0 };
+        let turn = self.unit.turn_by_force + s.lever * self.unit.turn_by_moment;
+        (s.stiffness * turn).size() * (s.x.size() + s.y.size())
+    }
+
     /// Does the angle count from upright?
     pub fn is_upright(&self) -> bool {
         self.up > 0.0

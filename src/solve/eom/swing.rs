@@ -340,7 +340,7 @@ impl<T: Real> Swing<T> {
         if !self.body.has_spring() {
             return Ok(T::zero());
         }
-        gauss::integral(|way| Ok(self.spring_at(way)), from, to)
+        gauss::integral_of_terms(|way| Ok(self.spring_at(way)), (from, to), self.body.pull_terms())
     }
 
     fn spring_at(&self, way: T) -> T {

@@ -1,0 +1,225 @@
+//! What a question asks that is no quantity of the scene as it stands: an expression, a quantity as if contacts were others, and a
+//! datum that is found from a measurement.
+use crate::bank::Problem;
+use crate::num::formula::{Formula, Step};
+use crate::num::shown;
+use crate::problem::maker::Variant;
+use crate::scene::{AsIf, Given, Label, Owner, Scene, Term};
+use crate::solution::derive;
+use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
+use crate::solution::expr::{Expr, SymbolId, cosine, magnitude, number, power, root, sine};
+use crate::solution::narrate;
+use crate::solution::page::Page;
+use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::words::Words;
+
+/// Steps of a search for a datum: so many places of its range, then halvings.
+const PLACES: u32 = 16;
+const HALVINGS: u32 = 80;
+
+/// The labels whose quantities are needed for what is asked: of questions, of formulas, of a measurement.
+pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
+    let mut all: Vec<Label> = Vec::new();
+    for label in problem.questions.iter().map(|q| q.label) {
+        match label.of {
+            Owner::Asked(i) => {
+                let terms = scene.formulas.asked.get(i).into_iter().flat_map(|a| a.formula.names());
+                all.extend(terms.filter_map(|t| if let Term::Said(label) = t { Some(label) } else { None }));
+            }
+            _ => all.push(label),
+        }
+    }
+    all.extend(scene.formulas.found.map(|f| f.label));
+    all
+}
+
+/// Answers the questions by formula once everything else has been found.
+///
+/// # Errors
+/// A quantity that is not covered.
+pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
+    let scene = draft.scene;
+    let asked: Vec<(usize, Label)> = draft
+        .problem
+        .questions
+        .iter()
+        .map(|q| q.label)
+        .filter_map(|label| if let Owner::Asked(i) = label.of { Some((i, label)) } else { None })
+        .collect();
+    let mut others: Vec<(usize, Label, SymbolId)> = Vec::new();
+    for (i, (how, other)) in scene.formulas.others.iter().enumerate() {
+        let names =
+            asked.iter().filter_map(|(i, _)| scene.formulas.asked.get(*i)).flat_map(|a| a.formula.names());
+        let labels: Vec<Label> = names
+            .filter_map(|t| if let Term::Other(o, label) = t { (o == i).then_some(label) } else { None })
+            .collect();
+        if !labels.is_empty() {
+            (draft.scene, draft.as_if) = (other, Some(*how));
+            let found = narrate::as_if(draft, *how, &labels);
+            (draft.scene, draft.as_if) = (scene, None);
+            others.extend(found?.into_iter().map(|(label, symbol)| (i, label, symbol)));
+        }
+    }
+    let mut page = Page::new(draft);
+    page.begin("asked");
+    let several = asked.len() > 1;
+    for (i, label) in asked {
+        let Some(asked) = scene.formulas.asked.get(i) else { continue };
+        let from = expression(&mut page, &asked.formula, &others)?;
+        let symbol = match from {
+            Expr::Symbol(symbol) => symbol,
+            from => {
+                let name = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
+                page.find(&[&name, &format!("{name}^{{*}}")], &asked.unit, from)
+            }
+        };
+        page.answer(label, DerivedAnswer::Value(symbol));
+    }
+    page.tell_new();
+    page.end();
+    Ok(())
+}
+
+/// A formula of the bank in the symbols of the solution; angles outside of waves count in radians.
+fn expression(
+    draft: &mut Draft,
+    formula: &Formula<Term>,
+    others: &[(usize, Label, SymbolId)],
+) -> Result<Expr, DerivationStop> {
+    // Each with: is it an angle in degrees?
+    let mut stack: Vec<(Expr, bool)> = Vec::new();
+    for step in formula.steps() {
+        let top = |stack: &mut Vec<(Expr, bool)>| stack.pop().ok_or(DerivationStop::Beyond(Beyond::Unfound));
+        match *step {
+            Step::Number(x) => stack.push((written(draft, x), false)),
+            Step::Pi => stack.push((draft.pi().into(), false)),
+            Step::Name(Term::Given(given)) => {
+                let degrees = given.degrees;
+                stack.push((draft.number(crate::scene::Num::Datum(given.datum), "x", "1"), degrees));
+            }
+            Step::Name(Term::Said(label)) => match draft.found_for(label) {
+                Some(DerivedAnswer::Value(symbol)) => stack.push((symbol.into(), false)),
+                _ => return Err(Beyond::Quantity(label.quantity).into()),
+            },
+            Step::Name(Term::Other(i, label)) => {
+                let found = others.iter().find(|(o, l, _)| *o == i && *l == label);
+                let Some((.., symbol)) = found else { return Err(Beyond::Quantity(label.quantity).into()) };
+                stack.push(((*symbol).into(), false));
+            }
+            Step::Sin | Step::Cos => {
+                let (angle, _) = top(&mut stack)?;
+                stack.push((if *step == Step::Sin { sine(angle) } else { cosine(angle) }, false));
+            }
+            Step::Negate | Step::Power(_) | Step::Sqrt | Step::Abs => {
+                let (x, degrees) = top(&mut stack)?;
+                let x = radians(draft, x, degrees && *step != Step::Negate);
+                let from = match *step {
+                    Step::Negate => -x,
+                    Step::Sqrt => root(x),
+                    Step::Abs if x.value(&draft.symbols) >= 0.0 => x,
+                    Step::Abs => magnitude(x),
+                    Step::Power(n) if n < 0 => number(1) / power(x, n.unsigned_abs()),
+                    Step::Power(n) => power(x, n.unsigned_abs()),
+                    _ => x,
+                };
+                stack.push((from, degrees && *step == Step::Negate));
+            }
+            Step::Add | Step::Subtract | Step::Multiply | Step::Divide => {
+                let ((b, right), (a, left)) = (top(&mut stack)?, top(&mut stack)?);
+                let sums = matches!(step, Step::Add | Step::Subtract);
+                let scaled =
+                    matches!(b, Expr::Number(..)) || matches!(a, Expr::Number(..)) && *step == Step::Multiply;
+                let keeps = if sums { left && right } else { scaled };
+                let (a, b) = (radians(draft, a, left && !keeps), radians(draft, b, right && !keeps));
+                let from = match step {
+                    Step::Add => a + b,
+                    Step::Subtract => a - b,
+                    Step::Multiply => a * b,
+                    _ => a / b,
+                };
+                stack.push((from, keeps && (left || right)));
+            }
+        }
+    }
+    let (whole, degrees) = stack.pop().ok_or(DerivationStop::Beyond(Beyond::Unfound))?;
+    Ok(radians(draft, whole, degrees))
+}
+
+/// An angle in degrees as one in radians, where it is one.
+fn radians(draft: &mut Draft, angle: Expr, degrees: bool) -> Expr {
+    if !degrees {
+        return angle;
+    }
+    let half = draft.symbols.given(r"180^\circ", 180.0, "180", "", true);
+    angle * draft.pi() / half
+}
+
+/// A number of a formula: whole, or a decimal, which is its own symbol.
+fn written(draft: &mut Draft, x: f64) -> Expr {
+    #[expect(clippy::cast_possible_truncation, reason = "whole and small")]
+    if x.fract() == 0.0 && x.abs() < 1e9 {
+        return number(x as i64);
+    }
+    let digits = tex_digits(&format!("{x}"), draft.words);
+    draft.symbols.given(&digits, x, &format!("{x}"), "", false).into()
+}
+
+/// The value of the datum that is found from a measurement: that for which the solution gives what was measured.
+pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words) -> Option<f64> {
+    let found = problem.cases.get(variant.case)?.scene.formulas.found?;
+    let miss = |x: f64| -> f64 {
+        let trial = Draft::trial(problem, variant, words, x).ok().and_then(|mut draft| {
+            derive(&mut draft).ok()?;
+            match draft.found_for(found.label)? {
+                DerivedAnswer::Value(symbol) => Some(draft.symbols.value(symbol)),
+                DerivedAnswer::Word(_) => None,
+            }
+        });
+        let measured: f64 = found.measured.value(&variant.data);
+        trial.map_or(f64::NAN, |value| value - measured)
+    };
+    let [low, high] = found.range;
+    let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);
+    let (mut low, mut high) =
+        (0..PLACES).map(|i| (at(i), at(i + 1))).find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
+    let rising = miss(high) > 0.0 || miss(low) < 0.0;
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        if (miss(middle) > 0.0) == rising { high = middle } else { low = middle }
+    }
+    Some(f64::midpoint(low, high))
+}
+
+/// What is said of data that no sheet gives: what is `any`, and what is found from a measurement.
+pub fn not_given(draft: &mut Draft) {
+    let mut page = Page::new(draft);
+    page.begin("unknown");
+    let any: Vec<String> = page.chosen.iter().map(|s| page.shown(*s)).collect();
+    if !any.is_empty() {
+        page.say("asked.any", &[("data", &any.join(", "))]);
+    }
+    if let (Some(found), Some(Given { datum, .. })) =
+        (page.scene.formulas.found, page.scene.formulas.found.map(|f| f.unknown))
+        && let Expr::Symbol(unknown) = page.number(crate::scene::Num::Datum(datum), "x", "1")
+        && let Expr::Symbol(measured) = page.number(crate::scene::Num::Datum(found.measured.datum), "x", "1")
+        && let Some(DerivedAnswer::Value(forward)) = page.found_for(found.label)
+    {
+        let digits = tex_digits(&shown::significant(page.symbols.value(unknown), FIGURES), page.words);
+        let unit = tex_of(&page.problem.data[datum].unit.dimension().to_string());
+        let value = format!("${} = {digits}\\ {unit}$", page.symbols.tex(unknown));
+        let (name, told) = (page.names(&[unknown]), page.shown(measured));
+        let equation = format!("${} = {}$", page.symbols.tex(forward), page.symbols.tex(measured));
+        let pieces = [("name", &*name), ("measured", &told), ("equation", &equation), ("value", &value)];
+        page.say("asked.unknown", &pieces);
+    }
+    page.end();
+}
+
+/// The mark of symbols of another scene.
+pub const fn mark(how: AsIf) -> &'static str {
+    match how {
+        AsIf::Rolls => r"\mathrm{r}",
+        AsIf::Smooth => r"\mathrm{s}",
+    }
+}

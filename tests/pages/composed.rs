@@ -1,0 +1,163 @@
+//! Worked solutions of scenes composed by lot, of which everything is asked that is published: each has one, and each printed
+//! equation, solved again in intervals, holds. The scenes of the banks have the ends and the quantities that somebody thought
+//! of; what nobody had thought of got data and answers alone.
+use crate::lot;
+use crate::support;
+use crate::tex;
+use rayon::prelude::*;
+use slipstick::bank::decimal::Decimal;
+use slipstick::bank::{Draw, Problem, load};
+use slipstick::problem::maker::{self, Variant};
+use slipstick::solution;
+use slipstick::template::Templates;
+use slipstick::words::Words;
+use std::collections::BTreeMap;
+
+fn values(problem: &Problem) -> Vec<Option<Decimal>> {
+    let given = |draw: &Option<Draw>| match draw {
+        Some(Draw::Always { value, decimals }) => Some(Decimal { value: *value, decimals: *decimals }),
+        _ => None,
+    };
+    problem.cases[0].draws.iter().map(given).collect()
+}
+
+/// The scene of this lot with a question for each quantity that it has; `None` where it is refused or would not be drawn.
+fn asked(seed: u64) -> Option<(Problem, Variant, String)> {
+    let text = lot::yaml(&lot::scene(seed));
+    let solve = |text: &str| {
+        let bank = load::scenes_only(text, "composed.yaml").ok()?;
+        let problem = bank.problems.into_iter().next()?;
+        let variant = maker::from_values(&problem, 0, &values(&problem)).ok()?;
+        Some((problem, variant))
+    };
+    let (problem, variant) = solve(&text)?;
+    if !variant.solved.holds_as(&[variant.solved.regime.word()]) {
+        return None;
+    }
+    let scene = &problem.cases[0].scene;
+    let numbers = variant.solved.entries.iter().filter(|e| e.value().is_finite()).map(|e| e.label);
+    let labels = numbers.chain(variant.solved.words.iter().map(|(label, _)| *label));
+    let lines: String = labels
+        .enumerate()
+        .map(|(i, label)| format!("      q{i}: {{quantity: {}, ask: it}}\n", scene.name_of(label)))
+        .collect();
+    let text = format!("{}    questions:\n{lines}", text.split("    questions:").next()?);
+    let (problem, variant) =
+        solve(&text).unwrap_or_else(|| panic!("asked of everything it is refused:\n{text}"));
+    Some((problem, variant, text))
+}
+
+#[test]
+fn every_composed_scene_has_a_true_solution() {
+    let (words, templates) = (Words::english(), Templates::new("en", &[]).unwrap());
+    let from: u64 = std::env::var("SLIPSTICK_FIRST").ok().and_then(|n| n.parse().ok()).unwrap_or(0);
+    let told: Vec<(u64, bool, Vec<String>)> = (from..from + 4 * u64::from(support::seeds(2500)))
+        .into_par_iter()
+        .filter_map(|seed| {
+            let (problem, variant, bank) = asked(seed)?;
+            let text = solution::text(&problem, &variant, 1, &words, &templates).expect("a text");
+            let short = text.contains(words.get("solution.title.beyond"));
+            let wrong = tex::check(&text, &mut tex::Counts::default());
+            if (short || !wrong.is_empty()) && std::env::var("TELL").is_ok() {
+                println!("{seed}: {}\n{bank}\n{text}", wrong.join("\n"));
+            }
+            Some((seed, short, wrong))
+        })
+        .collect();
+    let short = told.iter().filter(|(_, short, _)| *short).count();
+    println!("{} solutions, {short} of them short pages", told.len());
+    let kinds: BTreeMap<u64, &Vec<String>> =
+        told.iter().filter(|(.., wrong)| !wrong.is_empty()).map(|(seed, _, wrong)| (*seed, wrong)).collect();
+    assert!(kinds.is_empty(), "{kinds:#?}");
+    // What is left are motions over no distance and in no time, and springs on bodies that others hold.
+    assert!(told.len() > 50 && 100 * short <= 4 * told.len(), "{short} of {}", told.len());
+}
+
+const ASKED: &str = "bank: asked
+title: Asked by formulas
+problems:
+  spool:
+    title: A spool
+    data:
+      m:    {name: mass, unit: kg, draw: 20 to 40 step 1}
+      k:    {name: radius of gyration, unit: m, draw: 0.2 to 0.3 step 0.01}
+      R:    {name: radius of the rim, unit: m, draw: 0.36 to 0.44 step 0.01}
+      r:    {name: radius of the hub, unit: m, draw: 0.1 to 0.2 step 0.01}
+      P:    {name: pull, unit: N, draw: 200 to 400 step 10}
+      mu_s: {name: coefficient of static friction, unit: \"1\", draw: always 0.2}
+      mu_k: {name: coefficient of kinetic friction, unit: \"1\", draw: always 0.15}
+    scene:
+      surfaces: {floor: level}
+      bodies: {spool: {mass: m, radius of gyration: k, radii: {rim: R, hub: r}, moves: along floor}}
+      ties:
+        - slips: {body: spool, on its: rim, mu_s: mu_s, mu_k: mu_k}
+        - cord: {from: {body: spool, wound on: hub, leaves: bottom forward}, pulled with: P}
+      start: at rest
+      end: {time: {of: spool, is: 2 s}}
+    questions:
+      largest: {value: mu_s*normal, unit: N, ask: it}
+      needed:  {quantity: friction, if: rolls, unit: N, ask: it}
+      lacking: {value: abs(friction) - mu_s*normal, if: rolls, unit: kN, ask: it}
+      free:    {quantity: a, if: smooth, ask: it}
+      share:   {value: kinetic_energy/work_pull, unit: \"1\", ask: it}
+    statement: s
+  disc:
+    title: A disc
+    data:
+      theta: {name: slope, unit: deg, draw: 10 to 25 step 1}
+      h:     {name: height, unit: m, draw: 1.0 to 4.0 step 0.1}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies: {disc: {mass: any, shape: {disc: any}, moves: along incline, positive: down}}
+      ties: [rolls: {body: disc, on its: rim}]
+      start: at rest
+      end: {travel: {of: disc, by: h/sin(theta)}}
+    questions: {v: {ask: v}, a: {ask: a}, t: {ask: t}, mu_required: {ask: mu}, rotational_fraction: {ask: q}}
+    statement: s
+  stone:
+    title: A stone
+    data:
+      M:  {name: mass of the pulley, unit: kg, draw: 6.0 to 14.0 step 0.5}
+      y:  {name: fall, unit: m, draw: 8.0 to 13.0 step 0.1}
+      t1: {name: measured time, unit: s, draw: 2.0 to 3.6 step 0.05, measured: t}
+      m:  {name: mass of the stone, unit: kg, unknown: 0.2 to 20 step 0.1}
+    scene:
+      bodies:
+        pulley: {mass: M, shape: {disc: any}, moves: about a fixed axle}
+        stone: {mass: m, moves: vertically, positive: down}
+      ties:
+        - cord: {from: {body: stone, tied at: centre, leaves: up}, to: {body: pulley, wound on: rim, leaves: back down}}
+      start: at rest
+      end: {travel: {of: stone, by: y}}
+    questions: {mass: {value: m, unit: kg, ask: m}, tension: {unit: N, ask: T}}
+    statement: s
+  pendulum:
+    title: A pendulum
+    data:
+      T: {name: measured period, unit: s, draw: always 1.7, measured: period_small}
+      h: {name: distance of the pin, unit: m, unknown: 0.31 to 2 step 0.01}
+    scene:
+      bodies: {body: {mass: 2 kg, radius of gyration: 0.3 m, pinned: {distance: h}, angle: from hanging}}
+      start: {body: {angle: 10 deg}}
+      end: {angle: {of: body, reaches: 0 deg}}
+    questions: {distance: {value: h, unit: m, ask: h}}
+    statement: s
+";
+
+#[test]
+fn expressions_other_contacts_and_measurements_are_worked() {
+    let bank = load::scenes_only(ASKED, "asked.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+    for language in Words::languages() {
+        let (words, templates) = (Words::of(language).unwrap(), Templates::new(language, &[]).unwrap());
+        for problem in &bank.problems {
+            let maker = maker::Maker::new(problem, 7, "set");
+            for student in 0..10 {
+                let variant = maker.variant(&student.to_string()).expect("a variant");
+                let text = solution::text(problem, &variant, 1, &words, &templates).expect("a text");
+                assert!(!text.contains(words.get("solution.title.beyond")), "{text}");
+                let wrong = tex::check(&text.replace("{,}", "."), &mut tex::Counts::default());
+                assert!(wrong.is_empty(), "{}\n{text}", wrong.join("\n"));
+            }
+        }
+    }
+}
