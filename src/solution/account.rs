@@ -579,17 +579,26 @@ impl<'d, 'a> Account<'d, 'a> {
         })
     }
 
-    /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
-    fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
+    /// Angular frequency of the swing on a spring.
+    fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
         let frequency = root(per.per(&Factors::of(&self.effective)).expr());
-        let frequency = self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency);
-        let rest = if self.shares(&[ForceKind::Kinetic]).is_empty() {
-            self.get(of_scene(Quantity::XEq))?
-        } else {
-            let middle = self.rest_under(spring, &self.drive);
-            self.swung(&[r"x_{\mathrm{m}}"], "m", middle)
-        };
+        self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
+    }
+
+    /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
+    fn middle(&mut self, spring: &CordSpring) -> Result<SymbolId, DerivationStop> {
+        if self.shares(&[ForceKind::Kinetic]).is_empty() {
+            return self.get(of_scene(Quantity::XEq));
+        }
+        let middle = self.rest_under(spring, &self.drive);
+        Ok(self.swung(&[r"x_{\mathrm{m}}"], "m", middle))
+    }
+
+    /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
+    fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
+        let frequency = self.frequency(spring);
+        let rest = self.middle(spring)?;
         let off = &spring.stretch - rest;
         let amplitude = if self.v0 == ZERO {
             in_sense(off.clone(), self.value(&off))
@@ -962,6 +971,16 @@ impl<'d, 'a> Account<'d, 'a> {
                 let from = if self.m.tied { self.rest_under(&spring, &positive_first(given)) } else { ZERO };
                 Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
             }
+            Quantity::OmegaSmall | Quantity::PeriodSmall => {
+                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                let frequency = self.frequency(&spring);
+                if label.quantity == Quantity::OmegaSmall {
+                    self.known.push((label, frequency));
+                    return Ok(frequency);
+                }
+                let turn = number(2) * self.draft.pi();
+                Ok(self.new_found(label, &[r"\tau", r"\tau_1"], "s", turn / frequency))
+            }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
             Quantity::DTurn => self.turning(label),
             other => beyond(Beyond::Quantity(other)),
@@ -993,7 +1012,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn speed(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let c = if label.quantity == Quantity::V { along(body) } else { turn(body) };
         let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Unfound) };
-        let from = if self.own(c) { self.from_rest(c, 1)? } else { self.over_lead(&self.v, c) };
+        let from = if self.own(c) { self.since_rest(c, 1)? } else { self.over_lead(&self.v, c) };
         Ok(self.found(label, symbol, from))
     }
 
@@ -1004,7 +1023,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
     /// are constant, in the ratio of the accelerations.
-    fn from_rest(&mut self, c: Coordinate, order: u8) -> Result<Expr, DerivationStop> {
+    fn since_rest(&mut self, c: Coordinate, order: u8) -> Result<Expr, DerivationStop> {
         let own = self.get(rate_of(c))?;
         let size = in_sense(own.into(), self.symbols.value(own));
         if self.symbols.value(own) == 0.0 {
@@ -1024,7 +1043,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance or angle of a coordinate, a magnitude.
     fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
-        if self.own(c) { self.from_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
+        if self.own(c) { self.since_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
     }
 
     /// The same with its sign.
@@ -1440,7 +1459,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.new_found(at, &["D_{v}"], "m", ZERO);
             return self.get(label);
         };
-        let [frequency, x_eq, amplitude] = self.swing(&spring)?;
+        let x_eq: Expr = self.middle(&spring)?.into();
         let gap = &spring.stretch - &x_eq;
         let per = self.magnitude(&spring.gamma);
         let ahead = self.value(&gap) * -self.stretching(&spring);
@@ -1459,6 +1478,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let from = if self.v0 == ZERO {
             gap * root(&spring.stiffness / &self.effective)
         } else {
+            let [frequency, _, amplitude] = self.swing(&spring)?;
             Factors::of(&(amplitude * frequency)).per(&per).expr()
         };
         self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);

@@ -269,11 +269,6 @@ impl<'a> Draft<'a> {
         &self.told
     }
 
-    /// Is one of them an angle in degrees?
-    pub fn degrees_told(&self) -> bool {
-        self.told.iter().any(|t| t.contains(r"^\circ"))
-    }
-
     /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
     pub fn whole(&self) -> Vec<(String, String)> {
         let drawn = |i: usize| self.variant.values.get(i).copied().flatten();

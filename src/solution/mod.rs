@@ -2,15 +2,15 @@
 //! are not those of the key is never printed, a short page stands in its place.
 //!
 //! The terms of a scene (each action with its point, velocity ratios, inertias) are read in [`terms`]; [`account`] derives each
-//! quantity from them, [`narrate`] words them; a pinned body ([`pinned`]), one thrown with slip ([`thrown`]), an instant
-//! ([`instant`]) and particles ([`lamina`]) bring terms of their own and use the same [`page::Page`]. The sections, by id, in
-//! the order of the text, each where there is something to say:
+//! quantity from them, [`narrate`] words them; what a question asks by a formula is answered from these in [`asked`]; a pinned
+//! body ([`pinned`]), one thrown with slip ([`thrown`]) and particles ([`lamina`]) bring terms of their own and use the same
+//! [`page::Page`]. The sections, by id, in the order of the text, each where there is something to say:
 //! - `answers` in a box, `given`: the data; `idea`, `sketch`;
-//! - `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
-//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked;
+//! - `unknown`: what no sheet gives; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
+//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas;
 //! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
-//! What is not covered has a short page: `answers`, `given`, `beyond` with the reason.
+//! A force that grows with time, and a fault, have a short page: `answers`, `given`, `beyond` with the reason.
 pub mod account;
 pub mod asked;
 pub mod beware;

@@ -342,10 +342,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Work and energy: how far each point goes, the balance, what follows.
     fn energy(&mut self) {
         self.begin_as("short", "short_energy");
+        // The direction is judged with the ratio of displacements.
+        self.tell_ratios();
         if self.asks(Quantity::Direction) {
             self.tell_direction();
         }
-        self.tell_ratios();
         let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         let (lead, d) = (self.lead(), self.distance());
         let against = self.value(&self.s) < 0.0;
@@ -1312,8 +1313,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (Some(spring), Some(end)) = (self.spring.clone(), self.taut(tie)?) else { return Ok(()) };
         let first = &spring.stiffness * &spring.stretch;
         let least = if self.value(&first) < self.value(&spring.tension.into()) {
-            let unit = self.valued(&first, "N");
-            unit
+            self.valued(&first, "N")
         } else {
             end
         };

@@ -1,12 +1,12 @@
 //! A body on a fixed pin: its terms, the speed from energies, the force of the pin from the equations of motion, the periods of a
 //! pendulum. The velocity ratios vary with the angle, so its rows are written here and told with the words of all solutions.
-use crate::num::{shown, trig};
+use crate::num::{gauss, shown, trig};
 use crate::scene::{Arm, End, Label, Owner, Pin, Quantity, Rest, RotaryInertia, Start, Zero};
 use crate::solution::account::of_scene;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, magnitude, number as whole, positive_first, ratio, root, signed, sine,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number as whole, positive_first,
+    ratio, root, signed, sine, square, sum,
 };
 use crate::solution::factors::Factors;
 use crate::solution::page::{Page, aligned, packed};
@@ -145,9 +145,6 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         Arm::Distance(h) => draft.number(h, "h", "m"),
         Arm::HalfOf(l) => draft.number(l, "L", "m") / whole(2),
     };
-    if h.value(&draft.symbols) <= 0.0 {
-        return Err(Beyond::Unfound.into());
-    }
     let own = match &scene.bodies[body].inertia {
         Some(RotaryInertia::Gyration(k)) => {
             m.times(&Factors::of(&draft.number(*k, "k", "m")).squared()).expr()
@@ -474,6 +471,9 @@ impl PinnedBody {
             Quantity::PinRadial,
             Quantity::PinTangential,
             Quantity::PinForce,
+            Quantity::PinX,
+            Quantity::PinY,
+            Quantity::PinAngle,
             Quantity::SpringForce,
         ];
         if !asked.iter().any(|q| page.asks(*q)) {
@@ -494,7 +494,7 @@ impl PinnedBody {
             Factors::of(&over).per(&Factors::of(&self.about.into())).expr(),
         );
         self.answer(page, Quantity::Alpha, alpha);
-        if asked[1..4].iter().any(|q| page.asks(*q)) {
+        if asked[1..7].iter().any(|q| page.asks(*q)) {
             let mh = Factors::of(&self.m).times(&Factors::of(&self.h));
             let radial = mh.times(&Factors::of(&square(omega))).expr() - toward;
             let radial = page.find(&["R", "O_r"], "N", positive_first(vec![radial]));
@@ -506,6 +506,7 @@ impl PinnedBody {
                 let force = page.find(&["F_O", "O"], "N", root(square(radial) + square(across)));
                 self.answer(page, Quantity::PinForce, force);
             }
+            self.parts_of_pin(page, radial, across);
             page.tell_new();
             let (r, s) = (page.symbols.value(radial), page.symbols.value(across));
             let names = [page.names(&[radial]), page.names(&[across])];
@@ -525,6 +526,27 @@ impl PinnedBody {
             }
         }
         page.tell_new();
+    }
+
+    /// The force of the pin in a fixed frame: horizontal to the side of small positive angles, vertical up, and its angle.
+    fn parts_of_pin(&self, page: &mut Page, radial: SymbolId, across: SymbolId) {
+        let (s, c) = (sine(&self.phi1), cosine(&self.phi1));
+        let x = positive_first(vec![across * &c - radial * &s]);
+        let y = if self.up { -(radial * &c) - across * &s } else { radial * &c + across * &s };
+        let parts = [Quantity::PinX, Quantity::PinY, Quantity::PinAngle];
+        if !parts.iter().any(|q| page.asks(*q)) {
+            return;
+        }
+        let x = page.find(&["O_x", "X_O"], "N", x);
+        let y = page.find(&["O_y", "Y_O"], "N", positive_first(vec![y]));
+        self.answer(page, Quantity::PinX, x);
+        self.answer(page, Quantity::PinY, y);
+        if page.asks(Quantity::PinAngle) {
+            let angle = arc_cosine(x / root(square(x) + square(y)));
+            let angle = in_sense(angle, page.symbols.value(y));
+            let angle = page.find(&[r"\psi_O", r"\chi_O"], "rad", angle);
+            self.answer(page, Quantity::PinAngle, angle);
+        }
     }
 
     /// The angle turned, in radians with its sign.
@@ -563,6 +585,30 @@ impl PinnedBody {
             );
             page.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
         }
+        if page.asks(Quantity::AngularMomentum) {
+            let from = Factors::of(&self.about.into()).times(&Factors::of(&omega.into())).expr();
+            let l = page.find(&["L_O", r"\Lambda_O"], "kg m^2/s", from);
+            self.answer(page, Quantity::AngularMomentum, l);
+        }
+        if page.asks(Quantity::PowerCouple) {
+            let power = Factors::of(&self.couple()).times(&Factors::of(&omega.into())).expr();
+            let power = page.find(&[r"\dot{W}_{M}"], "W", in_sense(power, self.sense));
+            self.answer(page, Quantity::PowerCouple, power);
+        }
+        if page.asks(Quantity::WorkCouple) && !self.instant {
+            let turned = self.turned(page);
+            let work = page.find(&["W_{M}"], "J", self.couple() * turned);
+            self.answer(page, Quantity::WorkCouple, work);
+        }
+        if page.asks(Quantity::T) && !self.instant {
+            page.tell_new();
+            self.say(page, "pinned.time", &[]);
+            let time = self.time(page);
+            let tex = page.free(&["t", "t_1"]);
+            let t = page.symbols.found(&tex, time, &tex_of("s"));
+            page.step(t, t.into());
+            page.draft.answer(of_scene(Quantity::T), DerivedAnswer::Value(t));
+        }
         if page.asks(Quantity::Phi) && !self.instant {
             let turned = self.turned(page);
             let size = magnitude_of(&turned.into(), page.symbols.value(turned));
@@ -576,6 +622,25 @@ impl PinnedBody {
             self.answer(page, Quantity::Rise, rise);
         }
         page.tell_new();
+    }
+
+    /// Time from the start to the end, s: the integral of the angle over the angular speed, whose ends, where the body may be at
+    /// rest, a cosine takes away.
+    fn time(&self, page: &Page) -> f64 {
+        let (first, last) = (page.value(&self.phi0), page.value(&self.phi1));
+        let half = 0.5 * (last - first).abs();
+        let pace = |theta: f64| {
+            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
+            let square = self.square_at(page.draft, first + 0.5 * (last - first) * (1.0 - cosine));
+            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
+        };
+        let pieces = 40;
+        let step = std::f64::consts::PI / f64::from(pieces);
+        let piece = |i: i32| {
+            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
+            gauss::mean(&places.collect::<Vec<f64>>())
+        };
+        step * (0..pieces).map(piece).sum::<f64>()
     }
 
     /// Is this true? A particle in the mass centre, and the share of the rotation.

@@ -145,24 +145,6 @@ impl<'w> Symbols<'w> {
             (false, unit) => format!(r"{digits}\ {unit}"),
         }
     }
-
-    /// The difference of two quantities of one kind as they are shown, with the unit.
-    pub fn difference(&self, a: SymbolId, b: SymbolId) -> String {
-        let (Some(first), Some(second)) = (self.lines.get(a.0), self.lines.get(b.0)) else {
-            return String::new();
-        };
-        let read = |digits: &str| digits.parse::<f64>().unwrap_or(f64::NAN);
-        let (x, y) = (read(&first.digits), read(&second.digits));
-        // One unit of the last digit at most, or there is something to see.
-        let digits = shown::significant(x - y, 1);
-        let digits = tex_digits(&digits, self.words);
-        if first.unit.is_empty() || digits == "0" { digits } else { format!(r"{digits}\ {}", first.unit) }
-    }
-
-    /// The words of the solution.
-    pub fn words(&self) -> &'w Words {
-        self.words
-    }
 }
 
 /// Digits with a point, perhaps with an exponent, in LaTeX: `1{,}5 \cdot 10^{-7}` in German.

@@ -1,7 +1,4 @@
 //! What a solution says, in order, before a template decides how it stands on the page.
-use crate::solution::expr::{Expr, SymbolId};
-use crate::solution::symbols::Symbols;
-use crate::solution::written::width;
 
 /// A part of a solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,22 +36,6 @@ impl SolutionSection {
     /// Adds a paragraph.
     pub fn say(&mut self, words: impl Into<String>) {
         self.blocks.push(Block::Words(words.into()));
-    }
-    /// Adds an equation in symbols: `left = right`.
-    pub fn equation(&mut self, symbols: &Symbols, left: &Expr, right: &Expr) {
-        self.blocks.push(Block::Formula(format!("{} = {}", left.symbols(symbols), right.symbols(symbols))));
-    }
-    /// Adds the steps by which a quantity is found: in symbols, with numbers put in, the value.
-    pub fn find(&mut self, symbols: &mut Symbols, symbol: SymbolId, from: &Expr) {
-        match from {
-            Expr::Symbol(same) => symbols.settle_as(symbol, *same, false),
-            Expr::Minus(inner) if matches!(**inner, Expr::Symbol(_)) => {
-                let Expr::Symbol(same) = **inner else { return };
-                symbols.settle_as(symbol, same, true);
-            }
-            from => symbols.settle_by(symbol, from),
-        }
-        self.blocks.push(Block::Formula(worked(symbols, symbol, from)));
     }
     /// What stands between its title and its text: a space where words go on, else an empty line.
     pub fn gap(&self) -> &'static str {
@@ -97,24 +78,3 @@ impl SolutionSection {
 
 /// Width of a line of a formula that fits on 16 cm of print, in digits.
 pub const LINE: f64 = 74.0;
-
-/// Steps that are no wider than this together stand on one line, which a phone just shows.
-pub const SHORT: f64 = 44.0;
-
-/// `a = symbols = numbers = value`, where it is not short on lines of their own, so that a narrow page need not scroll more than one of them; what
-/// says the same twice stands once. The symbol must have its value.
-pub fn worked(symbols: &Symbols, symbol: SymbolId, from: &Expr) -> String {
-    let (name, letters, value) = (symbols.tex(symbol), from.symbols(symbols), symbols.shown(symbol));
-    if from.uses().is_empty() {
-        return format!("{name} = {value}");
-    }
-    if from.numbers(symbols) == value {
-        return format!("{name} = {letters} = {value}");
-    }
-    let line = format!("{name} = {letters} = {} = {value}", from.numbers(symbols));
-    if width(&line) <= SHORT {
-        return line;
-    }
-    let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
-    format!(r"\begin{{aligned}} {name} &= {letters} \\ &= {numbers} \\ &= {value} \end{{aligned}}")
-}

@@ -103,7 +103,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ => first,
     };
     throw.other_method(&mut page, &slipping, (first, &slid), energy, rolls);
-    throw.answers(&mut page, &slipping, last, rolling.filter(|_| rolls));
+    throw.answers(&mut page, &slipping, [first, last], rolling.filter(|_| rolls));
     throw.regime(&mut page, &slipping, rolls, holds);
     page.begin("limits");
     if throw.level && (rolls || throw.t1.is_none()) {
@@ -417,7 +417,13 @@ impl ThrownBody {
         }
     }
 
-    fn answers(&self, page: &mut Page, s: &Slipping, end: State, rolling: Option<(SymbolId, SymbolId)>) {
+    fn answers(
+        &self,
+        page: &mut Page,
+        s: &Slipping,
+        [first, end]: [State; 2],
+        rolling: Option<(SymbolId, SymbolId)>,
+    ) {
         page.begin("rest");
         page.skip_new();
         for (quantity, symbol) in [(Quantity::Omega, end.w), (Quantity::V, end.v), (Quantity::Phi, end.phi)] {
@@ -458,6 +464,37 @@ impl ThrownBody {
                 let share = page.find(&[r"\zeta", r"\zeta_r"], "1", spin / energy);
                 page.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
             }
+        }
+        if page.asks(Quantity::AngularMomentum) {
+            let size = Self::size(page, end.w);
+            let l =
+                page.find(&["L", r"\Lambda"], "kg m^2/s", self.own.times(&Factors::of(&size.into())).expr());
+            self.answer(page, Quantity::AngularMomentum, l);
+        }
+        if page.asks(Quantity::Impulse) {
+            let gain = Factors::of(&(end.v - &self.v0));
+            let j = page.find(&["J", "S"], "N s", self.m.times(&gain).expr());
+            self.answer(page, Quantity::Impulse, j);
+        }
+        if page.asks(Quantity::Distance) {
+            let turns = |a: &Expr, b: &Expr| page.value(a) * page.value(b) < 0.0;
+            let from = if turns(&self.v0, &first.v.into()) {
+                Some(-(square(&self.v0) / (whole_number(2) * s.a)))
+            } else if turns(&first.v.into(), &end.v.into()) {
+                Some(first.x - square(first.v) / (whole_number(2) * a))
+            } else {
+                None
+            };
+            let way = match from {
+                // There and back.
+                Some(turn) => {
+                    let turn = page.find(&["x_t"], "m", turn);
+                    magnitude(turn) + magnitude(end.x - turn)
+                }
+                None => in_sense(end.x.into(), page.symbols.value(end.x)),
+            };
+            let d = page.find(&["d", "d_G"], "m", way);
+            self.answer(page, Quantity::Distance, d);
         }
         page.tell_new();
         let v = page.symbols.value(end.v);

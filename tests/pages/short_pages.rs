@@ -1,4 +1,4 @@
-//! What no worked solution covers, in a set with what one does: exit codes, notes, and a short page in each format and language.
+//! What once had a short page, data and answers alone: now worked, in each format and language. A fault still has one.
 //!
 //! The earlier tests worked the built-in banks alone, all of whose problems are covered: that one problem which is not refuses
 //! the solutions of the whole set, after `generate` had said nothing, could not be seen there. Nor could it be seen that a wheel

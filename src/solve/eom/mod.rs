@@ -1028,6 +1028,10 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Work and impulse of all forces, of the couples alone, and angular momentum: `gain` is half the change of the square of the
     /// speed, which is the integral of the acceleration over the way.
     fn gained(&mut self, gain: T, change: T, (s, u): (T, T), sense: f64) {
+        use Quantity::{AngularMomentum, Distance, Impulse, PowerCouple, Work, WorkCouple};
+        if !self.asks(&[AngularMomentum, Distance, Impulse, PowerCouple, Work, WorkCouple]) {
+            return;
+        }
         let mut felt = T::zero();
         for b in 0..self.scene.bodies.len() {
             let n = self.n.bodies[b];
