@@ -265,7 +265,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 found = self.stopped(panel, from, level, least)?;
                 time = match &found {
                     Some(stop) => sum(time, stop.time),
-                    None => sum(time, panel.timely.then_some(panel.time)),
+                    None => {
+                        sum(time, panel.timely.then_some(plant!("eom: time of joined bodies", panel.time)))
+                    }
                 };
                 Ok(found.is_some())
             };
@@ -326,7 +328,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 let x = rough - value(rough, self.panel((a, rough), from)?.last)? / slope;
                 let part = self.panel((a, x), from)?;
                 let half_square = if why == Why::Rest { T::zero() } else { part.last };
-                let time = (part.timely && why != Why::Rest).then_some(part.time);
+                let time = (part.timely && why != Why::Rest)
+                    .then_some(plant!("eom: time of joined bodies", part.time));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
             before = x;
@@ -400,10 +403,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         } else {
             self.stop(far, level, &mut least)?
         };
-        let mut time = match stop.time {
-            Some(t) => Some(plant!("eom: time of joined bodies", t)),
-            None => None,
-        };
+        let mut time = stop.time;
         if let End::Time(_, t) = scene.end {
             let t = n.get(t);
             let most = match time {

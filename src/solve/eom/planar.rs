@@ -505,14 +505,14 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut rows = Linear::new(self.unknowns, 2);
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let at = self.first[b];
-            for k in 0..if self.turns(b) { 3 } else { 2 } {
+            for (k, force) in forces[b].iter().enumerate().take(if self.turns(b) { 3 } else { 2 }) {
                 let inertia = if k < 2 {
                     plant!("eom: mass of a body in the plane", numbers.mass)
                 } else {
                     plant!("eom: inertia of a body in the plane", numbers.inertia)
                 };
                 rows.term(at + k, at + k, inertia);
-                rows.right(at + k, CONSTANT, forces[b][k]);
+                rows.right(at + k, CONSTANT, *force);
             }
         }
         for (row, inward) in held.iter().zip(inward) {
