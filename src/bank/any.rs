@@ -45,8 +45,7 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
     if let Some(body) = scene.bodies.iter().position(|b| has(&b.mass)) {
         let mut other = None;
         scales::each(&mut scene.clone(), &mut |n, unit| {
-            let massive = ["kg", "N", "N/m", "N/s", "N*m", "N*m/s", "kg*m^2"].contains(&unit);
-            if massive && *n != number {
+            if scales::is_massive(unit) && *n != number {
                 other = Some(match unit {
                     "kg" => "there is another mass",
                     "kg*m^2" => "there is a moment of inertia",

@@ -449,8 +449,9 @@ const fn why(quantity: Quantity) -> &'static str {
             "it needs a pinned body"
         }
         Q::SpringForce => "it needs a spring on a pinned body",
-        Q::OmegaMax | Q::Period | Q::PeriodSmall | Q::OmegaSmall => {
-            "it needs a pinned body that swings under its weight alone; that of small oscillations, or a spring and no friction of sliding"
+        Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
+        Q::PeriodSmall | Q::OmegaSmall => {
+            "it needs a pinned body that swings under its weight alone, or a spring and no friction of sliding"
         }
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",

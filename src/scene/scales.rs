@@ -130,10 +130,7 @@ impl Scales {
         // As a length over the square of a time, that of the weight.
         let time = (length - middle(&|unit, e| (unit == "m/s^2").then_some(e))) / 2;
         let free = Self { mass: 0, length, time };
-        let mass = middle(&|unit, e| {
-            let mass = ["kg", "N", "N/m", "N/s", "N*m", "N*m/s", "kg*m^2"].contains(&unit);
-            mass.then(|| e - free.power(unit))
-        });
+        let mass = middle(&|unit, e| is_massive(unit).then(|| e - free.power(unit)));
         let mut tried: Vec<[i32; 3]> = Vec::new();
         for m in -TRIED[0]..=TRIED[0] {
             for l in -TRIED[1]..=TRIED[1] {
@@ -147,6 +144,11 @@ impl Scales {
             time: time + STEPS[2] * t,
         })
     }
+}
+
+/// Has a unit of the scene the dimension of mass in it?
+pub fn is_massive(unit: &str) -> bool {
+    Scales { mass: 1, length: 0, time: 0 }.power(unit) != 0
 }
 
 /// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.

@@ -148,7 +148,10 @@ impl<'d, 'a> Account<'d, 'a> {
             known: Vec::new(),
             solving: Vec::new(),
         };
-        this.name_ratios();
+        // What is only supposed to roll has no names of its own.
+        if rolled.is_none() {
+            this.name_ratios();
+        }
         if let Some((tie, ks, x0, rigid)) = this.scene.spring() {
             let stiffness = this.number(ks, "k_s", "N/m");
             let stretch = this.number(x0, "x_0", "m");
@@ -184,7 +187,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for (i, action) in actions.iter().enumerate() {
             let ForceSource::Tie(tie) = action.source else { continue };
             let is = self.magnitude(&self.m.point(action)).expr();
-            if is.uses().len() < 2 {
+            if is.uses().len() < 2 || self.value(&is) == 0.0 {
                 continue;
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
@@ -824,9 +827,15 @@ impl<'d, 'a> Account<'d, 'a> {
         let mut rest = vec![gain];
         let others = self.row(c).into_iter().filter(|(a, _)| a.source != action.source);
         rest.extend(others.map(|(_, share)| -share));
-        let over = positive_first(vec![in_sense(sum(rest), self.value(&lever.expr()))]);
+        let sense = self.value(&lever.expr());
         let lever = self.magnitude(&lever);
-        if lever.is_zero() { beyond(Beyond::Unfound) } else { Ok(Factors::of(&over).per(&lever).expr()) }
+        if lever.is_zero() {
+            return beyond(Beyond::Unfound);
+        }
+        // Term by term: no fraction in a fraction.
+        let over = rest.into_iter().filter(|term| *term != ZERO);
+        let terms = over.map(|term| Factors::of(&in_sense(term, sense)).per(&lever).expr());
+        Ok(positive_first(terms.collect()))
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.

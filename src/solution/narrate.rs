@@ -62,7 +62,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ => Short::Energy,
     };
     let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
-    let mut n = Narrator { t: account, short, rows: Vec::new(), gone: Vec::new() };
+    let mut n = Narrator { t: account, short, rows: Vec::new(), gone: Vec::new(), ratios_told: false };
     n.idea();
     n.sketch();
     n.end();
@@ -114,7 +114,13 @@ pub fn as_if(
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
     let mut account = Account::new(draft, None)?;
     account.arrive()?;
-    let mut n = Narrator { t: account, short: Short::Instant, rows: Vec::new(), gone: Vec::new() };
+    let mut n = Narrator {
+        t: account,
+        short: Short::Instant,
+        rows: Vec::new(),
+        gone: Vec::new(),
+        ratios_told: false,
+    };
     n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
     n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
     n.write_rows();
@@ -150,7 +156,13 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
         return Ok(None);
     }
     let account = Account::new(draft, Some(tie))?;
-    let mut n = Narrator { t: account, short: Short::Neither, rows: Vec::new(), gone: Vec::new() };
+    let mut n = Narrator {
+        t: account,
+        short: Short::Neither,
+        rows: Vec::new(),
+        gone: Vec::new(),
+        ratios_told: false,
+    };
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
     let closed = if n.m.one { n.t.closed_friction(body) } else { None };
@@ -190,6 +202,8 @@ struct Narrator<'d, 'a> {
     /// The rows as they are numbered.
     rows: Vec<(Coordinate, usize)>,
     gone: Vec<Eliminated>,
+    /// Are the ratios of displacements on the page?
+    ratios_told: bool,
 }
 
 impl<'d, 'a> Deref for Narrator<'d, 'a> {
@@ -427,6 +441,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The named ratios of displacements, from the distances to the point of contact.
     fn tell_ratios(&mut self) {
+        if std::mem::replace(&mut self.ratios_told, true) {
+            return;
+        }
         let gammas = self.gammas.clone();
         for (tie, gamma, is) in gammas {
             let Some(action) = self.m.action_of(tie).cloned() else { continue };
@@ -443,7 +460,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say(name, &[("centre", &c), ("point", &away)]);
             let line = self.chain(gamma, &is).concat();
             let travel = of_tie(Quantity::CordTravel, tie);
-            let tail = if !spring && self.s != ZERO && self.asks_label(travel) {
+            let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+            let tail = if given && !spring && self.s != ZERO && self.asks_label(travel) {
                 self.get(travel).ok().map(|l| {
                     let from = self.steps.last().map_or(ZERO, |s| s.from.clone());
                     self.chain(l, &from).concat()
@@ -598,9 +616,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin_as(id, title);
         let first = self.short == Short::Instant
             || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
-        if first {
-            self.tell_ratios();
-        }
+        self.tell_ratios();
         self.say_senses();
         self.write_rows();
         if first || self.short == Short::Together && self.m.one {

@@ -1090,6 +1090,16 @@ impl<'s> System<'s> {
                 if *rigid || x >= 0.0 {
                     say("x_eq", Owner::Scene, x, forces / ks);
                 }
+                let rubs = s.ties.iter().any(|t| matches!(t, Tie::Slips { .. } | Tie::Slides { .. }));
+                let [x_end, y_end, turn] = [0, 1, 2].map(|i| mode[0][3 * s.of + i].abs());
+                let ends = if turn_end { turn } else { x_end.max(y_end) };
+                if !rubs && ends > NOTHING && (*rigid || x > 0.0) {
+                    let moved: f64 = mode[0].iter().zip(&self.mass).map(|(z, m)| m * z * z).sum();
+                    let rate = (ks * gamma * gamma / moved).sqrt();
+                    say("omega_small", Owner::Body(s.of), rate, rate);
+                    let period = 2.0 * std::f64::consts::PI / rate;
+                    say("period_small", Owner::Body(s.of), period, period);
+                }
             }
         }
         if (self.spring.is_some() || started) && !turn_end {

@@ -437,7 +437,8 @@ impl<'a, T: Real> Ledger<'a, T> {
             let x_eq = -others / (s.stiffness * s.lost);
             if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
                 self.say(Quantity::XEq, Owner::Scene, x_eq);
-                if self.scene.oscillates() && (s.rigid || x_eq.sign() > 0.0) {
+                let held = self.mode.of(self.end).is_zero();
+                if !held && self.scene.oscillates() && (s.rigid || x_eq.sign() > 0.0) {
                     // What the spring stores in a displacement is what moves at the place of rest.
                     let frequency = (s.stiffness * s.lost.square() / doubled).root();
                     let frequency = plant!("energy: frequency of small oscillations", frequency);

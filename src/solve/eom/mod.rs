@@ -572,7 +572,8 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Small oscillations about equilibrium, where nothing rubs and the cord stays taut: `a = -omega^2 s`.
     fn small_oscillations(&mut self, spring: &Spring<T>, x_eq: T) {
-        if !self.scene.oscillates() || !(spring.rigid || x_eq.sign() > 0.0) {
+        let held = self.response.acceleration(self.end, self.ratio_column).is_zero();
+        if held || !self.scene.oscillates() || !(spring.rigid || x_eq.sign() > 0.0) {
             return;
         }
         let loss =
