@@ -12,7 +12,7 @@ use crate::scene::{
 };
 
 /// Pixels of the height of all that moves, at most.
-const HIGH: f64 = 290.0;
+const HIGH: f64 = 330.0;
 /// Pixels of its width, at most: a flat mechanism is wider, or its crank would be lost under its labels.
 const WIDE: f64 = 400.0;
 /// Half the width of a rod.
@@ -138,6 +138,17 @@ impl Plane {
         let place = view.scene.planar(spot.body).and_then(|p| p.points.get(spot.point));
         let along = place.map_or(0.0, |(_, place)| along(view, *place));
         laid[spot.body].origin + laid[spot.body].axis * (along * self.scale)
+    }
+    /// On which side of a fixed pin its bracket stands: where no body is.
+    fn bracket(&self, place: Vec2) -> Vec2 {
+        let taken = |side: &Vec2| {
+            self.start.iter().chain(self.end.iter().flatten()).any(|laid| {
+                let near = (laid.origin - place).norm() < 60.0;
+                near && laid.axis.dot(side) > 0.8
+            })
+        };
+        let sides = [Vec2::DOWN, Vec2::UP, Vec2::LEFT, Vec2::RIGHT];
+        sides.into_iter().find(|s| !taken(s)).unwrap_or(Vec2::DOWN)
     }
     /// The mass centre of a body.
     pub fn centre(&self, view: &SceneView, laid: &[Laid], body: usize) -> Vec2 {
@@ -394,15 +405,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
         JointKind::Hinge { one, .. } => board.circle(plane.spot(view, &plane.start, one), 3.6, Role::Inner),
         JointKind::Pin { at, .. } => {
             let place = plane.spot(view, &plane.start, at);
-            // The bracket stands where no body is.
-            let taken = |side: &Vec2| {
-                plane.start.iter().chain(plane.end.iter().flatten()).any(|laid| {
-                    let near = (laid.origin - place).norm() < 60.0;
-                    near && laid.axis.dot(side) > 0.8
-                })
-            };
-            let sides = [Vec2::DOWN, Vec2::UP, Vec2::LEFT, Vec2::RIGHT];
-            let side = sides.into_iter().find(|s| !taken(s)).unwrap_or(Vec2::DOWN);
+            let side = plane.bracket(place);
             let (wall, across) = (place + side * 24.0, side.left());
             board.lines(&[wall - across * 12.0, place, wall + across * 12.0], true, Role::Inner);
             let (a, b) = (wall + across * 24.0, wall - across * 24.0);
@@ -458,8 +461,14 @@ fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
             if dot {
                 board.dot(at);
             }
+            // Beside the axis, then between the lines that cross there: the axis, a slot, a bracket, a dashed line.
             let across = axis.left();
-            let spots = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d)).to_vec();
+            let beside = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d));
+            let between = (0..4).flat_map(|quarter| {
+                let d = Vec2::at_degrees(45.0 + 90.0 * f64::from(quarter));
+                [(at + d * 10.0, d), (at + d * 18.0, d)]
+            });
+            let spots = beside.into_iter().chain(between).collect();
             board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
         };
         if single {
@@ -503,11 +512,8 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
             let d = Vec2::at_angle(from + (to - from) * share);
             (corner + d * radius, d)
         };
-        board.wish(
-            view.label(num, "°"),
-            vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8)],
-            Role::Dimension,
-        );
+        let spots = [0.5, 0.35, 0.65, 0.2, 0.8].map(at).to_vec();
+        board.label(vec![view.label(num, "°")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
     }
 }
 
@@ -539,7 +545,10 @@ fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
     for place in view.scene.joints.iter().filter_map(fixed_place).chain(springs) {
         let at = ground(view, place) * plane.scale;
         let [x, y] = place;
-        let lengths = [(x, vec2(0.0, at.y), Vec2::DOWN, 66.0), (y, vec2(at.x, 0.0), Vec2::RIGHT, 40.0)];
+        // An upright length stands on the side where no body is.
+        let centres = (0..plane.start.len()).map(|b| plane.centre(view, &plane.start, b).x - at.x);
+        let side = if centres.sum::<f64>() > 0.0 { Vec2::LEFT } else { Vec2::RIGHT };
+        let lengths = [(x, vec2(0.0, at.y), Vec2::DOWN, 66.0), (y, vec2(at.x, 0.0), side, 40.0)];
         for (n, from, out, off) in lengths {
             if matches!(n, Num::Datum(_)) && !seen.contains(&n) {
                 seen.push(n);
@@ -564,8 +573,8 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
         Some(RotaryInertia::Shape(Shape::Rod, l)) => {
             dimension(board, from, to, out, 30.0, view.label(*l, "m"))
         }
-        Some(RotaryInertia::Shape(_, r) | RotaryInertia::Gyration(r)) => rows.push(view.label(*r, "m")),
-        Some(RotaryInertia::Moment(i)) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
+        Some(RotaryInertia::Shape(_, r) | RotaryInertia::Gyration(r @ Num::Datum(_))) => rows.push(view.label(*r, "m")),
+        Some(RotaryInertia::Moment(i @ Num::Datum(_))) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
         _ => {}
     }
     for (name, place) in &planar.points {
@@ -579,10 +588,10 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
     }
     let middle = from.middle(to);
     let side = if this.turns { THICK } else { 12.0 };
-    // Beside the middle, where the mass centre has its dot.
-    let places = [0.22, -0.22, 0.33].map(|share| middle + (to - from) * share);
-    let spots = places.iter().flat_map(|p| [-out, out].map(|d| (*p + d * side, d)));
-    board.label(rows, Role::Dot, (LabelTie::Leader, 6.0), spots.collect());
+    // Beside the middle, where the mass centre has its dot; across the line of its length only where all else is taken.
+    let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
+    let spots = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
+    board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
 }
 
 /// Forces, couples and the spin at the start.
@@ -599,9 +608,22 @@ fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
         let clockwise = view.scene.planar(couple.body).is_some_and(|p| p.clockwise);
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let laid = plane.start[couple.body];
-        let mid = laid.axis.angle_of();
         let sense = if clockwise == forward { -1.0 } else { 1.0 };
-        let (from, to) = (mid + sense * 1.0, mid + sense * 4.6);
+        // Between the body and the bracket of its pin, on the side where there is more room.
+        let mut taken = vec![laid.axis.angle_of()];
+        let pins = |j: &Joint| matches!(j.kind, JointKind::Pin { at, .. } if (plane.spot(view, &plane.start, at) - laid.origin).norm() < 1.0);
+        if view.scene.joints.iter().any(pins) {
+            taken.push(plane.bracket(laid.origin).angle_of());
+        }
+        let turn = 2.0 * std::f64::consts::PI;
+        let room = |from: f64| {
+            let others = taken.iter().map(|t| (t - from).rem_euclid(turn));
+            others.filter(|r| *r > 1e-9).fold(turn, f64::min)
+        };
+        let widest = taken.iter().map(|from| (*from, room(*from))).max_by(|a, b| a.1.total_cmp(&b.1));
+        let (low, wide) = widest.unwrap_or((0.0, turn));
+        let (middle, half) = (low + wide / 2.0, (wide / 2.0 - 0.65).clamp(0.6, 1.8));
+        let (from, to) = (middle - sense * half, middle + sense * half);
         board.curved_arrow(laid.origin, 24.0, from, to, Role::Force);
         let d = Vec2::at_angle(from + (to - from) * 0.3);
         let spots =

@@ -47,8 +47,11 @@ fn around(kind: &str, item: &str) -> String {
         ("t1", "s"),
         ("v1", "m/s"),
     ];
+    // Data that a scene does not use are a finding.
+    let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
+        .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
     let indent = |text: &str, by: &str| text.lines().map(|l| format!("{by}{l}\n")).collect::<String>();
@@ -100,8 +103,11 @@ fn swinging(scene: &str) -> String {
         ("w0", "rad/s"),
         ("phi1", "deg"),
     ];
+    // Data that a scene does not use are a finding.
+    let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
+        .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
     let first = scene.lines().nth(2).and_then(|l| l.trim().split_once(':')).map_or("", |(body, _)| body);

@@ -25,6 +25,12 @@ pub fn banks() -> Vec<Bank> {
         .collect()
 }
 
+/// The names of the banks that the program brings along.
+#[allow(dead_code, reason = "each test file takes what it needs")]
+pub fn bank_names() -> impl Iterator<Item = &'static str> {
+    slipstick::bank::built_in::BUILT_IN.iter().map(|(id, ..)| *id)
+}
+
 /// The banks in a language: their texts are those of `templates/LANGUAGE/banks/`, where there are any.
 #[allow(dead_code, reason = "each test file takes what it needs")]
 pub fn banks_in(language: &str) -> Vec<Bank> {
