@@ -20,6 +20,8 @@ const THICK: f64 = 5.0;
 /// Half the width of a slot in which the end of a rod slides, and of a guide of what only slides.
 const SLOT: f64 = 9.0;
 const GUIDE: f64 = 11.0;
+/// Half the gap of a line round a dot.
+const APART: f64 = 7.0;
 /// How far a guide is drawn beyond what slides on it.
 const BEYOND: f64 = 30.0;
 
@@ -500,7 +502,16 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
             continue;
         }
         let corner = laid[lead].origin;
-        board.line(corner + zero * 9.0, corner + zero * (radius + 16.0), Role::Ghost);
+        // Broken where the mass centre of a single body has its dot.
+        let off = plane.centre(view, &plane.start, lead) - corner;
+        let dotted = view.scene.bodies.len() == 1 && off.perp(&zero).abs() < APART;
+        let dot = if dotted { off.dot(&zero) } else { f64::INFINITY };
+        let far: f64 = radius + 16.0;
+        for (low, high) in [(9.0, far.min(dot - APART)), (9f64.max(dot + APART), far)] {
+            if high > low {
+                board.line(corner + zero * low, corner + zero * high, Role::Ghost);
+            }
+        }
         let from = zero.angle_of();
         let to = from + sense * degrees * std::f64::consts::PI / 180.0;
         if degrees.abs() * radius < 400.0 {
@@ -571,9 +582,11 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
     }
     match &this.inertia {
         Some(RotaryInertia::Shape(Shape::Rod, l)) => {
-            dimension(board, from, to, out, 30.0, view.label(*l, "m"))
+            dimension(board, from, to, out, 40.0, view.label(*l, "m"))
         }
-        Some(RotaryInertia::Shape(_, r) | RotaryInertia::Gyration(r @ Num::Datum(_))) => rows.push(view.label(*r, "m")),
+        Some(RotaryInertia::Shape(_, r) | RotaryInertia::Gyration(r @ Num::Datum(_))) => {
+            rows.push(view.label(*r, "m"))
+        }
         Some(RotaryInertia::Moment(i @ Num::Datum(_))) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
         _ => {}
     }
@@ -625,10 +638,12 @@ fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
         let (middle, half) = (low + wide / 2.0, (wide / 2.0 - 0.65).clamp(0.6, 1.8));
         let (from, to) = (middle - sense * half, middle + sense * half);
         board.curved_arrow(laid.origin, 24.0, from, to, Role::Force);
-        let d = Vec2::at_angle(from + (to - from) * 0.3);
-        let spots =
-            vec![(laid.origin + d * 24.0, d), (laid.origin + Vec2::at_angle(to) * 24.0, Vec2::at_angle(to))];
-        board.wish(view.size_label(couple.moment_n_m, "N·m"), spots, Role::Force);
+        let spots = [0.5, 0.3, 0.7, 0.1, 1.0].map(|share| {
+            let d = Vec2::at_angle(from + (to - from) * share);
+            (laid.origin + d * 24.0, d)
+        });
+        let label = view.size_label(couple.moment_n_m, "N·m");
+        board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots.to_vec());
     }
     for (b, laid) in plane.start.iter().enumerate() {
         for (_, num) in view.started(b).filter(|(degree, _)| *degree == Degree::Turn) {

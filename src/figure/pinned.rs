@@ -328,7 +328,9 @@ fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hun
             }
             match inertia {
                 Some(RotaryInertia::Gyration(n)) => rows.push(view.label(*n, "m")),
-                Some(RotaryInertia::Moment(n @ Num::Datum(_))) => rows.push(view.label(*n, "kg·m<sup>2</sup>")),
+                Some(RotaryInertia::Moment(n @ Num::Datum(_))) => {
+                    rows.push(view.label(*n, "kg·m<sup>2</sup>"))
+                }
                 _ => {}
             }
         }

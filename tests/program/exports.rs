@@ -963,7 +963,18 @@ fn the_line_of_the_manual_makes_a_document_for_word_with_formulas_and_figures() 
     }
     let room = Room::new();
     let (roster, out) = (room.at("roster.csv"), room.at("woche-3"));
-    room.fine(&["generate", "wheels-on-inclines", "--roster", &roster, "--seed", "7", "--format", "md", "--out", &out]);
+    room.fine(&[
+        "generate",
+        "wheels-on-inclines",
+        "--roster",
+        &roster,
+        "--seed",
+        "7",
+        "--format",
+        "md",
+        "--out",
+        &out,
+    ]);
     let manual = slipstick::manual::topic("formats").unwrap().text;
     let line = manual.split_once("$ pandoc ").unwrap().1.split("```").next().unwrap();
     let done = Command::new("sh")

@@ -1,6 +1,6 @@
 //! Sheets that check themselves: the program in the page answers what `slipstick check` answers, in Node and in a browser.
-use sha2::{Digest, Sha256};
 use crate::support;
+use sha2::{Digest, Sha256};
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
 use slipstick::grade::verdict::Verdict;
@@ -355,8 +355,18 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
 /// A page to practise with: its file, and right answers to its problems in their order.
 fn practice(file: &str) -> serde_json::Value {
     let problems = "pulled-rolling,spring-released";
-    let args =
-        ["practice", "wheels-on-inclines", "--problems", problems, "--seed", "5", "--variants", "2", "--page", file];
+    let args = [
+        "practice",
+        "wheels-on-inclines",
+        "--problems",
+        problems,
+        "--seed",
+        "5",
+        "--variants",
+        "2",
+        "--page",
+        file,
+    ];
     let (exit, out, err) = run(&args);
     assert_eq!(exit, Exit::Fine, "{err}");
     assert!(out.contains("4 problems (seed 5)"), "{out}");
