@@ -14,8 +14,7 @@ fn drawn(seeds: u64) -> Vec<(String, Scene, Vec<f64>)> {
     let mut found = Vec::new();
     for bank in &support::banks() {
         for problem in bank.problems.iter().filter(|p| !matches!(p.cases[0].scene.end, End::AtOnce)) {
-            // Pinned bodies are dear: fewer of them.
-            let seeds = if bank.id == "pinned-bodies" { seeds.div_ceil(4) } else { seeds };
+            let seeds = seeds.div_ceil(u64::from(support::dear(problem)));
             for seed in 0..seeds {
                 let variant = Maker::new(problem, seed, "ladder").variant("0").unwrap();
                 let scene = problem.cases[variant.case].scene.clone();
