@@ -19,6 +19,8 @@ pub const SMOOTH: f64 = 1e-12;
 pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
+/// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
+pub const PANELS: u32 = 2000;
 
 /// A quadrature that did not settle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,7 +153,7 @@ pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
 
 /// The integral of a function that is smooth within (a, b), to rounding.
 ///
-/// Errors: the function's own, and a quadrature that does not settle after 40 halvings.
+/// Errors: the function's own, and a quadrature that does not settle after 40 halvings or [`PANELS`].
 pub fn integral<T: Real, E: From<Unsettled>>(
     mut f: impl FnMut(T) -> Result<T, E>,
     a: T,
@@ -171,7 +173,7 @@ pub fn integral_of_terms<T: Real, E: From<Unsettled>>(
     let rounding = 16.0 * T::SETTLED / SMOOTH * terms;
     let whole = panel(&mut f, (a, b), rounding)?;
     let scale = whole.size;
-    halves(&mut f, (a, b), rounding, whole, scale, HALVINGS)
+    halves(&mut f, (a, b), rounding, whole, scale, (HALVINGS, &mut { PANELS }))
 }
 
 /// One panel.
@@ -203,7 +205,7 @@ fn halves<T: Real, E: From<Unsettled>>(
     rounding: f64,
     whole: Over<T>,
     scale: f64,
-    left: u32,
+    (left, panels): (u32, &mut u32),
 ) -> Result<T, E> {
     if whole.smooth {
         return Ok(whole.integral);
@@ -215,11 +217,12 @@ fn halves<T: Real, E: From<Unsettled>>(
     if settled(sum, whole.integral, scale) {
         return Ok(sum);
     }
-    if left == 0 {
+    if left == 0 || *panels < 2 {
         return Err(Unsettled { value: sum.f64(), gap: (sum - whole.integral).f64().abs() }.into());
     }
-    let first = halves(f, (a, middle), rounding, first, scale, left - 1)?;
-    Ok(first + halves(f, (middle, b), rounding, second, scale, left - 1)?)
+    *panels -= 2;
+    let first = halves(f, (a, middle), rounding, first, scale, (left - 1, panels))?;
+    Ok(first + halves(f, (middle, b), rounding, second, scale, (left - 1, panels))?)
 }
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits, in doubles to the rounding of a sum.

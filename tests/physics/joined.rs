@@ -416,3 +416,15 @@ fn draws_of_the_example_bank_are_solved_on_both_roads() {
         }
     }
 }
+
+/// Work and energy know no time: a couple that grows with it is refused, by name and not as an unknown word.
+#[test]
+fn what_grows_with_time_is_refused_by_name() {
+    let text = include_str!("../../banks/rods-and-linkages.yaml");
+    let couple = "couple: {on: crank, moment: M}";
+    assert!(text.contains(couple));
+    let text = text.replace(couple, "couple: {on: crank, moment: M, growing by: 2 N*m/s}");
+    let found = load::scenes_only(&text, "growing.yaml").expect_err("a couple that grows");
+    let told: Vec<String> = found.iter().map(ToString::to_string).collect();
+    assert!(told.iter().any(|t| t.contains("no forces that grow with time")), "{told:#?}");
+}

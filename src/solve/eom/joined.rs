@@ -13,6 +13,7 @@ use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot,
 use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope};
 use smallvec::SmallVec;
+use std::cell::Cell;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -36,6 +37,8 @@ struct Motion<'m, 'a, T: Real> {
     half_square: T,
     /// For each joint: sense in which its point slides where it rubs, else 0.
     sliding: SmallVec<[f64; 4]>,
+    /// Panels that may still be made.
+    panels: Cell<u32>,
 }
 
 /// A part of the way on which everything is smooth, told by a variable of which the way is the square where it starts from rest.
@@ -123,6 +126,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         sense,
         half_square: spin.square().scale2(-1),
         sliding,
+        panels: Cell::new(gauss::PANELS),
     };
     // Friction may hold what would set off without it.
     let rubbed = mechanism.respond(&state, &motion.sliding)?;
@@ -234,7 +238,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if panel.smooth && (panel.timely || !timely) {
             return Ok((!visit(&panel, from)?).then_some(panel.last));
         }
-        if left == 0 {
+        let panels = self.panels.get();
+        self.panels.set(panels.saturating_sub(1));
+        if left == 0 || panels == 0 {
             return Err(Unsettled { value: panel.last.f64(), gap: f64::INFINITY }.into());
         }
         let middle = (ends.0 + ends.1).scale2(-1);
