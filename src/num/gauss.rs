@@ -20,7 +20,7 @@ pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
 /// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
-pub const PANELS: u32 = 2000;
+pub const PANELS: u32 = 300;
 
 /// A quadrature that did not settle.
 #[derive(Debug, Clone, Copy, PartialEq)]

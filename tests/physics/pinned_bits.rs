@@ -32,7 +32,7 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("yo-yo", "f77ba8a7923a22f1", "711a6d60ec74464a", "da78ecfcf0934444"),
     ("two-loads-on-a-stepped-drum", "77708f5668c361b0", "a5f67534972c79db", "997345be666b0f05"),
     ("rolling-hoop", "0e346351f1003b91", "c3a670ada2d1bea0", "83eef3814fe0cda3"),
-    ("spool-on-the-floor", "e92819ccf556f7a8", "c587e8fd4ccf4005", "9e3ec2d84d682ade"),
+    ("spool-on-the-floor", "f78df4d6b4b8302e", "77498d755d7116e0", "e47d54b644b00fa6"),
     ("mass-of-a-stone", "e77389bed7e06d93", "eb409120b49b6cdb", "33ab164c51f4f14e"),
     ("flywheel-of-parts", "50f896ce40f3a1ce", "8cff6ae4f43cf53f", "c1868a47ad4b674a"),
     ("backspin", "14459a9521e8bc5c", "33a8746c8603fae1", "a5d4acaa38e09bbc"),

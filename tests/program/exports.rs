@@ -1,4 +1,5 @@
 //! What is uploaded to a learning platform: a reader of XML finds in it what the set holds, and a player of QTI 3 scores it so.
+use crate::support;
 use crate::support::program::{Ran, has_pandoc, run, tree};
 use crate::support::xml::{self, Node};
 use base64::prelude::{BASE64_STANDARD, Engine as _};
