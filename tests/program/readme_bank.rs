@@ -47,11 +47,8 @@ fn around(kind: &str, item: &str) -> String {
         ("t1", "s"),
         ("v1", "m/s"),
     ];
-    // Data that a scene does not use are a finding.
-    let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
-        .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
     let indent = |text: &str, by: &str| text.lines().map(|l| format!("{by}{l}\n")).collect::<String>();
@@ -105,8 +102,11 @@ fn swinging(scene: &str) -> String {
     ];
     // Data that a scene does not use are a finding.
     let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    // Data that a scene does not use are a finding.
+    let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
+        .filter(|(s, _)| words.contains(s))
         .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
