@@ -87,10 +87,8 @@ impl Plane {
             (low, high) = (low.inf(&p), high.sup(&p));
         }
         for strut in &view.scene.struts {
-            if let StrutEnd::Ground(place) = strut.to {
-                let p = ground(view, place);
-                (low, high) = (low.inf(&p), high.sup(&p));
-            }
+            let (_, far) = plane.ends(view, &plane.start, strut);
+            (low, high) = (low.inf(&far), high.sup(&far));
         }
         let size = ((high - low).x / WIDE).max((high - low).y / HIGH);
         plane.scale = if size > 0.0 && size.is_finite() { 1.0 / size } else { HIGH };
@@ -129,11 +127,17 @@ impl Plane {
     }
     /// Both ends of a spring, where the bodies lie so.
     pub fn ends(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> (Vec2, Vec2) {
+        let near = self.spot(view, laid, strut.at);
         let far = match strut.to {
             StrutEnd::Ground(place) => ground(view, place) * self.scale,
             StrutEnd::Spot(spot) => self.spot(view, laid, spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let (through, along) =
+                    (ground(view, through_m) * self.scale, Vec2::at_degrees(view.of(direction_deg)));
+                through + along * (near - through).dot(&along)
+            }
         };
-        (self.spot(view, laid, strut.at), far)
+        (near, far)
     }
     /// A point of a body.
     pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
@@ -260,7 +264,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         } else {
             board.line(far, near, Role::Spring);
         }
-        if matches!(strut.to, StrutEnd::Ground(_)) && (far - near).norm() > 1.0 {
+        if !matches!(strut.to, StrutEnd::Spot(_)) && (far - near).norm() > 1.0 {
             crate::figure::parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
         }
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
@@ -549,7 +553,7 @@ fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
 /// Coordinates of fixed places that are data, each as a length from the origin.
 fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
     let springs = view.scene.struts.iter().filter_map(|s| match s.to {
-        StrutEnd::Ground(place) => Some(place),
+        StrutEnd::Ground(place) | StrutEnd::Guide { through_m: place, .. } => Some(place),
         StrutEnd::Spot(_) => None,
     });
     let mut seen: Vec<Num> = Vec::new();
@@ -685,6 +689,14 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         let (x, y) = (say::text(view, place[0], "m"), say::text(view, place[1], "m"));
         say("place", &[("x", &x), ("y", &y)])
     };
+    let line = |direction_deg: Num| {
+        let name = match direction_deg {
+            Num::Fixed(d) if d % 180.0 == 0.0 => "level",
+            Num::Fixed(d) if (d % 180.0).abs().to_bits() == 90.0_f64.to_bits() => "upright",
+            _ => "sloped",
+        };
+        say(name, &[("angle", &say::text(view, direction_deg, "°"))])
+    };
     for (b, body) in view.scene.bodies.iter().enumerate() {
         out.push(say("body", &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
@@ -714,15 +726,8 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 say("hinge", &[("one", &called(one)), ("other", &called(other))])
             }
             JointKind::Guide { at, direction_deg, one_sided, .. } => {
-                let angle = say::text(view, direction_deg, "°");
-                let name = match direction_deg {
-                    Num::Fixed(d) if d % 180.0 == 0.0 => "level",
-                    Num::Fixed(d) if (d % 180.0).abs().to_bits() == 90.0_f64.to_bits() => "upright",
-                    _ => "sloped",
-                };
-                let line = say(name, &[("angle", &angle)]);
                 let what = if one_sided { "touches" } else { "guide" };
-                say(what, &[("point", &called(at)), ("line", &line)])
+                say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
             }
             JointKind::Contact { at, radius_m, surface, rolls } => {
                 let what = if rolls { "rolls" } else { "slides" };
@@ -754,6 +759,10 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         let to = match strut.to {
             StrutEnd::Ground(p) => place(p),
             StrutEnd::Spot(spot) => called(spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let name = [("line", line(direction_deg)), ("place", place(through_m))];
+                say("guided", &name.each_ref().map(|(name, text)| (*name, text.as_str())))
+            }
         };
         let list = list.join(say::separator(view));
         out.push(say("spring", &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));

@@ -202,8 +202,13 @@ fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
         tell(strut.stiffness_n_m, Rule::Positive);
         let (Rest::Length(l) | Rest::Stretch(l)) = strut.rest;
         tell(l, Rule::NotNegative);
-        if let StrutEnd::Ground(place) = strut.to {
-            place.iter().for_each(|x| tell(*x, Rule::Finite));
+        match strut.to {
+            StrutEnd::Ground(place) => place.iter().for_each(|x| tell(*x, Rule::Finite)),
+            StrutEnd::Spot(_) => {}
+            StrutEnd::Guide { through_m, direction_deg } => {
+                through_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                tell(direction_deg, Rule::Angle);
+            }
         }
     }
 }

@@ -221,4 +221,11 @@ pub enum StrutEnd {
     Ground([Num; 2]),
     /// A point of a body.
     Spot(Spot),
+    /// A smooth guide along which it follows the point, so that the spring stands at right angles to it.
+    Guide {
+        /// A place on the line, m.
+        through_m: [Num; 2],
+        /// Direction of the line, degrees counter-clockwise from the right.
+        direction_deg: Num,
+    },
 }

@@ -10,6 +10,7 @@ use crate::num::plant::plant;
 use crate::num::{Jet, Real, trig};
 use crate::scene::{Branch, JointKind, Num, Numbers, Place, Planar, Scene, Spot, Surface};
 use smallvec::SmallVec;
+use std::ops::{Add, Mul, Sub};
 
 /// A point of the plane, or a vector.
 pub type Point<T> = [Jet<T>; 2];
@@ -89,6 +90,16 @@ pub fn direction<T: Real>(n: &Numbers<T>, degrees: Num) -> [T; 2] {
     };
     let (s, c) = trig::sin_cos_of_degrees(degrees);
     [c, s]
+}
+
+/// The point of a line that lies nearest to a place; the line goes through a place along a unit vector.
+pub fn foot<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<Output = X>>(
+    near: [X; 2],
+    through: [X; 2],
+    along: [X; 2],
+) -> [X; 2] {
+    let way = (near[0] - through[0]) * along[0] + (near[1] - through[1]) * along[1];
+    [through[0] + along[0] * way, through[1] + along[1] * way]
 }
 
 /// Below this sine a line is level.

@@ -223,8 +223,13 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         tell(&mut strut.stiffness_n_m, "N/m");
         let (Rest::Length(rest) | Rest::Stretch(rest)) = &mut strut.rest;
         tell(rest, "m");
-        if let StrutEnd::Ground(place) = &mut strut.to {
-            place.iter_mut().for_each(|x| tell(x, "m"));
+        match &mut strut.to {
+            StrutEnd::Ground(place) => place.iter_mut().for_each(|x| tell(x, "m")),
+            StrutEnd::Spot(_) => {}
+            StrutEnd::Guide { through_m, direction_deg } => {
+                through_m.iter_mut().for_each(|x| tell(x, "m"));
+                tell(direction_deg, "1");
+            }
         }
     }
     for growth in &mut scene.growths {

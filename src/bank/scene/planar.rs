@@ -212,12 +212,8 @@ impl SceneReader<'_> {
             }
             (None, None, Some(n)) => {
                 let through = self.ground(fields.get("through"));
-                let along = match n.text().map(str::trim) {
-                    Some("horizontal") => Some(Num::Fixed(0.0)),
-                    _ => self.number(n, Need::ANGLE),
-                };
                 through
-                    .zip(along)
+                    .zip(self.direction(n))
                     .map(|(through_m, direction_deg)| Surface::Line { through_m, direction_deg })
             }
             _ => {
@@ -230,15 +226,20 @@ impl SceneReader<'_> {
         Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls })
     }
 
+    /// The direction of a line, in a word or as an angle.
+    fn direction(&self, node: &Node) -> Option<Num> {
+        match node.text().map(str::trim) {
+            Some("horizontal") => Some(Num::Fixed(0.0)),
+            Some("vertical") => Some(Num::Fixed(-90.0)),
+            _ => self.number(node, Need::ANGLE),
+        }
+    }
+
     fn guide(&self, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let through = self.ground(fields.get("through"));
-        let along = fields.need("along", "horizontal").and_then(|n| match n.text().map(str::trim) {
-            Some("horizontal") => Some(Num::Fixed(0.0)),
-            Some("vertical") => Some(Num::Fixed(-90.0)),
-            _ => self.number(n, Need::ANGLE),
-        });
+        let along = fields.need("along", "horizontal").and_then(|n| self.direction(n));
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
@@ -302,6 +303,15 @@ impl SceneReader<'_> {
         let at = fields.need("on", "rod.B").and_then(|n| self.spot(n, bodies));
         let to = fields.need("to", "[x_A, y_A]").and_then(|n| match &n.value {
             Value::List(_) => self.place(n).map(|(x, y)| StrutEnd::Ground([x, y])),
+            Value::Map(_) => {
+                let mut fields = Fields::open(n, "a guide (along, through)", f)?;
+                let through = self.ground(fields.get("through"));
+                let along = fields.need("along", "horizontal").and_then(|n| self.direction(n));
+                fields.close();
+                through
+                    .zip(along)
+                    .map(|(through_m, direction_deg)| StrutEnd::Guide { through_m, direction_deg })
+            }
             _ => self.spot(n, bodies).map(StrutEnd::Spot),
         });
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);

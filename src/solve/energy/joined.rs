@@ -184,6 +184,11 @@ impl<'a, T: Real> Account<'a, T> {
         let far = match to {
             StrutEnd::Ground(place) => pose::ground(self.n, *place).map(Jet::fixed),
             StrutEnd::Spot(spot) => self.point(poses, *spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let line = [pose::ground(self.n, *through_m), pose::direction(self.n, *direction_deg)];
+                let [through, along] = line.map(|x| x.map(Jet::fixed));
+                pose::foot(near, through, along)
+            }
         };
         let (x, y) = (far[0] - near[0], far[1] - near[1]);
         (x * x + y * y).root()
@@ -412,6 +417,12 @@ impl<'a, T: Real> Account<'a, T> {
                 StrutEnd::Ground(place) => (pose::ground(self.n, place), [T::zero(); 2]),
                 StrutEnd::Spot(spot) => {
                     (self.point(poses, spot).map(|x| x.value), self.of_spot(poses, motion, spot))
+                }
+                // It moves along the guide, across the spring.
+                StrutEnd::Guide { through_m, direction_deg } => {
+                    let (through, along) =
+                        (pose::ground(self.n, through_m), pose::direction(self.n, direction_deg));
+                    (pose::foot(near, through, along), [T::zero(); 2])
                 }
             };
             let apart = [far[0] - near[0], far[1] - near[1]];

@@ -550,6 +550,10 @@ impl<T: Real> Teller<'_, '_, T> {
         let size = mechanism.size();
         let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
         let terms = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
+        // Forces that may cancel wherever a force or an acceleration vanishes.
+        let weights = self.n.bodies.iter().map(|b| (b.mass * self.n.gravity).size());
+        let springs = (0..scene.struts.len()).map(|s| mechanism.tension(state, s).size());
+        let pulls: f64 = weights.chain(springs).sum();
         let mut energy = T::zero();
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();
@@ -563,7 +567,9 @@ impl<T: Real> Teller<'_, '_, T> {
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
             let [ax, ay] = mechanism.acceleration(response, b, square);
-            let size = ax.size() + ay.size();
+            let size = ax.size()
+                + ay.size()
+                + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
             self.say_scaled(Quantity::AX, of, ax, size);
             self.say_scaled(Quantity::AY, of, ay, size);
             if body.turns {
@@ -582,7 +588,6 @@ impl<T: Real> Teller<'_, '_, T> {
             }
         }
         self.say(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
-        let weights = self.n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n.gravity).size());
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities: &[Quantity] = match joint.kind {
@@ -596,7 +601,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 continue;
             };
             for (quantity, force) in quantities.iter().zip(&force) {
-                self.say_scaled(*quantity, of, *force, force.size() + weights);
+                self.say_scaled(*quantity, of, *force, force.size() + pulls);
             }
             if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [normal]) =
                 (joint.kind, force.as_slice())
@@ -604,7 +609,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 let up = pose::upward(pose::direction(self.n, direction_deg));
                 let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
                 let friction = -most.signed(sliding[j]).signed(up);
-                self.say_scaled(Quantity::Friction, of, friction, force[0].size() + weights);
+                self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
             }
             if let ([x, y], [_, Quantity::PinY]) = (force.as_slice(), quantities) {
                 self.say(Quantity::PinForce, of, (x.square() + y.square()).root());
@@ -612,7 +617,7 @@ impl<T: Real> Teller<'_, '_, T> {
         }
         for s in 0..scene.struts.len() {
             let force = mechanism.tension(state, s);
-            self.say_scaled(Quantity::SpringForce, Owner::Strut(s), force, force.size() + weights);
+            self.say_scaled(Quantity::SpringForce, Owner::Strut(s), force, force.size() + pulls);
         }
         Ok(())
     }

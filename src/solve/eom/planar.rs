@@ -197,6 +197,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let (far, spot) = match to {
             StrutEnd::Ground(place) => (pose::ground(self.n, *place), None),
             StrutEnd::Spot(spot) => (self.place(poses, *spot), Some(*spot)),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let along = pose::direction(self.n, *direction_deg);
+                (pose::foot(near, pose::ground(self.n, *through_m), along), None)
+            }
         };
         (spot, near, [far[0] - near[0], far[1] - near[1]])
     }
