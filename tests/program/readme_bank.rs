@@ -114,7 +114,7 @@ fn swinging(scene: &str) -> String {
     let asked = if bodies.len() > 1 { format!("{first}.omega") } else { "omega".to_owned() };
     let scene: String = scene.lines().skip(1).map(|l| format!("      {l}\n")).collect();
     format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{{asked}: {{ask: omega}}}}\n    statement: s\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{quantity: {asked}, ask: omega}}}}\n    statement: s\n"
     )
 }
 

