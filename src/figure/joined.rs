@@ -470,11 +470,14 @@ fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
             // Beside the axis, then between the lines that cross there: the axis, a slot, a bracket, a dashed line.
             let across = axis.left();
             let beside = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d));
+            let along = [14.0, -14.0, 24.0, -24.0, 34.0, -34.0]
+                .into_iter()
+                .flat_map(|s| [across, -across].map(|d| (at + axis * s + d * 6.0, d)));
             let between = (0..4).flat_map(|quarter| {
                 let d = Vec2::at_degrees(45.0 + 90.0 * f64::from(quarter));
                 [(at + d * 10.0, d), (at + d * 18.0, d)]
             });
-            let spots = beside.into_iter().chain(between).collect();
+            let spots = beside.into_iter().chain(between).chain(along.filter(|_| dot)).collect();
             board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
         };
         if single {
