@@ -86,6 +86,7 @@ fn swinging(scene: &str) -> String {
     let data = [
         ("m", "kg"),
         ("L", "m"),
+        ("R", "m"),
         ("r", "m"),
         ("k", "m"),
         ("h", "m"),
