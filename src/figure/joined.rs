@@ -503,12 +503,18 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
     if let (End::Angle(_, n), Some(end)) = (view.scene.end, &plane.end) {
         shown.push((n, end, 72.0));
     }
-    for (num, laid, radius) in shown {
+    for (num, laid, mut radius) in shown {
         let degrees = view.of(num);
         if matches!(num, Num::Fixed(_)) && degrees.abs() < 1e-9 {
             continue;
         }
         let corner = laid[lead].origin;
+        // No arrow ends on the mass centre of a single body.
+        let tip = corner + Vec2::at_angle(zero.angle_of() + sense * degrees.to_radians()) * radius;
+        if view.scene.bodies.len() == 1 && (plane.centre(view, &plane.start, lead) - tip).norm() < 2.0 * APART
+        {
+            radius -= 2.0 * APART;
+        }
         // Broken where the mass centre of a single body has its dot.
         let off = plane.centre(view, &plane.start, lead) - corner;
         let dotted = view.scene.bodies.len() == 1 && off.perp(&zero).abs() < APART;
