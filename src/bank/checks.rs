@@ -93,7 +93,9 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
     let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
     let timed = simple && matches!(scene.end, End::Time(..));
-    if !scene.growths.is_empty() && !timed {
+    // What moves in the plane has a message of its own, with its joints.
+    let planar = scene.bodies.iter().any(|b| b.planar.is_some());
+    if !scene.growths.is_empty() && !timed && !planar {
         faults.hint(
             node,
             "a force grows with time, and the scene is not one whose acceleration then grows evenly",

@@ -476,11 +476,14 @@ fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
             // Beside the axis, then between the lines that cross there: the axis, a slot, a bracket, a dashed line.
             let across = axis.left();
             let beside = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d));
+            let along = [14.0, -14.0, 24.0, -24.0, 34.0, -34.0]
+                .into_iter()
+                .flat_map(|s| [across, -across].map(|d| (at + axis * s + d * 6.0, d)));
             let between = (0..4).flat_map(|quarter| {
                 let d = Vec2::at_degrees(45.0 + 90.0 * f64::from(quarter));
                 [(at + d * 10.0, d), (at + d * 18.0, d)]
             });
-            let spots = beside.into_iter().chain(between).collect();
+            let spots = beside.into_iter().chain(between).chain(along.filter(|_| dot)).collect();
             board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
         };
         if single {
@@ -513,7 +516,7 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
     if let (End::Angle(_, n), Some(end)) = (view.scene.end, &plane.end) {
         shown.push((n, end, 72.0));
     }
-    for (num, laid, radius) in shown {
+    for (num, laid, mut radius) in shown {
         let degrees = view.of(num);
         if matches!(num, Num::Fixed(_)) && degrees.abs() < 1e-9 {
             continue;
@@ -521,6 +524,12 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
         let corner = axis.map_or(laid[lead].origin, |(_, axis)| axis);
         if let Some((at, axis)) = axis {
             board.line(axis, plane.spot(view, laid, at), Role::Ghost);
+        }
+        // No arrow ends on the mass centre of a single body.
+        let tip = corner + Vec2::at_angle(zero.angle_of() + sense * degrees.to_radians()) * radius;
+        if view.scene.bodies.len() == 1 && (plane.centre(view, &plane.start, lead) - tip).norm() < 2.0 * APART
+        {
+            radius -= 2.0 * APART;
         }
         // Broken where the mass centre of a single body has its dot.
         let off = plane.centre(view, &plane.start, lead) - corner;

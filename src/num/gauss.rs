@@ -20,7 +20,7 @@ pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
 /// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
-pub const PANELS: u32 = 300;
+const PANELS: u32 = 300;
 
 /// A quadrature that did not settle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,7 +153,7 @@ pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
 
 /// The integral of a function that is smooth within (a, b), to rounding.
 ///
-/// Errors: the function's own, and a quadrature that does not settle after 40 halvings or [`PANELS`].
+/// Errors: the function's own, and a quadrature that does not settle after 40 halvings or a few hundred panels.
 pub fn integral<T: Real, E: From<Unsettled>>(
     mut f: impl FnMut(T) -> Result<T, E>,
     a: T,

@@ -237,6 +237,9 @@ fn is_witnessed(scene: &Scene) -> bool {
     scene.lead().is_none() && scene.formulas.found.is_none()
 }
 
+/// Is a place, at a time, past the end?
+type Past = Box<dyn Fn(&[f64], f64) -> bool>;
+
 #[test]
 fn integration_in_time_gives_the_key() {
     let banks = support::banks();
@@ -275,7 +278,7 @@ fn integration_in_time_gives_the_key() {
             }
             w.rolls = false;
             let (mut q, mut v, mut time) = (vec![0.0; n], vec![0.0; n], 0.0);
-            let (whole, over): (f64, Box<dyn Fn(&[f64], f64) -> bool>) = match scene.end {
+            let (whole, over): (f64, Past) = match scene.end {
                 End::Travel(end, distance) => {
                     let place = 2 * end.body + usize::from(end.degree == Degree::Turn);
                     let (distance, a) = (w.get(distance), w.accelerate(&q).0[place].abs());

@@ -47,11 +47,8 @@ fn around(kind: &str, item: &str) -> String {
         ("t1", "s"),
         ("v1", "m/s"),
     ];
-    // Data that a scene does not use are a finding.
-    let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
-        .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
     let indent = |text: &str, by: &str| text.lines().map(|l| format!("{by}{l}\n")).collect::<String>();
@@ -89,6 +86,7 @@ fn swinging(scene: &str) -> String {
     let data = [
         ("m", "kg"),
         ("L", "m"),
+        ("R", "m"),
         ("r", "m"),
         ("k", "m"),
         ("h", "m"),
@@ -104,16 +102,20 @@ fn swinging(scene: &str) -> String {
         ("phi1", "deg"),
     ];
     // Data that a scene does not use are a finding.
-    let words: Vec<&str> = scene.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    let told: String = scene.lines().map(|l| l.split(" #").next().unwrap_or(l).to_owned() + "\n").collect();
+    let words: Vec<&str> = told.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
         .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
-    let first = scene.lines().nth(2).and_then(|l| l.trim().split_once(':')).map_or("", |(body, _)| body);
+    // With several bodies a quantity has its body before it.
+    let bodies: Vec<&str> = scene.lines().skip(2).take_while(|l| l.starts_with(' ')).collect();
+    let first = bodies.first().and_then(|l| l.trim().split_once(':')).map_or("", |(body, _)| body);
+    let asked = if bodies.len() > 1 { format!("{first}.omega") } else { "omega".to_owned() };
     let scene: String = scene.lines().skip(1).map(|l| format!("      {l}\n")).collect();
     format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{{first}.omega: {{ask: omega}}}}\n    statement: s\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{quantity: {asked}, ask: omega}}}}\n    statement: s\n"
     )
 }
 

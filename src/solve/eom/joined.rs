@@ -22,6 +22,9 @@ const STRIDE: [f64; 2] = [0.5, 2.0];
 /// Legendre coefficients below this share are rounding of the answer: see [`gauss::smooth`]; likewise.
 const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
+/// Panels of a motion at most: the way to a singularity takes fewer, what takes more is rough by its rounding.
+const PANELS: u32 = 100;
+
 /// A normal force below this share of all weights does not press.
 const PUSHES: f64 = 1e-9;
 
@@ -126,7 +129,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         sense,
         half_square: spin.square().scale2(-1),
         sliding,
-        panels: Cell::new(gauss::PANELS),
+        panels: Cell::new(PANELS),
     };
     // Friction may hold what would set off without it.
     let rubbed = mechanism.respond(&state, &motion.sliding)?;
