@@ -425,6 +425,11 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
             let radius = view.of(radius_m) * plane.scale;
             if radius > 0.0 {
                 board.circle(place, radius, Role::Body);
+                // A round shape has its radius beside its mass.
+                let told = view.scene.bodies[at.body].inertia.as_ref();
+                if !matches!(told, Some(RotaryInertia::Shape(_, r)) if *r == radius_m) {
+                    radius_line(board, view, place, (radius_m, plane.scale), Vec2::at_degrees(-140.0));
+                }
             }
             match surface {
                 Surface::Line { direction_deg, .. } => {
@@ -441,6 +446,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
                 Surface::Arc { centre_m, radius_m, .. } => {
                     let centre = ground(view, centre_m) * plane.scale;
                     board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
+                    radius_line(board, view, centre, (radius_m, plane.scale), Vec2::at_degrees(-140.0));
                 }
             }
         }
@@ -496,6 +502,13 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
     let [x, y] = planar.from.components();
     let zero = vec2(x, y);
     let sense = if planar.clockwise { -1.0 } else { 1.0 };
+    // On a cylinder the angle is that of the mass centre, seen from the axis.
+    let axis = view.scene.joints.iter().find_map(|joint| match joint.kind {
+        JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } if at.body == lead => {
+            Some((at, ground(view, centre_m) * plane.scale))
+        }
+        _ => None,
+    });
     let mut shown = Vec::new();
     if let Some(start) = planar.start_deg {
         shown.push((start, &plane.start, 46.0));
@@ -508,7 +521,10 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
         if matches!(num, Num::Fixed(_)) && degrees.abs() < 1e-9 {
             continue;
         }
-        let corner = laid[lead].origin;
+        let corner = axis.map_or(laid[lead].origin, |(_, axis)| axis);
+        if let Some((at, axis)) = axis {
+            board.line(axis, plane.spot(view, laid, at), Role::Ghost);
+        }
         // No arrow ends on the mass centre of a single body.
         let tip = corner + Vec2::at_angle(zero.angle_of() + sense * degrees.to_radians()) * radius;
         if view.scene.bodies.len() == 1 && (plane.centre(view, &plane.start, lead) - tip).norm() < 2.0 * APART
@@ -618,6 +634,18 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
     let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
     let spots = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
     board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
+}
+
+/// The radius of a circle that is a datum, drawn to its rim.
+fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, (radius_m, scale): (Num, f64), out: Vec2) {
+    if !matches!(radius_m, Num::Datum(_)) {
+        return;
+    }
+    let rim = centre + out * (view.of(radius_m) * scale);
+    board.arrow(centre, rim, Role::Dimension);
+    let (middle, across) = (centre.middle(rim), out.left());
+    let spots = vec![(rim, out), (middle, across), (middle, -across)];
+    board.label(vec![view.label(radius_m, "m")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
 }
 
 /// Forces, couples and the spin at the start.
