@@ -168,13 +168,24 @@ impl Plane {
         let Some(planar) = &this.planar else { return };
         let Laid { origin, axis } = laid[body];
         if !this.turns {
-            let side = view.scene.joints.iter().find_map(|j| match j.kind {
+            // Along its guide, or upon the surface on which it slides.
+            let lies = view.scene.joints.iter().find_map(|j| match j.kind {
                 JointKind::Guide { at, direction_deg, .. } if at.body == body => {
-                    Some(Vec2::at_degrees(view.of(direction_deg)))
+                    Some((Vec2::at_degrees(view.of(direction_deg)), 0.0))
+                }
+                JointKind::Contact { at, surface: Surface::Arc { inside, .. }, .. } if at.body == body => {
+                    Some((-axis.left(), if inside { -10.0 } else { 10.0 }))
+                }
+                JointKind::Contact { at, surface: Surface::Line { direction_deg, .. }, .. }
+                    if at.body == body =>
+                {
+                    Some((Vec2::at_degrees(view.of(direction_deg)), 10.0))
                 }
                 _ => None,
             });
-            let (a, b) = (side.unwrap_or(axis) * 15.0, side.unwrap_or(axis).left() * 10.0);
+            let (side, off) = lies.unwrap_or((axis, 0.0));
+            let (a, b) = (side * 15.0, side.left() * 10.0);
+            let origin = origin + side.left() * off;
             board.lines(&[origin + a + b, origin - a + b, origin - a - b, origin + a - b], true, role);
             return;
         }

@@ -87,17 +87,16 @@ impl SceneReader<'_> {
         }
     }
 
-    /// A point of a body, `rod.B`; the body alone, where it has but one.
+    /// A point of a body, `rod.B`; the body alone, where the origin of its axis is its only one.
     fn spot(&self, node: &Node, bodies: &[Body]) -> Option<Spot> {
         let text = node.text().unwrap_or("").trim();
         let (name, point) = text.split_once('.').map_or((text, None), |(b, p)| (b, Some(p)));
-        let points = |b: &Body| b.planar.as_ref().map_or(0, |p| p.points.len());
         let body = bodies.iter().position(|b| b.name == name && b.planar.is_some());
         let found = body.and_then(|body| {
             let planar = bodies[body].planar.as_ref()?;
             match point {
                 Some(point) => planar.points.iter().position(|(n, _)| n == point),
-                None => (points(&bodies[body]) == 1).then_some(0),
+                None => matches!(planar.points[..], [(_, Place::At(Num::Fixed(0.0)))]).then_some(0),
             }
             .map(|point| Spot { body, point })
         });
