@@ -554,7 +554,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.velocities_together()?;
                 accelerated(self);
             }
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => {
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
                 let size = in_sense(self.v0.clone(), self.value(&self.v0));
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };

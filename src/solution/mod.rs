@@ -206,6 +206,9 @@ fn scene(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::sections(draft);
     }
+    if draft.scene.lead().is_some() {
+        return Err(Beyond::JoinedBodies.into());
+    }
     if draft.scene.pinned().is_some() {
         return pinned::sections(draft);
     }
