@@ -66,6 +66,9 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
     if of.pin.is_some() {
         return Err("the body is pinned".to_owned());
     }
+    if of.planar.is_some() {
+        return Err("the body moves in the plane".to_owned());
+    }
     if let Some((name, _)) = of.radii_m.iter().find(|(_, n)| *n != number) {
         return Err(told!("the body has another radius, `{name}`"));
     }
@@ -79,7 +82,7 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
     }
     let by_turn = match &scene.end {
         End::Travel(c, _) | End::Position(c, _) | End::Speed(c, _) | End::Angle(c, _) => turns(c),
-        End::AtOnce | End::Time(..) | End::TurningPoint(_) | End::Rolling(_) => false,
+        End::AtOnce | End::Time(..) | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) => false,
     };
     if by_turn {
         Err("the motion ends by the turn of the body".to_owned())

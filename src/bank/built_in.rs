@@ -17,6 +17,8 @@ pub const BUILT_IN: &[OfBank] = &[
     ),
     ("slip-and-roll", "banks/slip-and-roll.yaml", include_str!("../../banks/slip-and-roll.yaml")),
     ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
+    ("rods-and-linkages", "banks/rods-and-linkages.yaml", include_str!("../../banks/rods-and-linkages.yaml")),
+    ("more-wheels", "banks/more-wheels.yaml", include_str!("../../banks/more-wheels.yaml")),
 ];
 
 /// Names of scenes, with their texts.
@@ -65,6 +67,16 @@ pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
             "pinned-bodies",
             "templates/de/banks/pinned-bodies.yaml",
             include_str!("../../templates/de/banks/pinned-bodies.yaml"),
+        ),
+        (
+            "rods-and-linkages",
+            "templates/de/banks/rods-and-linkages.yaml",
+            include_str!("../../templates/de/banks/rods-and-linkages.yaml"),
+        ),
+        (
+            "more-wheels",
+            "templates/de/banks/more-wheels.yaml",
+            include_str!("../../templates/de/banks/more-wheels.yaml"),
         ),
     ],
 )];

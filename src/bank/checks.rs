@@ -4,8 +4,8 @@ use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables, asked};
 use crate::finding::{Finding, told};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene,
-    Tie,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, JointKind, Label, Num, Owner, Quantity,
+    RotaryInertia, Scene, Spot, Tie,
 };
 use crate::units::spell;
 
@@ -93,7 +93,9 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
     let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
     let timed = simple && matches!(scene.end, End::Time(..));
-    if !scene.growths.is_empty() && !timed {
+    // What moves in the plane has a message of its own, with its joints.
+    let planar = scene.bodies.iter().any(|b| b.planar.is_some());
+    if !scene.growths.is_empty() && !timed && !planar {
         faults.hint(
             node,
             "a force grows with time, and the scene is not one whose acceleration then grows evenly",
@@ -117,6 +119,10 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
                 "write a spring under `forces`",
             );
         }
+        return;
+    }
+    if scene.bodies.iter().any(|b| b.planar.is_some()) {
+        mechanism(scene, node, faults);
         return;
     }
     if matches!(scene.end, End::AtOnce) {
@@ -176,10 +182,36 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     }
 }
 
+/// Joined bodies: one leads, and none moves otherwise than in the plane.
+fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
+    if let Some(body) = scene.bodies.iter().find(|b| b.planar.is_none()) {
+        faults.hint(
+            node,
+            told!("`{}` does not move in the plane, and another body does", body.name),
+            "write `moves: in the plane` for all of them, with joints",
+        );
+    }
+    if !scene.ties.is_empty() {
+        faults.hint(part(node, "ties"), "what moves in the plane is held by joints", "write `joints`");
+    }
+    if !scene.growths.is_empty() {
+        let hint = "remove `growing by`, or let the bodies move on lines";
+        faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);
+    }
+    if scene.lead().is_none() {
+        let name = scene.bodies.iter().find(|b| b.turns).map_or("rod", |b| b.name.as_str());
+        faults.hint(
+            part(node, "start"),
+            "the angle at which the motion starts is missing",
+            told!("write `start: {{{name}: {{angle: phi0}}}}`"),
+        );
+    }
+}
+
 /// The start of a scene of which only an instant is asked: with the ties it gives each velocity, and none twice. What depends
 /// on the numbers is left to the solvers: constants that agree with the ties may be given besides.
 pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
-    let moving = !matches!(scene.end, End::AtOnce) || scene.pinned().is_some();
+    let moving = !matches!(scene.end, End::AtOnce) || scene.pinned().is_some() || scene.lead().is_some();
     if moving || scene.start_speeds().next().is_none() {
         return;
     }
@@ -352,6 +384,9 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
                 Owner::Scene | Owner::Asked(_) => false,
                 Owner::Body(b) => scene.bodies[b].name == owner,
                 Owner::Tie(t) => matches!(&scene.ties[t], Tie::Cord(c) if c.name == owner),
+                Owner::Joint(j) => scene.joints[j].name == owner,
+                Owner::Strut(s) => scene.struts[s].name == owner,
+                Owner::Spot(spot) => scene.point_name(spot).is_some_and(|(b, p)| owner == format!("{b}.{p}")),
             };
             match found.iter().find(belongs) {
                 Some(label) => Ok(*label),
@@ -421,6 +456,7 @@ const fn why(quantity: Quantity) -> &'static str {
             "it needs a pinned body that swings under its weight alone, or a spring and no friction of sliding"
         }
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
+        Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
         Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
         Q::Value => "it needs a question with `value:`",
     }
@@ -460,6 +496,10 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
         if pin.spring.is_some() {
             add(of, &[Q::SpringForce]);
         }
+        return list;
+    }
+    if scene.lead().is_some() {
+        joined(scene, moves, &mut add);
         return list;
     }
     for (b, body) in scene.bodies.iter().enumerate() {
@@ -548,6 +588,41 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
         add(Owner::Body(0), &[Q::KBound]);
     }
     list
+}
+
+/// The labels of joined bodies in the plane.
+fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) {
+    use Quantity as Q;
+    for (b, body) in scene.bodies.iter().enumerate() {
+        let of = Owner::Body(b);
+        add(of, &[Q::V, Q::VX, Q::VY, Q::AX, Q::AY]);
+        add(of, if body.turns { &[Q::Omega, Q::Alpha] } else { &[] });
+        add(of, if moves { &[Q::Rise] } else { &[] });
+        let points = body.planar.as_ref().map_or(0, |p| p.points.len());
+        for point in 0..points {
+            add(Owner::Spot(Spot { body: b, point }), &[Q::V]);
+        }
+    }
+    if let (true, Some(lead)) = (moves, scene.lead()) {
+        add(Owner::Scene, &[Q::T]);
+        add(Owner::Body(lead), &[Q::Phi]);
+    }
+    for (j, joint) in scene.joints.iter().enumerate() {
+        let of = Owner::Joint(j);
+        match joint.kind {
+            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinX, Q::PinY, Q::PinForce]),
+            JointKind::Guide { mu_k: None, .. } | JointKind::Contact { rolls: false, .. } => {
+                add(of, &[Q::Normal]);
+            }
+            JointKind::Guide { mu_k: Some(_), .. } | JointKind::Contact { .. } => {
+                add(of, &[Q::Normal, Q::Friction]);
+            }
+            JointKind::Cord { .. } => add(of, &[Q::Tension]),
+        }
+    }
+    for s in 0..scene.struts.len() {
+        add(Owner::Strut(s), &[Q::SpringForce]);
+    }
 }
 
 /// Names in the statement and in the questions are symbols of the data or names that every template knows.

@@ -138,6 +138,10 @@ impl Faults {
     }
 }
 
+/// Is all of a bank read, and looked through for faults? A page reads what solving and judging need; its sheet was made from a
+/// bank that was looked through.
+pub const WHOLE: bool = cfg!(feature = "program");
+
 /// The fields of a map, taken by name; what is left over is a finding.
 pub struct Fields<'n> {
     /// The map.
@@ -154,7 +158,8 @@ impl<'n> Fields<'n> {
             return None;
         };
         for (i, (key, _)) in entries.iter().enumerate() {
-            if let Some(text) = key.text()
+            if WHOLE
+                && let Some(text) = key.text()
                 && entries[..i].iter().any(|(k, _)| k.text() == Some(text))
             {
                 faults.hint(key, told!("`{}` stands twice", shorten(text)), "remove one of them");
@@ -164,7 +169,9 @@ impl<'n> Fields<'n> {
     }
     /// A field that may be absent.
     pub fn get(&mut self, name: &'static str) -> Option<&'n Node> {
-        self.asked.push(name);
+        if WHOLE {
+            self.asked.push(name);
+        }
         self.node.field(name)
     }
     /// Several fields that may be absent.
@@ -201,6 +208,9 @@ impl<'n> Fields<'n> {
     }
     /// Whatever was not asked for is unknown.
     pub fn close(self) {
+        if !WHOLE {
+            return;
+        }
         let Value::Map(entries) = &self.node.value else { return };
         for (key, _) in entries {
             match key.text() {

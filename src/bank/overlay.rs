@@ -99,7 +99,10 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
     }
     if let Some(node) = statement {
         if was.is_none() {
-            checks::template(node, true, &symbols, variables, faults);
+            // What is looked for is not given.
+            let given = given_in(this);
+            let given: Vec<&str> = given.iter().map(String::as_str).collect();
+            checks::template(node, true, &given, variables, faults);
         }
         if let Some(text) = words(node, faults)
             && was.is_none_or(|w| w.statement == this.statement)
@@ -107,6 +110,11 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
             this.statement = Some(text);
         }
     }
+}
+
+/// The symbols that a statement gives: all but what is looked for.
+fn given_in(problem: &Problem) -> Vec<String> {
+    problem.data.iter().filter(|d| d.unknown.is_none()).map(|d| d.symbol.clone()).collect()
 }
 
 fn words(node: &Node, faults: &Faults) -> Option<String> {

@@ -8,8 +8,8 @@ use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    GivenForce, Growth, Heading, Line, Mass, Num, Part, Particle, Pin, PinSpring, Rest, RotaryInertia, Scene,
-    Shape, Side, Slope, Span, Start, Tie, Zero,
+    GivenForce, Growth, Heading, Joint, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia,
+    Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -60,6 +60,8 @@ pub struct SceneRead {
     /// Numbers that are `any`.
     pub any: Vec<AnyNumber>,
 }
+
+mod planar;
 
 struct SceneReader<'a> {
     symbols: &'a [DatumSymbol],
@@ -199,11 +201,14 @@ impl SceneReader<'_> {
             f.at(n, "a scene has at least one body");
         }
         let ties = fields.get("ties").map_or_else(Vec::new, |n| self.ties(n, &bodies));
-        let couples = fields.get("forces").map_or_else(Vec::new, |n| self.forces(n, &mut bodies));
+        let joints = fields.get("joints").map_or_else(Vec::new, |n| self.joints(n, &bodies));
+        let forces = fields.get("forces").map_or_else(Forces::default, |n| self.forces(n, &mut bodies));
+        let Forces { couples, pushes, struts } = forces;
         let start_node = fields.get("start");
         let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
-        let end =
-            fields.need("end", "{travel: {of: wheel, by: d}}").and_then(|n| self.end(n, &bodies, &ties));
+        let end = fields
+            .need("end", "{travel: {of: wheel, by: d}}")
+            .and_then(|n| self.end(n, &bodies, &ties, &joints));
         fields.close();
         let (end, heading) = end?;
         if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
@@ -221,6 +226,9 @@ impl SceneReader<'_> {
             bodies,
             ties,
             couples,
+            joints,
+            pushes,
+            struts,
             growths: self.growths.take(),
             start,
             end,
@@ -496,6 +504,7 @@ impl SceneReader<'_> {
             turns: false,
             particles: Vec::new(),
             pin: None,
+            planar: None,
         };
         let Some(mut fields) = Fields::open(node, "a body (mass, moves, ...)", f) else { return body };
         if let Some(particles) = fields.get("particles") {
@@ -506,6 +515,15 @@ impl SceneReader<'_> {
         }
         let [mass, weight] = fields.each(["mass", "weight"]);
         let inertia = fields.each(INERTIA);
+        if node.field("moves").and_then(Node::text).is_some_and(|t| t.trim() == planar::IN_THE_PLANE) {
+            fields.get("moves");
+            self.inertia(inertia, &mut body);
+            body.turns = inertia.iter().flatten().next().is_some();
+            body.mass = self.mass(node, mass, weight);
+            body.planar = Some(self.planar(&mut fields, &body));
+            fields.close();
+            return body;
+        }
         let [pinned, angle, moves, positive] = fields.each(["pinned", "angle", "moves", "positive"]);
         let given = inertia.iter().flatten().count();
         if given > 1 {
@@ -702,7 +720,7 @@ impl SceneReader<'_> {
             self.faults.hint(
                 moves,
                 told!("expected how the body moves, found {}", moves.kind()),
-                "`along SURFACE`, `vertically` or `about a fixed axle`",
+                "`along SURFACE`, `vertically`, `about a fixed axle` or `in the plane`",
             );
             return Err(());
         };
@@ -1128,25 +1146,33 @@ impl SceneReader<'_> {
         self.word(node, "where the wound cord leaves", &words)
     }
 
-    fn forces(&self, node: &Node, bodies: &mut [Body]) -> Vec<Couple> {
+    fn forces(&self, node: &Node, bodies: &mut [Body]) -> Forces {
         let f = self.faults;
         let Value::List(items) = &node.value else {
             f.at(node, told!("expected a list of forces, each after `- `, found {}", node.kind()));
-            return Vec::new();
+            return Forces::default();
         };
-        let mut list = Vec::new();
+        let mut list = Forces::default();
         for item in items {
             let Some((word, key, value)) =
                 self.one(item, "a force such as `couple: {on: wheel, moment: M, sense: forward}`")
             else {
                 continue;
             };
+            if word == "force" {
+                list.pushes.extend(self.push(value, bodies, list.pushes.len()));
+                continue;
+            }
+            if word == "spring" && bodies.iter().any(|b| b.planar.is_some()) {
+                list.struts.extend(self.strut(value, bodies, list.struts.len()));
+                continue;
+            }
             if word == "spring" {
                 self.pin_spring(value, bodies);
                 continue;
             }
             if word != "couple" {
-                self.unknown(key, "force", &["couple", "spring"]);
+                self.unknown(key, "force", &["couple", "force", "spring"]);
                 continue;
             }
             let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };
@@ -1155,7 +1181,7 @@ impl SceneReader<'_> {
             let forward = fields.get("sense").map_or(Some(true), |n| {
                 self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
             });
-            self.grows(fields.get("growing by"), GivenForce::Couple(list.len()), Need::MOMENT_GROWTH);
+            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()), Need::MOMENT_GROWTH);
             fields.close();
             if let Some(b) = body
                 && !bodies[b].turns
@@ -1164,7 +1190,7 @@ impl SceneReader<'_> {
                 continue;
             }
             if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
-                list.push(Couple { body, moment_n_m, forward });
+                list.couples.push(Couple { body, moment_n_m, forward });
             }
         }
         list
@@ -1181,18 +1207,7 @@ impl SceneReader<'_> {
         let at = self.need_number(&mut fields, "at", "b", Need::RADIUS);
         let anchor = fields.need("anchor", "[x_A, y_A]").and_then(|n| self.place(n));
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let rest = match (fields.get("natural length"), fields.get("stretch")) {
-            (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
-            (None, Some(n)) => self.number(n, Need::LENGTH).map(Rest::Stretch),
-            _ => {
-                f.hint(
-                    node,
-                    "a spring has a natural length, or a stretch at the start",
-                    "write `natural length: l0`, or `stretch: x0`",
-                );
-                None
-            }
-        };
+        let rest = self.natural(node, &mut fields);
         fields.close();
         let Some(body) = body else { return };
         let name = bodies[body].name.clone();
@@ -1235,14 +1250,19 @@ impl SceneReader<'_> {
             };
             let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
             if bodies[body].particles.is_empty() {
-                let angle = if bodies[body].pin.is_some() { fields.get("angle") } else { None };
+                let angled = bodies[body].pin.is_some() || bodies[body].planar.is_some();
+                let angle = if angled { fields.get("angle") } else { None };
                 let speed = fields.get("speed");
                 let spin = fields.get("spin");
                 fields.close();
                 if let Some(n) = angle {
                     self.angled.set(true);
-                    if let (Some(angle), Some(pin)) = (self.number(n, Need::ANGLE), &mut bodies[body].pin) {
+                    let angle = self.number(n, Need::ANGLE);
+                    if let (Some(angle), Some(pin)) = (angle, &mut bodies[body].pin) {
                         pin.start_deg = angle;
+                    }
+                    if let Some(planar) = &mut bodies[body].planar {
+                        planar.start_deg = angle;
                     }
                 }
                 if speed.is_none() && spin.is_none() && angle.is_none() {
@@ -1376,7 +1396,13 @@ impl SceneReader<'_> {
         Some((End::Travel(Coordinate { body: *body, degree: Degree::Turn }, angle?), None))
     }
 
-    fn end(&self, node: &Node, bodies: &[Body], ties: &[Tie]) -> Option<(End, Option<Heading>)> {
+    fn end(
+        &self,
+        node: &Node,
+        bodies: &[Body],
+        ties: &[Tie],
+        joints: &[Joint],
+    ) -> Option<(End, Option<Heading>)> {
         let f = self.faults;
         if node.text().is_some_and(|t| t.trim() == "at once") {
             return Some((End::AtOnce, None));
@@ -1387,6 +1413,15 @@ impl SceneReader<'_> {
             let body = self.body_named(value, bodies)?;
             let degree = if bodies[body].line.is_some() { Degree::Along } else { Degree::Turn };
             return Some((End::TurningPoint(Coordinate { body, degree }), None));
+        }
+        if word == "leaves" {
+            let text = value.text().unwrap_or("").trim();
+            let found = joints.iter().position(|j| j.name == text && j.kind.only_pushes());
+            if found.is_none() {
+                let hint = "a joint that can only push is written `wall: {guides: rod.B, along: vertical, pushes: right}`";
+                f.hint(value, told!("expected a joint that can only push, found {}", value.kind()), hint);
+            }
+            return found.map(|joint| (End::Leaves(joint), None));
         }
         if word == "rolling" {
             let body = self.body_named(value, bodies)?;
@@ -1412,6 +1447,7 @@ impl SceneReader<'_> {
                 "rise",
                 "descent",
                 "unwinds",
+                "leaves",
             ];
             self.unknown(key, "end", &names);
             return None;
@@ -1446,7 +1482,7 @@ impl SceneReader<'_> {
             f.at(value, told!("`{}` does not turn", bodies[body].name));
             return None;
         }
-        let pinned = bodies[body].pin.is_some();
+        let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
         let name = &bodies[body].name;
         if pinned && ["travel", "turn", "position"].contains(&word) {
             f.hint(
@@ -1464,6 +1500,14 @@ impl SceneReader<'_> {
         let coordinate = Coordinate { body, degree };
         Some((end(coordinate, number?), heading?))
     }
+}
+
+/// What stands under `forces`.
+#[derive(Default)]
+struct Forces {
+    couples: Vec<Couple>,
+    pushes: Vec<Push>,
+    struts: Vec<Strut>,
 }
 
 /// `None`: given but wrong; `Some(None)`: absent.

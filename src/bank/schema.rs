@@ -6,7 +6,7 @@ use crate::bank::decimal::Decimal;
 use crate::bank::draw;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, choice, named, shorten, text, whole};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
@@ -311,7 +311,7 @@ fn problem(
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
-    let margins = fields.read("margins", |n, f| Some(margins(n, f))).unwrap_or_default();
+    let margins = fields.get("margins").filter(|_| WHOLE).map_or_else(Vec::new, |n| margins(n, faults));
     let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
     let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
     let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
@@ -342,9 +342,7 @@ fn problem(
             uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
         }
     }
-    // A sheet was made from a bank that was reviewed.
-    let reviewed = cfg!(feature = "program");
-    if reviewed {
+    if WHOLE {
         read.review(&cases);
     }
 
@@ -373,7 +371,7 @@ fn problem(
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
-    if reviewed {
+    if WHOLE {
         review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     }
     let follows =
@@ -681,7 +679,7 @@ impl CaseRead<'_> {
         faults: &Faults,
     ) -> Option<Case> {
         let scene = self.read.as_ref().and_then(|r| r.scene.as_ref());
-        let bounds = [bounds, self.bounds].into_iter().flatten();
+        let bounds = [bounds, self.bounds].into_iter().flatten().filter(|_| WHOLE);
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
         let SceneRead { scene, upright, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };

@@ -198,7 +198,8 @@ impl OwnArgs {
 /// `generate`
 #[derive(Debug, Args)]
 pub struct GenerateArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
+    /// more-wheels
     pub bank: String,
     /// CSV file with a column `student` and, if you like, `name`
     #[arg(long, value_name = "ROSTER.csv")]
@@ -433,7 +434,8 @@ fn at_least_one(text: &str) -> Result<usize, String> {
 /// `practice`
 #[derive(Debug, Args)]
 pub struct PracticeArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
+    /// more-wheels
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
     #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
@@ -458,7 +460,8 @@ pub struct PracticeArgs {
 /// A problem with given data.
 #[derive(Debug, Args)]
 pub struct ProblemArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
+    /// more-wheels
     pub bank: String,
     /// Id of the problem; a bank of one problem needs none
     pub problem: Option<String>,
@@ -518,7 +521,8 @@ pub struct AccuracyArgs {
 /// `lint`
 #[derive(Debug, Args)]
 pub struct LintArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
+    /// more-wheels
     pub bank: String,
     /// How many seeds to try
     #[arg(long, value_name = "N", default_value_t = 1000)]
@@ -538,7 +542,8 @@ pub struct NewArgs {
 /// `quantities`
 #[derive(Debug, Args)]
 pub struct QuantitiesArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
+    /// more-wheels
     pub bank: String,
     /// Id of the problem; a bank of one problem needs none
     pub problem: Option<String>,
@@ -550,7 +555,8 @@ pub struct QuantitiesArgs {
 /// `gallery`
 #[derive(Debug, Args)]
 pub struct GalleryArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
+    /// more-wheels
     pub bank: String,
     /// File to write, such as gallery.html
     #[arg(long, value_name = "FILE")]

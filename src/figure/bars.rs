@@ -1,13 +1,16 @@
 //! Energy bars: what there is at the start and what is put in, beside what there is at the end and what has become heat. Both
 //! bars are equally high; where they are not, nothing is drawn.
 use crate::bank::{FigureLabels, Problem};
+use crate::figure::joined::{Laid, Plane, towards};
 use crate::figure::view::SceneView;
 use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Degree, End, Label, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero};
+use crate::scene::{
+    Degree, End, Joint, JointKind, Label, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero,
+};
 use crate::words::Words;
 
 /// Kinds of energy, by the number of their area.
@@ -35,18 +38,28 @@ pub struct Energies {
 }
 
 impl Energies {
+    /// Is none of them negative, and are both sums equal?
+    fn holds(&self) -> bool {
+        let (a, b) = self.sums();
+        let whole = self.start.iter().chain(&self.end).all(|x| x.is_finite() && *x >= -1e-12);
+        whole && a > 0.0 && (a - b).abs() <= EQUAL * a.max(b)
+    }
     /// The sum at the start and at the end.
     pub fn sums(&self) -> (f64, f64) {
         (self.start.iter().sum(), self.end.iter().sum())
     }
 }
 
-/// The energies of a variant; `None` where the solver does not say enough of them, or where there is no motion.
+/// The energies of a variant; `None` where the solver does not say enough of them, where there is no motion, or where a datum is
+/// looked for.
 pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
     let view = SceneView::new(problem, variant, words, FigureLabels::Values)?;
     let scene = view.scene;
-    if scene.end == End::AtOnce {
+    if scene.end == End::AtOnce || scene.formulas.found.is_some() {
         return None;
+    }
+    if scene.bodies.iter().any(|b| b.planar.is_some()) {
+        return joined_bodies(&view);
     }
     // Not what is asked of another scene.
     let is_own = |label: Label| !matches!(label.of, Owner::Asked(_));
@@ -140,12 +153,69 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
         }
         tries.push(first);
     }
-    let whole = |e: &Energies| e.start.iter().chain(&e.end).all(|x| x.is_finite() && *x >= -1e-12);
-    let equal = |e: &Energies| {
-        let (a, b) = e.sums();
-        a > 0.0 && (a - b).abs() <= EQUAL * a.max(b)
-    };
-    tries.into_iter().find(|e| whole(e) && equal(e))
+    tries.into_iter().find(Energies::holds)
+}
+
+/// Energies of bodies that are joined in the plane and start from rest: speeds from the solver, heights, stretches and paths of
+/// forces from where the bodies lie. Where a guide rubs, what is missing at the end has become heat.
+fn joined_bodies(view: &SceneView) -> Option<Energies> {
+    let scene = view.scene;
+    let plane = Plane::new(view)?;
+    let laid = plane.at_end(view)?;
+    if (0..scene.bodies.len()).any(|b| view.started(b).next().is_some())
+        || scene.pushes.iter().any(|p| p.turns)
+    {
+        return None;
+    }
+    let (mut start, mut end) = ([0.0; 6], [0.0; 6]);
+    let gravity = view.of(scene.gravity_m_s2);
+    let (mut gained, mut work) = (0.0, 0.0);
+    for (b, body) in scene.bodies.iter().enumerate() {
+        let square = |quantity: Quantity| {
+            let speed = view.solved(quantity, Owner::Body(b)).unwrap_or(0.0);
+            speed * speed
+        };
+        let mass = view.kilograms(body);
+        let rise = (plane.centre(view, &laid, b) - plane.centre(view, &plane.start, b)).y / plane.scale;
+        gained += mass * gravity * rise;
+        end[0] += 0.5 * mass * square(Quantity::V);
+        if body.turns {
+            end[1] += 0.5 * view.inertia(body) * square(Quantity::Omega);
+        }
+    }
+    (start[3], end[3]) = if gained > 0.0 { (0.0, gained) } else { (-gained, 0.0) };
+    for strut in &scene.struts {
+        let long = |laid: &[Laid]| {
+            let (near, far) = plane.ends(view, laid, strut);
+            (far - near).norm() / plane.scale
+        };
+        let k = view.of(strut.stiffness_n_m);
+        let stretch = match strut.rest {
+            Rest::Stretch(x) => view.of(x),
+            Rest::Length(l) => long(&plane.start) - view.of(l),
+        };
+        let after = stretch + long(&laid) - long(&plane.start);
+        start[2] += 0.5 * k * stretch * stretch;
+        end[2] += 0.5 * k * after * after;
+    }
+    for push in &scene.pushes {
+        let path = plane.spot(view, &laid, push.at) - plane.spot(view, &plane.start, push.at);
+        work += view.of(push.force_n) * path.dot(&towards(view, &laid, push)) / plane.scale;
+    }
+    for couple in &scene.couples {
+        let (before, after) = (plane.start[couple.body].axis, laid[couple.body].axis);
+        let turned = vec2(before.dot(&after), before.perp(&after)).angle_of();
+        let clockwise = scene.planar(couple.body).is_some_and(|p| p.clockwise);
+        work += view.of(couple.moment_n_m) * if clockwise == couple.forward { -turned } else { turned };
+    }
+    *(if work >= 0.0 { &mut start[4] } else { &mut end[4] }) = work.abs();
+    let mut energies = Energies { start, end };
+    let rubs = |j: &Joint| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. });
+    if scene.joints.iter().any(rubs) {
+        let (before, after) = energies.sums();
+        energies.end[5] = before - after;
+    }
+    energies.holds().then_some(energies)
 }
 
 /// Energies of the spring of a pinned body at the start and at the end; `None` where its force was not found.

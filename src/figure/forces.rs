@@ -7,19 +7,24 @@ use crate::bank::{FigureLabels, Problem};
 use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
-use crate::figure::{layout, names, parts, say};
+use crate::figure::{joined, layout, names, parts, say};
 use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Arm, Couple, End, Far, GivenForce, Owner, Pin, Quantity, Side, Slope, Tie};
+use crate::scene::{
+    Arm, Couple, End, Far, GivenForce, Joint, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie,
+    pose,
+};
 use crate::words::Words;
 
 /// Radius to which a body is drawn.
 const RADIUS: f64 = 66.0;
 /// The same where it touches the ground within its outline, so that the forces there have room.
 const ON_RAIL: f64 = 84.0;
+/// Length to which a body in the plane is drawn.
+const LONG_BODY: f64 = 150.0;
 /// Length of the longest arrow.
 const LONGEST: f64 = 92.0;
 /// Length of the shortest arrow.
@@ -133,12 +138,13 @@ pub fn resultants(
 fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
+        _ if this.planar.is_some() => in_the_plane(view, body),
         Some(pin) => Some(swinging(view, body, pin)),
         None => moving(view, body),
     }
 }
 
-/// Can the diagrams of this body be drawn? Its acceleration must have been found.
+/// Can the diagrams of this body be drawn? Its acceleration must have been found, and no datum be the one that is looked for.
 pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
     let Some(scene) = problem.cases.get(variant.case).map(|c| &c.scene) else { return false };
     let found = |q: Quantity| {
@@ -152,7 +158,7 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
     // A datum that has to be found first is not there to draw with.
     scene.formulas.found.is_none()
         && scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
-        && (found(Quantity::A) || found(Quantity::Alpha))
+        && (found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
 }
 
 /// Free-body diagram and kinetic diagram of a body at the moment that is asked; of a body that is thrown with slip, while it
@@ -500,6 +506,118 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     let kinetic = Kinetic { parts, turn, round: 27.0 };
     let (centre, pole, scale) = (g, Vec2::ZERO, hung.scale);
     Diagram { forces, couples, unknown: None, kinetic, centre, pole, scale, body: Box::new(draw) }
+}
+
+/// The diagrams of a body in the plane, at the position that is asked.
+fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
+    let plane = joined::Plane::new(view)?;
+    let mut laid = plane.at_end(view).unwrap_or_else(|| plane.start.clone());
+    let this = &view.scene.bodies[body];
+    let mass = view.kilograms(this);
+    let g = plane.centre(view, &laid, body);
+    let name = |joint: &Joint, symbol: &str| {
+        let plain: String = joint.name.chars().filter(char::is_ascii_alphanumeric).collect();
+        symbol::symbol(&names::tagged(symbol, &format!(r"\mathrm{{{plain}}}")))
+    };
+    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
+        ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
+    };
+    let weight = mass * view.of(view.scene.gravity_m_s2);
+    let mut forces = vec![force(g, weight, Vec2::DOWN, names::weight(view, body))];
+    for (j, joint) in view.scene.joints.iter().enumerate() {
+        let found = |q: Quantity| view.solved(q, Owner::Joint(j)).unwrap_or(0.0);
+        for (i, spot) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
+            let at = plane.spot(view, &laid, spot);
+            // The force on the second body of a hinge is the opposite one.
+            let side = if i == 0 { 1.0 } else { -1.0 };
+            match joint.kind {
+                JointKind::Pin { .. } | JointKind::Hinge { .. } => {
+                    for (symbol, quantity, towards) in
+                        [("X", Quantity::PinX, Vec2::RIGHT), ("Y", Quantity::PinY, Vec2::UP)]
+                    {
+                        forces.push(force(at, side * found(quantity), towards, name(joint, symbol)));
+                    }
+                }
+                JointKind::Guide { direction_deg, mu_k, .. } => {
+                    let direction = Vec2::at_degrees(view.of(direction_deg));
+                    let normal = found(Quantity::Normal);
+                    forces.push(force(at, normal, direction.left(), name(joint, "N")));
+                    if mu_k.is_some() {
+                        let up = pose::upward([direction.x, direction.y]);
+                        let rubs = found(Quantity::Friction);
+                        let friction = force(at, rubs, direction * up, name(joint, "F"));
+                        forces.push(ForceArrow { role: Role::Friction, ..friction });
+                    }
+                }
+                JointKind::Contact { radius_m, surface, rolls, .. } => {
+                    let normal = plane.normal(view, surface, at);
+                    let foot = at - normal * (view.of(radius_m) * plane.scale);
+                    forces.push(force(foot, found(Quantity::Normal), normal, name(joint, "N")));
+                    if rolls {
+                        let rubs = found(Quantity::Friction);
+                        let friction = force(foot, rubs, normal.right(), name(joint, "F"));
+                        forces.push(ForceArrow { role: Role::Friction, ..friction });
+                    }
+                }
+                JointKind::Cord { place_m, .. } => {
+                    let far = vec2(view.of(place_m[0]), view.of(place_m[1])) * plane.scale;
+                    forces.push(force(at, found(Quantity::Tension), (far - at).unit(), name(joint, "T")));
+                }
+            }
+        }
+    }
+    for (s, strut) in view.scene.struts.iter().enumerate() {
+        let pull = view.solved(Quantity::SpringForce, Owner::Strut(s)).unwrap_or(0.0);
+        let (near, far) = plane.ends(view, &laid, strut);
+        let label = || symbol::symbol(r"F_{\mathrm{s}}");
+        if strut.at.body == body {
+            forces.push(force(near, pull, (far - near).unit(), label()));
+        }
+        if matches!(strut.to, StrutEnd::Spot(spot) if spot.body == body) {
+            forces.push(force(far, pull, (near - far).unit(), label()));
+        }
+    }
+    for push in view.scene.pushes.iter().filter(|p| p.at.body == body) {
+        let given = view.symbol(push.force_n);
+        let label = if given.is_empty() { symbol::symbol("P") } else { given };
+        let towards = joined::towards(view, &laid, push);
+        forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
+    }
+    let planar = this.planar.as_ref()?;
+    let with_mass = |symbol: &str, value: f64| {
+        let mut label = names::mass(view, body);
+        label.extend(symbol::magnitude(symbol::symbol(symbol), value < 0.0));
+        label
+    };
+    let part = |quantity: Quantity, towards: Vec2, symbol: &str| {
+        let a = found(view, quantity, body);
+        ForceArrow { role: Role::Motion, ..ForceArrow::new(g, towards, mass * a, with_mass(symbol, a)) }
+    };
+    let mut parts = vec![part(Quantity::AX, Vec2::RIGHT, "a_x"), part(Quantity::AY, Vec2::UP, "a_y")];
+    let alpha = found(view, Quantity::Alpha, body);
+    let turn = this.turns.then(|| {
+        let mut label = symbol::symbol(&names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]));
+        let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
+        label.extend(symbol::magnitude(symbol::symbol(&symbol), alpha < 0.0));
+        let sense = if planar.clockwise { -1.0 } else { 1.0 };
+        Turning { value: alpha * view.inertia(this) * sense, label }
+    });
+    let couples = couples_on(view, body, planar.clockwise);
+    // The mass centre stands at the origin, level with the sign between the diagrams.
+    let close = plane.close_up(view, body, LONG_BODY);
+    let ratio = close.scale / plane.scale;
+    for f in forces.iter_mut().chain(&mut parts) {
+        f.at = (f.at - g) * ratio;
+    }
+    laid[body].origin = (laid[body].origin - g) * ratio;
+    let scale = close.scale;
+    let draw = move |board: &mut Board| {
+        close.outline(board, view, &laid, body, Role::Body);
+        board.dot(Vec2::ZERO);
+    };
+    let kinetic = Kinetic { parts, turn, round: 27.0 };
+    let (centre, pole) = (Vec2::ZERO, Vec2::ZERO);
+    Some(Diagram { forces, couples, unknown: None, kinetic, centre, pole, scale, body: Box::new(draw) })
 }
 
 /// Both diagrams with the sign between them.

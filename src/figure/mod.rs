@@ -10,6 +10,7 @@ use crate::words::Words;
 pub mod bars;
 pub mod forces;
 pub mod graph;
+pub mod joined;
 pub mod lamina;
 pub mod layout;
 pub mod names;

@@ -328,7 +328,9 @@ fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hun
             }
             match inertia {
                 Some(RotaryInertia::Gyration(n)) => rows.push(view.label(*n, "m")),
-                Some(RotaryInertia::Moment(n)) => rows.push(view.label(*n, "kg·m<sup>2</sup>")),
+                Some(RotaryInertia::Moment(n @ Num::Datum(_))) => {
+                    rows.push(view.label(*n, "kg·m<sup>2</sup>"))
+                }
                 _ => {}
             }
         }
@@ -363,16 +365,10 @@ pub fn dimension(
     let (a, b) = (from + out * off, to + out * off);
     board.double_arrow(a, b, Role::Dimension);
     let mid = a.middle(b);
-    board.wish(
-        label,
-        vec![
-            (mid, out),
-            (mid + (b - a).unit() * 34.0, out),
-            (mid + (b - a).unit() * 60.0, out),
-            (b, (b - a).unit()),
-        ],
-        Role::Dimension,
-    );
+    let along = (b - a).unit();
+    let spots =
+        vec![(mid, out), (mid + along * 34.0, out), (mid + along * 60.0, out), (b, along), (a, -along)];
+    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 5.0), spots);
 }
 
 /// Distance from a pin to the wall that holds it.

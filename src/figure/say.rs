@@ -234,7 +234,8 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
     }
 }
 
-fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
+/// The sentences about the couples on a body.
+pub fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let name = if forward { "figure.scene.couple" } else { "figure.scene.couple_back" };

@@ -2,7 +2,7 @@
 use crate::bank::{FigureLabels, Problem};
 use crate::figure::layout::{BodyLook, CordPiece, CordRun, CordStop, Placed, SceneLayout};
 use crate::figure::view::{SceneView, joined};
-use crate::figure::{lamina, layout, names, parts, pinned, say};
+use crate::figure::{joined as linkage, lamina, layout, names, parts, pinned, say};
 use crate::picture::board::{Board, LabelTie, TEXT};
 use crate::picture::vector::{Direction, Vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
@@ -31,6 +31,11 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     let mut board = Board::new();
     let mut desc = Vec::new();
     let bodies = &view.scene.bodies;
+    if view.scene.lead().is_some() {
+        linkage::draw(&mut board, &view);
+        linkage::tell(&view, &mut desc);
+        return board.finish(words.say("figure.scene.title", &[("title", &problem.title)]), desc.join(" "));
+    }
     if bodies.iter().any(|b| b.pin.is_none() && b.particles.is_empty()) {
         let plan = layout::layout(&view);
         mechanism(&mut board, &view, &plan);
@@ -201,10 +206,10 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 board.label(vec![symbol::italic("C")], Role::Dot, (LabelTie::Clear, 4.0), below);
             }
             let mut list: Vec<Vec<TextRun>> = Vec::new();
-            if let Some((n, weight)) = view.mass(body)
-                && matches!(n, Num::Datum(_))
-            {
-                list.push(view.label(n, if weight { "N" } else { "kg" }));
+            for (n, weight) in view.masses(body) {
+                if matches!(n, Num::Datum(_)) {
+                    list.push(view.label(n, if weight { "N" } else { "kg" }));
+                }
             }
             match &body.inertia {
                 Some(RotaryInertia::Gyration(n @ Num::Datum(_))) => list.push(view.label(*n, "m")),

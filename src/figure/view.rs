@@ -83,8 +83,19 @@ impl<'a> SceneView<'a> {
         match num {
             Num::Datum(i) => self.problem.data.get(i).map_or_else(Vec::new, |d| symbol::symbol(&d.tex)),
             Num::Derived(i) => {
-                let written = self.scene.formulas.numbers.get(i).map_or("", |n| n.text.as_str());
-                expression::words(written).flat_map(|word| self.term(word)).collect()
+                let Some(number) = self.scene.formulas.numbers.get(i) else { return Vec::new() };
+                if number.any {
+                    return symbol::symbol(&number.text);
+                }
+                let mut raised = false;
+                let term = |word| {
+                    let mut runs = self.term(word);
+                    if std::mem::replace(&mut raised, word == "^") {
+                        runs.iter_mut().for_each(|r| r.style = RunStyle::Super);
+                    }
+                    runs
+                };
+                expression::words(&number.text).flat_map(term).collect()
             }
             Num::Fixed(_) => Vec::new(),
         }
@@ -95,6 +106,7 @@ impl<'a> SceneView<'a> {
         match (self.problem.data.iter().find(|d| d.symbol == word), word) {
             (Some(datum), _) => symbol::symbol(&datum.tex),
             (None, "*") => symbol::upright("\u{2009}"),
+            (None, "^") => Vec::new(),
             (None, "-") => symbol::upright("−"),
             (None, "pi") => symbol::upright("π"),
             (None, other) => symbol::upright(other),
@@ -205,6 +217,19 @@ impl<'a> SceneView<'a> {
             Mass::Kilograms(n) => Some((*n, false)),
             Mass::Weight(n) => Some((*n, true)),
             Mass::OfParts => None,
+        }
+    }
+
+    /// The numbers that give its mass, or the masses of its parts.
+    pub fn masses(&self, body: &Body) -> Vec<(Num, bool)> {
+        let given = |mass: &Mass| match mass {
+            Mass::Kilograms(n) => Some((*n, false)),
+            Mass::Weight(n) => Some((*n, true)),
+            Mass::OfParts => None,
+        };
+        match &body.inertia {
+            Some(RotaryInertia::Parts(parts)) => parts.iter().filter_map(|p| given(&p.mass)).collect(),
+            _ => given(&body.mass).into_iter().collect(),
         }
     }
 

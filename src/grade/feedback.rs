@@ -5,6 +5,7 @@ use crate::answer::read::WhyUnreadable;
 use crate::grade::verdict::Verdict;
 use crate::units::{Unit, UnitFault, UnitKind, UnitSlip};
 use crate::words::Words;
+use crate::words::plain::beginning;
 use std::borrow::Cow;
 #[cfg(feature = "program")]
 use std::sync::LazyLock;
@@ -140,7 +141,7 @@ impl<'w> Feedback<'w> {
                 self.fill("feedback.unit_either", &[("name", name), ("either", &either)])
             }
             UnitFault::Stray { found, .. } => {
-                let found = found.escape_debug().to_string();
+                let found = beginning(&found.to_string(), 1);
                 self.fill("feedback.unit_stray", &[("found", &found)])
             }
             UnitFault::Exponent { column } => {

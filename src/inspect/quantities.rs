@@ -63,6 +63,9 @@ fn owner(scene: &Scene, label: Label) -> String {
             Some(Tie::Cord(cord)) => cord.name.clone(),
             _ => String::new(),
         },
+        Owner::Joint(j) => scene.joints.get(j).map_or_else(String::new, |j| j.name.clone()),
+        Owner::Strut(s) => scene.struts.get(s).map_or_else(String::new, |s| s.name.clone()),
+        Owner::Spot(spot) => scene.point_name(spot).map_or_else(String::new, |(b, p)| format!("{b}.{p}")),
     }
 }
 

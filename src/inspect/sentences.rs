@@ -157,7 +157,15 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
 fn reaches(scene: &Scene, c: &Check) -> String {
     let unit = scene.measure();
     let (required, available) = (figures(c.required), figures(c.available));
-    let (pinned, endless) = (scene.pinned().is_some(), c.available.is_infinite());
+    let (pinned, endless) = (scene.pinned().is_some() || scene.lead().is_some(), c.available.is_infinite());
+    if let End::Leaves(joint) = scene.end {
+        let name = &scene.joints[joint].name;
+        return if c.ok {
+            format!("the end is reached: `{name}` is left")
+        } else {
+            format!("the end is not reached: `{name}` is not left before it comes to rest or leaves another")
+        };
+    }
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
         (true, true) if !endless || pinned => {
             format!("the end is reached: it comes to rest after {available} {unit}")
@@ -239,7 +247,7 @@ fn reason(taken: &Taken) -> &'static str {
         (true, Method::Closed, Force::Pendulum) => {
             "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper"
         }
-        (true, _, Force::Irregular) => {
+        (true, _, Force::Irregular | Force::Joined) => {
             "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped"
         }
         (_, Method::Closed, _) => "as asked; exact but for rounding",
@@ -480,6 +488,9 @@ mod tests {
             bodies: vec![],
             ties: vec![],
             couples: vec![],
+            joints: vec![],
+            pushes: vec![],
+            struts: vec![],
             growths: vec![],
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),

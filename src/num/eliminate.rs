@@ -39,6 +39,12 @@ impl<T: Real> Equations<T> {
         &mut self.cells[start..]
     }
 
+    /// The numbers of an equation that was added before, to be filled.
+    pub fn right_of(&mut self, row: usize) -> &mut [T] {
+        let width = self.cols + 1;
+        &mut self.cells[row * width..(row + 1) * width]
+    }
+
     /// Tells the sum of the magnitudes of the terms that made the right-hand side of the last row. Of two equations for one
     /// unknown the one is then taken whose terms leave it the smaller error: a small difference of large terms waits.
     pub fn sized(&mut self, size: f64) {
@@ -149,6 +155,10 @@ impl<T: Real> Reduced<T> {
         let row = self.pivot[j]?;
         let alone = self.open().into_iter().all(|open| self.cell(row, open).is_zero());
         alone.then(|| self.right(row))
+    }
+    /// Unknown `j` in the solution in which the open unknowns are 0.
+    pub fn at_zero(&self, j: usize) -> T {
+        self.pivot[j].map_or_else(T::zero, |row| self.right(row))
     }
     /// Right-hand side of a row, nothing where it is nothing beside the terms that made it.
     fn right(&self, row: usize) -> T {

@@ -19,6 +19,8 @@ pub const SMOOTH: f64 = 1e-12;
 pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
+/// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
+const PANELS: u32 = 300;
 
 /// A quadrature that did not settle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +42,8 @@ struct Panel {
     running: Vec<Dd>,
     /// What makes the last Legendre coefficients of the values at the nodes.
     last: [[Dd; NODES]; LAST],
+    /// Weights of the interpolation between the nodes, in barycentric form.
+    between: [Dd; NODES],
 }
 
 /// Legendre polynomials of degree 0 to `NODES + 1` at a place from -1 to 1.
@@ -62,6 +66,7 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
         weights: [Dd::ZERO; NODES],
         running: Vec::new(),
         last: [[Dd::ZERO; NODES]; LAST],
+        between: [Dd::ZERO; NODES],
     };
     for (j, place) in places.iter_mut().enumerate() {
         let mut x = Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
@@ -74,6 +79,8 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
         *place = x;
         panel.nodes[j] = (x + Dd::ONE) * half;
         panel.weights[j] = Dd::ONE / ((Dd::ONE - x * x) * slope * slope);
+        // 1 over the product of the distances from the other nodes is in proportion to 1 over the slope of the polynomial.
+        panel.between[j] = Dd::ONE / slope;
     }
     let values = places.map(legendre);
     for (row, m) in panel.last.iter_mut().zip(NODES - LAST..) {
@@ -104,6 +111,22 @@ pub fn mean<T: Real>(values: &[T]) -> T {
     values.iter().zip(&PANEL.weights).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
 }
 
+/// The value at this share of a panel of the polynomial that has these values at its nodes.
+///
+/// Source: Berrut & Trefethen, *Barycentric Lagrange interpolation*, SIAM Review 46 (2004).
+pub fn at<T: Real>(values: &[T], share: T) -> T {
+    let (mut above, mut below) = (T::zero(), T::zero());
+    for ((value, node), weight) in values.iter().zip(&PANEL.nodes).zip(&PANEL.between) {
+        let apart = share - T::constant(*node);
+        if apart.is_zero() {
+            return *value;
+        }
+        let part = T::constant(*weight) / apart;
+        (above, below) = (above + part * *value, below + part);
+    }
+    above / below
+}
+
 /// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
 /// rounding?
 pub fn smooth<T: Real>(values: &[T], share: f64) -> bool {
@@ -130,7 +153,7 @@ pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
 
 /// The integral of a function that is smooth within (a, b), to rounding.
 ///
-/// Errors: the function's own, and a quadrature that does not settle after 40 halvings.
+/// Errors: the function's own, and a quadrature that does not settle after 40 halvings or a few hundred panels.
 pub fn integral<T: Real, E: From<Unsettled>>(
     mut f: impl FnMut(T) -> Result<T, E>,
     a: T,
@@ -150,7 +173,7 @@ pub fn integral_of_terms<T: Real, E: From<Unsettled>>(
     let rounding = 16.0 * T::SETTLED / SMOOTH * terms;
     let whole = panel(&mut f, (a, b), rounding)?;
     let scale = whole.size;
-    halves(&mut f, (a, b), rounding, whole, scale, HALVINGS)
+    halves(&mut f, (a, b), rounding, whole, scale, (HALVINGS, &mut { PANELS }))
 }
 
 /// One panel.
@@ -182,7 +205,7 @@ fn halves<T: Real, E: From<Unsettled>>(
     rounding: f64,
     whole: Over<T>,
     scale: f64,
-    left: u32,
+    (left, panels): (u32, &mut u32),
 ) -> Result<T, E> {
     if whole.smooth {
         return Ok(whole.integral);
@@ -194,11 +217,12 @@ fn halves<T: Real, E: From<Unsettled>>(
     if settled(sum, whole.integral, scale) {
         return Ok(sum);
     }
-    if left == 0 {
+    if left == 0 || *panels < 2 {
         return Err(Unsettled { value: sum.f64(), gap: (sum - whole.integral).f64().abs() }.into());
     }
-    let first = halves(f, (a, middle), rounding, first, scale, left - 1)?;
-    Ok(first + halves(f, (middle, b), rounding, second, scale, left - 1)?)
+    *panels -= 2;
+    let first = halves(f, (a, middle), rounding, first, scale, (left - 1, panels))?;
+    Ok(first + halves(f, (middle, b), rounding, second, scale, (left - 1, panels))?)
 }
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits, in doubles to the rounding of a sum.
@@ -234,6 +258,14 @@ mod tests {
                     assert!((r - power * known).hi.abs() < 1e-29, "{degree}");
                 }
             }
+        }
+    }
+    #[test]
+    fn between_the_nodes_a_polynomial_is_itself() {
+        let of = |x: Dd| (0..23).fold(Dd::new(3.0), |p, _| p * x - Dd::new(0.5));
+        let values: Vec<Dd> = nodes().iter().map(|x| of(*x)).collect();
+        for x in [0.0, 1e-3, 0.4, 0.999, 1.0].map(Dd::new).into_iter().chain([nodes()[5]]) {
+            assert!((at(&values, x) - of(x)).hi.abs() < 1e-28, "{x:?}");
         }
     }
     #[test]

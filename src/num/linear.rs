@@ -270,6 +270,71 @@ fn far_apart<T: Real>(x: &[T], given: impl Iterator<Item = f64>) -> bool {
     sizes().any(|s| s > 0.0 && s < APART * largest)
 }
 
+/// A pivot below this share of its row, 2^-20, would cost more than a few digits.
+const POOR: f64 = 1.0 / (1u64 << 20) as f64;
+
+/// A matrix in triangular factors, for many right-hand sides.
+#[derive(Debug, Clone)]
+pub struct Factors<T> {
+    size: usize,
+    cells: SmallVec<[T; 64]>,
+    order: SmallVec<[usize; 8]>,
+}
+
+impl<T: Real> Factors<T> {
+    /// Factors of a matrix that is given row by row; `None` where a pivot is lost beside its row: [`Linear`] may still do.
+    pub fn new(size: usize, mut cells: SmallVec<[T; 64]>) -> Option<Self> {
+        let row =
+            |cells: &[T], r: usize| cells[r * size..(r + 1) * size].iter().fold(0.0, |m, v| v.size().max(m));
+        let largest: SmallVec<[f64; 8]> = (0..size).map(|r| row(&cells, r)).collect();
+        let mut order: SmallVec<[usize; 8]> = (0..size).collect();
+        for col in 0..size {
+            let share = |place: usize| cells[order[place] * size + col].size() / largest[order[place]];
+            let best = (col..size).max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
+            if share(best).is_nan() || share(best) < POOR {
+                return None;
+            }
+            order.swap(col, best);
+            let pivot = order[col] * size;
+            for r in &order[col + 1..] {
+                let row = r * size;
+                if cells[row + col].is_zero() {
+                    continue;
+                }
+                let factor = cells[row + col] / cells[pivot + col];
+                cells[row + col] = factor;
+                for c in col + 1..size {
+                    if !cells[pivot + c].is_zero() {
+                        cells[row + c] = cells[row + c] - factor * cells[pivot + c];
+                    }
+                }
+            }
+        }
+        Some(Self { size, cells, order })
+    }
+    /// The solution for a right-hand side.
+    pub fn solve(&self, right: &[T]) -> SmallVec<[T; 8]> {
+        let cell = |r: usize, c: usize| self.cells[self.order[r] * self.size + c];
+        let mut x: SmallVec<[T; 8]> = self.order.iter().map(|r| right[*r]).collect();
+        for r in 0..self.size {
+            for c in 0..r {
+                if !x[c].is_zero() && !cell(r, c).is_zero() {
+                    x[r] = x[r] - cell(r, c) * x[c];
+                }
+            }
+        }
+        for r in (0..self.size).rev() {
+            for c in r + 1..self.size {
+                if !x[c].is_zero() && !cell(r, c).is_zero() {
+                    x[r] = x[r] - cell(r, c) * x[c];
+                }
+            }
+            x[r] = x[r] / cell(r, r);
+        }
+        x
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -312,6 +377,17 @@ mod tests {
         l.term(0, 0, Dd::new(1e35));
         l.right(0, 0, Dd::new(1e3));
         assert_eq!(l.solve().unwrap().get(0, 0).hi.to_bits(), 1e-32_f64.to_bits());
+    }
+    #[test]
+    fn factors_solve_what_elimination_solves() {
+        let rows = [[0.0, 2.0, 1.0], [4.0, 1.0, -1.0], [1.0, 0.0, 3.0]];
+        let cells = rows.iter().flatten().map(|x| Dd::new(*x)).collect();
+        let x = Factors::new(3, cells).unwrap().solve(&[7.0, 3.0, 10.0].map(Dd::new));
+        for (row, right) in rows.iter().zip([7.0, 3.0, 10.0]) {
+            let sum = row.iter().zip(&x).fold(Dd::new(-right), |sum, (a, x)| sum + Dd::new(*a) * *x);
+            assert!(sum.hi.abs() < 1e-29, "{x:?}");
+        }
+        assert!(Factors::new(2, [1.0, 2.0, 2.0, 4.0].into_iter().collect()).is_none());
     }
     #[test]
     fn a_singular_system_says_so() {

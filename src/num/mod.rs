@@ -9,6 +9,7 @@ pub mod elliptic;
 pub mod formula;
 pub mod gauss;
 pub mod half;
+pub mod jet;
 pub mod legendre;
 pub mod linear;
 pub mod ode;
@@ -20,6 +21,7 @@ pub mod trig;
 
 pub use ball::Ball;
 pub use dd::Dd;
+pub use jet::Jet;
 pub use real::Real;
 
 /// What is computed quickly rather than finely, wrong methods and condition numbers: doubles; in a page, which is small, the numbers

@@ -22,8 +22,7 @@ impl Session {
     /// # Errors
     /// The texts cannot be read, or a problem of the sheet cannot be checked.
     pub fn open(text: &str) -> Result<Self, Finding> {
-        let mut opening: Value =
-            serde_json::from_str(text).map_err(|e| Finding::new("", format!("is no sheet: {e}")))?;
+        let mut opening: Value = serde_json::from_str(text).map_err(|_| Finding::new("", "is no sheet"))?;
         let sheet = SheetFile::of(&opening["sheet"])?;
         let phrases = Phrases::of(&opening["phrases"]).ok_or_else(|| Finding::new("phrases", "are none"))?;
         let problems = sheet.problems.iter().map(|problem| {
@@ -44,7 +43,7 @@ impl Session {
             Some(answers) => answers.iter().filter_map(|one| pair(one, Self::check)).collect(),
             None => pair(&request["read"], Self::read).unwrap_or_default(),
         };
-        answer.to_string()
+        serde_json::to_string(&answer).unwrap_or_default()
     }
 
     /// Problem and index of a part by its name, `2.omega`.

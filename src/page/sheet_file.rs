@@ -1,6 +1,6 @@
 //! sheet.json as it is read: the file, and the problem that it puts, as the tree of a bank with the drawn data in their place.
 use crate::bank::node::{self, Node};
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, told};
 use serde_json::{Map, Value};
 
 /// Version of the layout.
@@ -69,7 +69,7 @@ impl SheetFile {
             Some(other) => match other.as_u64().and_then(|n| u32::try_from(n).ok()) {
                 Some(FORMAT) => Some(FORMAT),
                 _ => {
-                    return Err(Finding::new("format", format!("is {other}; this program reads {FORMAT}")));
+                    return Err(Finding::new("format", told!("is {other}; this program reads {FORMAT}")));
                 }
             },
         };
@@ -194,7 +194,9 @@ fn node(value: &Value) -> Node {
     let value = match value {
         Value::Null => node::Value::Empty,
         Value::String(written) => node::Value::Text(written.clone()),
-        Value::Bool(_) | Value::Number(_) => node::Value::Text(value.to_string()),
+        Value::Bool(_) | Value::Number(_) => {
+            node::Value::Text(serde_json::to_string(value).unwrap_or_default())
+        }
         Value::Array(items) => node::Value::List(items.iter().map(node).collect()),
         Value::Object(fields) => {
             node::Value::Map(fields.iter().map(|(name, value)| (text(name), node(value))).collect())

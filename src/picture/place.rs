@@ -113,7 +113,7 @@ impl LabelPlaces {
         let leader = (gap >= LEADER_FROM && matches!(tie, LabelTie::Leader | LabelTie::Clear))
             .then(|| (frame.grown(1.5).nearest(point), point));
         if let Some((a, b)) = leader {
-            if self.taken.iter().any(|t| t.meets(a, b)) {
+            if self.taken.iter().any(|t| t.meets(a, b)) || self.obstacles.through_a_dot(a, b) {
                 return;
             }
             // A leader to what must be read at once had better cross nothing.
@@ -162,12 +162,15 @@ fn weight(role: Role) -> f64 {
 struct Obstacles {
     segments: Vec<(Vec2, Vec2, Frame, f64)>,
     circles: Vec<(Vec2, f64, f64)>,
+    /// Full points with their radii: a leader over one of them would seem to come from there.
+    dots: Vec<(Vec2, f64)>,
     leaders: Vec<(Vec2, Vec2)>,
 }
 
 impl Obstacles {
     fn new(elements: &[Element]) -> Self {
-        let mut all = Self { segments: Vec::new(), circles: Vec::new(), leaders: Vec::new() };
+        let mut all =
+            Self { segments: Vec::new(), circles: Vec::new(), dots: Vec::new(), leaders: Vec::new() };
         for element in elements {
             all.add(element);
         }
@@ -198,7 +201,12 @@ impl Obstacles {
                     segment(*last, *first);
                 }
             }
-            Outline::Circle { centre, radius } => self.circles.push((*centre, *radius, weight)),
+            Outline::Circle { centre, radius } => {
+                self.circles.push((*centre, *radius, weight));
+                if element.role == Role::Dot {
+                    self.dots.push((*centre, *radius));
+                }
+            }
             Outline::Arc { centre, radius, from, to } => {
                 let points: Vec<Vec2> = Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect();
                 for pair in points.windows(2) {
@@ -233,6 +241,13 @@ impl Obstacles {
             }
         }
         Some(cost)
+    }
+    /// Does a leader run over a full point other than that at which it ends?
+    fn through_a_dot(&self, a: Vec2, b: Vec2) -> bool {
+        self.dots.iter().any(|(dot, radius)| {
+            Frame::about(*dot, vec2(radius + 1.0, radius + 1.0)).meets(a, b)
+                && (b - dot).norm() > radius + 1.0
+        })
     }
     /// What a leader would cross.
     fn crossings(&self, a: Vec2, b: Vec2) -> f64 {

@@ -20,6 +20,7 @@ const SIGNS: &[(char, &str)] = &[
     ('≥', r"\geq"),
     ('°', r"^{\circ}"),
     ('′', "'"),
+    ('\u{2009}', r"\,"),
 ];
 
 /// Part of a circle. The y axis points down, radii in points do not follow it: angles stay as seen.

@@ -78,7 +78,7 @@ impl<'p> KeyFrame<'p> {
         let scene = &problem.cases[variant.case].scene;
         let parts = problem.questions.iter().map(|question| {
             let mut entry = entry(problem, question, scene, variant);
-            let magnitude = question.label.quantity.is_magnitude();
+            let magnitude = scene.is_magnitude(question.label);
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
                 WrongValue {
                     method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
@@ -135,7 +135,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
         directed: quantity.is_directed() && words,
         // Where words give no sign, `down` beside a number that is positive down must not spoil it.
-        magnitude: quantity.is_magnitude() || (quantity.is_directed() && !words && value >= 0.0),
+        magnitude: scene.is_magnitude(question.label) || (quantity.is_directed() && !words && value >= 0.0),
     };
     key
 }

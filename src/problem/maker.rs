@@ -376,18 +376,19 @@ impl<'p> Maker<'p> {
     }
 
     /// Does a wrong method come near the right answer of its question?
-    fn near(wrong: &Wrong, right: &[Right]) -> bool {
+    fn near(&self, wrong: &Wrong, right: &[Right]) -> bool {
         let (value, reach) = right[wrong.asked];
         let off = |comes_to: f64| (comes_to - value).abs() < reach;
         // Where a magnitude is asked, a sign is no answer.
-        off(wrong.value) || wrong.label.quantity.is_magnitude() && off(-wrong.value)
+        let magnitude = || self.problem.cases.iter().all(|case| case.scene.is_magnitude(wrong.label));
+        off(wrong.value) || magnitude() && off(-wrong.value)
     }
 
     /// Does a wrong method refuse a draw?
     fn refuses(&self, wrong: &Wrong, right: &[Right]) -> bool {
         let mistake = &self.problem.mistakes[wrong.mistake];
         let unguarded = &self.problem.questions[wrong.asked].unguarded;
-        Self::near(wrong, right)
+        self.near(wrong, right)
             && mistake.unguarded.is_none()
             && !unguarded.iter().any(|(id, _)| *id == mistake.id)
     }
@@ -419,7 +420,7 @@ impl<'p> Maker<'p> {
         let right = self.right(solved, false);
         let width = self.problem.questions.len() + 1;
         let mut near = vec![false; self.problem.mistakes.len() * width];
-        for wrong in all.iter().filter(|wrong| Self::near(wrong, &right)) {
+        for wrong in all.iter().filter(|wrong| self.near(wrong, &right)) {
             near[wrong.mistake * width + wrong.asked] = true;
             near[(wrong.mistake + 1) * width - 1] = true;
         }

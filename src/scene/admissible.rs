@@ -1,7 +1,8 @@
 //! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
 use crate::num::{Dd, Real, trig};
 use crate::scene::{
-    Arm, Attach, End, Far, Mass, Num, Pin, Rest, RotaryInertia, Scene, Slope, Start, Tie, Zero,
+    Arm, Attach, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Slope, Start,
+    StrutEnd, Surface, Tie, Zero,
 };
 
 /// What a datum must satisfy to be part of a scene.
@@ -52,7 +53,8 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
             tell(p.x_m, Finite);
             tell(p.y_m, Finite);
         }
-        let mass = if b.line.is_some() || b.pin.is_some() { Positive } else { NotNegative };
+        let mass =
+            if b.line.is_some() || b.pin.is_some() || b.planar.is_some() { Positive } else { NotNegative };
         if b.particles.is_empty() {
             match &b.mass {
                 Mass::Kilograms(n) | Mass::Weight(n) => tell(*n, mass),
@@ -87,6 +89,14 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         }
         if let Some(pin) = &b.pin {
             pin_rules(pin, &mut tell);
+        }
+        if let Some(planar) = &b.planar {
+            for place in planar.points.iter().map(|(_, p)| p).chain([&planar.centre]) {
+                let (Place::At(x) | Place::HalfOf(x)) = place;
+                tell(*x, Finite);
+            }
+            planar.start_deg.iter().for_each(|angle| tell(*angle, Rule::Angle));
+            planar.origin_m.iter().flatten().for_each(|x| tell(*x, Finite));
         }
     }
     for t in &scene.ties {
@@ -134,6 +144,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
     for c in &scene.couples {
         tell(c.moment_n_m, NotNegative);
     }
+    joint_rules(scene, &mut tell);
     for g in &scene.growths {
         tell(g.per_second, NotNegative);
     }
@@ -148,10 +159,57 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         }
     }
     match scene.end {
-        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) => {}
+        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) => {}
         End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),
         End::Position(_, s) => tell(s, Finite),
         End::Angle(_, a) => tell(a, Rule::Angle),
+    }
+}
+
+/// The numbers of joints, and of forces and springs in the plane.
+fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
+    for joint in &scene.joints {
+        match joint.kind {
+            JointKind::Hinge { .. } => {}
+            JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
+                place_m.iter().for_each(|x| tell(*x, Rule::Finite));
+            }
+            JointKind::Contact { radius_m, surface, .. } => {
+                tell(radius_m, Rule::NotNegative);
+                match surface {
+                    Surface::Line { through_m, direction_deg } => {
+                        through_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                        tell(direction_deg, Rule::Angle);
+                    }
+                    Surface::Arc { centre_m, radius_m: arc, .. } => {
+                        centre_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                        tell(arc, Rule::Positive);
+                    }
+                }
+            }
+            JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
+                through_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                tell(direction_deg, Rule::Angle);
+                mu_k.iter().for_each(|mu| tell(*mu, Rule::NotNegative));
+            }
+        }
+    }
+    for push in &scene.pushes {
+        tell(push.force_n, Rule::NotNegative);
+        tell(push.direction_deg, Rule::Angle);
+    }
+    for strut in &scene.struts {
+        tell(strut.stiffness_n_m, Rule::Positive);
+        let (Rest::Length(l) | Rest::Stretch(l)) = strut.rest;
+        tell(l, Rule::NotNegative);
+        match strut.to {
+            StrutEnd::Ground(place) => place.iter().for_each(|x| tell(*x, Rule::Finite)),
+            StrutEnd::Spot(_) => {}
+            StrutEnd::Guide { through_m, direction_deg } => {
+                through_m.iter().for_each(|x| tell(*x, Rule::Finite));
+                tell(direction_deg, Rule::Angle);
+            }
+        }
     }
 }
 

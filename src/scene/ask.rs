@@ -1,5 +1,9 @@
 //! Which quantity, of which body or cord. The names are fixed: scripts rely on them.
-use crate::scene::{Coordinate, Cord, Degree, End, Far, Num, Pin, Scene, Tie};
+use crate::num::Real;
+use crate::num::half::Half;
+use crate::scene::{
+    Body, Coordinate, Cord, Degree, End, Far, JointKind, Num, Numbers, Pin, Planar, Scene, Spot, Surface, Tie,
+};
 
 /// What a quantity belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -10,6 +14,12 @@ pub enum Owner {
     Body(usize),
     /// A tie, by index.
     Tie(usize),
+    /// A joint, by index.
+    Joint(usize),
+    /// A spring at a point of a body in the plane, by index.
+    Strut(usize),
+    /// A named point of a body in the plane.
+    Spot(Spot),
     /// A question that asks by a formula, by its index in [`crate::scene::Formulas::asked`].
     Asked(usize),
 }
@@ -108,7 +118,7 @@ quantities! {
     PinRadial "pin_radial" "N" Signed "force of the pin on the body along the line to the mass centre, positive toward the pin";
     PinTangential "pin_tangential" "N" Signed "force of the pin on the body across that line, positive with growing angle";
     PinForce "pin_force" "N" Magnitude "force of the pin on the body, a magnitude";
-    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles";
+    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles; of joined bodies, to the right";
     PinY "pin_y" "N" Signed "vertical part of the force of the pin on the body, positive up";
     PinAngle "pin_angle" "rad" Signed "angle of the force of the pin on the body to the horizontal, positive up from the side of small positive angles";
     SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
@@ -116,6 +126,10 @@ quantities! {
     Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";
     PeriodSmall "period_small" "s" Magnitude "period of small oscillations";
     OmegaSmall "omega_small" "rad/s" Magnitude "angular frequency of small oscillations";
+    VX "v_x" "m/s" Signed "velocity of the mass centre to the right at the end";
+    VY "v_y" "m/s" Signed "velocity of the mass centre up at the end";
+    AX "a_x" "m/s^2" Signed "acceleration of the mass centre to the right at the end";
+    AY "a_y" "m/s^2" Signed "acceleration of the mass centre up at the end";
     Direction "direction" "" Word "up or down (forward or back on a level)";
     Rolls "rolls" "" Word "yes if it could roll without slipping, else no";
 }
@@ -222,6 +236,11 @@ impl Scene {
                 Some(Tie::Cord(c)) => format!("{}.{q}", c.name),
                 _ => q.to_owned(),
             },
+            Owner::Joint(j) => self.joints.get(j).map_or_else(|| q.to_owned(), |j| format!("{}.{q}", j.name)),
+            Owner::Strut(s) => self.struts.get(s).map_or_else(|| q.to_owned(), |s| format!("{}.{q}", s.name)),
+            Owner::Spot(spot) => self
+                .point_name(spot)
+                .map_or_else(|| q.to_owned(), |(body, point)| format!("{body}.{point}.{q}")),
         }
     }
     /// The spring of the scene, if it has one: index of its tie, stiffness N/m, stretch at the start m, attached rigidly.
@@ -236,6 +255,56 @@ impl Scene {
     /// The pinned body of the scene, if it has one.
     pub fn pinned(&self) -> Option<(usize, &Pin)> {
         self.bodies.iter().enumerate().find_map(|(i, b)| Some((i, b.pin.as_ref()?)))
+    }
+    /// How a body lies in the plane.
+    pub fn planar(&self, body: usize) -> Option<&Planar> {
+        self.bodies.get(body)?.planar.as_ref()
+    }
+    /// Names of a point of a body in the plane: of the body, and its own.
+    pub fn point_name(&self, spot: Spot) -> Option<(&str, &str)> {
+        let (point, _) = self.planar(spot.body)?.points.get(spot.point)?;
+        Some((self.bodies[spot.body].name.as_str(), point.as_str()))
+    }
+    /// The body that leads the others in the plane: the first that turns, or moves on a cylinder, and whose angle at the start is
+    /// given.
+    pub fn lead(&self) -> Option<usize> {
+        let on_arc = |body: usize| {
+            self.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { at, surface: Surface::Arc { .. }, .. } if at.body == body))
+        };
+        let starts = |b: &Body| b.planar.as_ref().is_some_and(|p| p.start_deg.is_some());
+        self.bodies.iter().enumerate().position(|(i, b)| starts(b) && (b.turns || on_arc(i)))
+    }
+    /// Angle of the leading body at the start.
+    pub fn start_angle<T: Real>(&self, n: &Numbers<T>) -> Half<T> {
+        let start = self.lead().and_then(|lead| self.planar(lead)?.start_deg);
+        Half::of_degrees(start.map_or_else(T::zero, |start| n.get(start)))
+    }
+    /// The direction in which the leading body could drift, degrees, where it has but one smooth level guide and no force along
+    /// it: from rest its mass centre then stays where it is in that direction.
+    pub fn drifts(&self) -> Option<Num> {
+        let lead = self.lead()?;
+        let mut found = None;
+        for joint in &self.joints {
+            if joint.kind.spots().all(|s| s.body != lead) {
+                continue;
+            }
+            match (found, joint.kind) {
+                (
+                    None,
+                    JointKind::Guide { direction_deg: Num::Fixed(d), mu_k: None, .. }
+                    | JointKind::Contact {
+                        surface: Surface::Line { direction_deg: Num::Fixed(d), .. },
+                        rolls: false,
+                        ..
+                    },
+                ) if d % 180.0 == 0.0 => {
+                    found = Some(Num::Fixed(d));
+                }
+                _ => return None,
+            }
+        }
+        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.is_empty();
+        found.filter(|_| !pushed)
     }
     /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?
     pub fn oscillates(&self) -> bool {
@@ -256,13 +325,17 @@ impl Scene {
             | End::Angle(c, _)
             | End::TurningPoint(c)
             | End::Rolling(c) => c,
-            End::AtOnce => self.coordinates().next().unwrap_or(Coordinate { body: 0, degree: Degree::Along }),
+            End::AtOnce | End::Leaves(_) => {
+                let first =
+                    || self.coordinates().next().unwrap_or(Coordinate { body: 0, degree: Degree::Along });
+                self.lead().map_or_else(first, |body| Coordinate { body, degree: Degree::Turn })
+            }
         }
     }
     /// The unit in which the end of a motion is told.
     pub fn measure(&self) -> &'static str {
         let turns = |c: Coordinate| c.degree == Degree::Turn;
-        let pinned = self.pinned().is_some();
+        let pinned = self.pinned().is_some() || self.lead().is_some();
         match self.end {
             End::Time(..) | End::Rolling(_) => "s",
             End::Speed(c, _) if pinned || turns(c) => "rad/s",
@@ -273,6 +346,15 @@ impl Scene {
             }
             _ => "m",
         }
+    }
+    /// Is this a number that is never negative, or no number at all? The normal force of a guide that holds on both sides is
+    /// positive to the left of its direction.
+    pub fn is_magnitude(&self, label: Label) -> bool {
+        let two_sided = match label.of {
+            Owner::Joint(j) => matches!(self.joints.get(j), Some(joint) if !joint.kind.only_pushes()),
+            _ => false,
+        };
+        label.quantity.is_magnitude() && !(two_sided && label.quantity == Quantity::Normal)
     }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {

@@ -1,5 +1,5 @@
 //! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
-use crate::scene::{Num, Pin};
+use crate::scene::{Num, Pin, Planar};
 
 /// One rigid body.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Body {
     pub particles: Vec<Particle>,
     /// Held by a pin away from its mass centre, so that it swings in the vertical plane; `None` for every other body.
     pub pin: Option<Pin>,
+    /// Moves in the plane as joints let it; `None` for every other body.
+    pub planar: Option<Planar>,
 }
 
 impl Body {
@@ -31,6 +33,7 @@ impl Body {
     pub fn massless(&self) -> bool {
         self.line.is_none()
             && self.pin.is_none()
+            && self.planar.is_none()
             && self.particles.is_empty()
             && matches!(self.inertia, Some(RotaryInertia::Moment(_)))
     }

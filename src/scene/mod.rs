@@ -16,6 +16,8 @@ pub mod link;
 pub mod motion;
 pub mod numbers;
 pub mod pin;
+pub mod planar;
+pub mod pose;
 pub mod scales;
 
 pub use admissible::{Inadmissible, Rule};
@@ -27,6 +29,7 @@ pub use link::{Action, Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
+pub use planar::{Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
 pub use scales::Scales;
 
 /// Where a number of the scene comes from: a datum of the problem (by index), a constant of the bank, or a formula of data.
@@ -52,6 +55,12 @@ pub struct Scene {
     pub ties: Vec<Tie>,
     /// Couples (weights and normal forces follow from bodies and lines).
     pub couples: Vec<Couple>,
+    /// What holds points of bodies that move in the plane.
+    pub joints: Vec<Joint>,
+    /// Forces on points of bodies that move in the plane.
+    pub pushes: Vec<Push>,
+    /// Springs at points of bodies that move in the plane.
+    pub struts: Vec<Strut>,
     /// What of the given forces and couples grows with time.
     pub growths: Vec<Growth>,
     /// How it starts; empty means at rest.

@@ -59,6 +59,8 @@ pub enum End {
     Angle(Coordinate, Num),
     /// When the contact of this body, thrown with slip, stops slipping.
     Rolling(Coordinate),
+    /// When this joint, which can only push, stops pushing.
+    Leaves(usize),
 }
 
 /// A declared direction of motion of the ending coordinate.

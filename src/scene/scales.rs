@@ -4,8 +4,8 @@
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, GivenForce, Label, Mass, Num, Owner, Pin, Rest,
-    RotaryInertia, Scene, Slope, Start, Tie,
+    Arm, Attach, Body, CordEnd, Degree, End, Far, GivenForce, JointKind, Label, Mass, Num, Owner, Pin, Place,
+    Rest, RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -189,6 +189,49 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     for couple in &mut scene.couples {
         tell(&mut couple.moment_n_m, "N*m");
     }
+    for joint in &mut scene.joints {
+        match &mut joint.kind {
+            JointKind::Hinge { .. } => {}
+            JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
+                place_m.iter_mut().for_each(|x| tell(x, "m"));
+            }
+            JointKind::Contact { radius_m, surface, .. } => {
+                tell(radius_m, "m");
+                match surface {
+                    Surface::Line { through_m, direction_deg } => {
+                        through_m.iter_mut().for_each(|x| tell(x, "m"));
+                        tell(direction_deg, "1");
+                    }
+                    Surface::Arc { centre_m, radius_m, .. } => {
+                        centre_m.iter_mut().for_each(|x| tell(x, "m"));
+                        tell(radius_m, "m");
+                    }
+                }
+            }
+            JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
+                through_m.iter_mut().for_each(|x| tell(x, "m"));
+                tell(direction_deg, "1");
+                mu_k.iter_mut().for_each(|mu| tell(mu, "1"));
+            }
+        }
+    }
+    for push in &mut scene.pushes {
+        tell(&mut push.force_n, "N");
+        tell(&mut push.direction_deg, "1");
+    }
+    for strut in &mut scene.struts {
+        tell(&mut strut.stiffness_n_m, "N/m");
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = &mut strut.rest;
+        tell(rest, "m");
+        match &mut strut.to {
+            StrutEnd::Ground(place) => place.iter_mut().for_each(|x| tell(x, "m")),
+            StrutEnd::Spot(_) => {}
+            StrutEnd::Guide { through_m, direction_deg } => {
+                through_m.iter_mut().for_each(|x| tell(x, "m"));
+                tell(direction_deg, "1");
+            }
+        }
+    }
     for growth in &mut scene.growths {
         let unit = if matches!(growth.of, GivenForce::Pull(_)) { "N/s" } else { "N*m/s" };
         tell(&mut growth.per_second, unit);
@@ -204,7 +247,7 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         }
     }
     match &mut scene.end {
-        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) => {}
+        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) => {}
         End::Travel(c, s) | End::Position(c, s) => tell(s, if c.degree == Degree::Along { "m" } else { "1" }),
         End::Time(_, t) => tell(t, "s"),
         End::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
@@ -236,6 +279,14 @@ fn of_body(body: &mut Body, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         tell(&mut particle.mass_kg, "kg");
         tell(&mut particle.x_m, "m");
         tell(&mut particle.y_m, "m");
+    }
+    if let Some(planar) = &mut body.planar {
+        for place in planar.points.iter_mut().map(|(_, p)| p).chain([&mut planar.centre]) {
+            let (Place::At(x) | Place::HalfOf(x)) = place;
+            tell(x, "m");
+        }
+        planar.start_deg.iter_mut().for_each(|angle| tell(angle, "1"));
+        planar.origin_m.iter_mut().flatten().for_each(|x| tell(x, "m"));
     }
     let Some(Pin { arm, start_deg, spring, .. }) = &mut body.pin else { return };
     let (Arm::Distance(length) | Arm::HalfOf(length)) = arm;

@@ -713,7 +713,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.velocities_together()?;
                 accelerated(self);
             }
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => {
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
                 let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
@@ -811,7 +811,8 @@ impl<'d, 'a> Account<'d, 'a> {
         self.last = match self.scene.end {
             End::Angle(_, angle) => self.number(angle, &one, "deg"),
             End::Speed(_, w) => self.angle_of(&one, self.datum(w))?,
-            _ => self.angle_of(&one, 0.0)?,
+            End::TurningPoint(_) => self.angle_of(&one, 0.0)?,
+            _ => return beyond(Beyond::Unfound),
         };
         let couples = self.row(self.lead()).iter().any(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
         let turned = if couples { self.turned(pivot).into() } else { ZERO };

@@ -46,7 +46,7 @@ fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c Entry,
         };
         let spoilt = questions.iter().enumerate().find_map(|(at, q)| {
             let wrong = draft.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
-            let magnitude = q.label.quantity.is_magnitude();
+            let magnitude = draft.scene.is_magnitude(q.label);
             let wrong = told(draft, q, if magnitude { wrong.value.abs() } else { wrong.value });
             let known =
                 right[at].as_ref() == Some(&wrong) || of_question[at].iter().any(|(_, w)| *w == wrong);

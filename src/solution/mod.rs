@@ -190,6 +190,9 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     if !draft.scene.growths.is_empty() {
         return Err(Beyond::GrowingForce.into());
     }
+    if draft.scene.lead().is_some() {
+        return Err(Beyond::JoinedBodies.into());
+    }
     narrate::sections(draft)?;
     asked::not_given(draft);
     asked::answer(draft)

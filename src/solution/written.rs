@@ -137,7 +137,11 @@ impl Expr {
 
 fn write_symbol(s: SymbolId, symbols: &Symbols, form: Notation, place: Surroundings, out: &mut String) {
     if form == Notation::Symbols {
-        out.push_str(symbols.tex(s));
+        let tex = symbols.tex(s);
+        // A star is a power already.
+        let starred = place >= Surroundings::Tight && tex.contains('^');
+        let (open, close) = if starred { (r"\left(", r"\right)") } else { ("", "") };
+        out.push_str(&format!("{open}{tex}{close}"));
         return;
     }
     let plain = symbols.is_pure(s) || symbols.is_degrees(s);

@@ -381,6 +381,10 @@ fn ordinary(scene: &Scene, data: &[f64]) -> bool {
 fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
     let refuse = |what| Err(Refusal::Unsupported(what));
+    if scene.lead().is_some() {
+        let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
+        return if joined { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
+    }
     if scene.pinned().is_some() {
         let along = matches!(scene.end, End::Travel(..) | End::Position(..));
         let alone = scene.bodies.len() == 1 && scene.ties.is_empty() && !along;

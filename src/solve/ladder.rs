@@ -37,6 +37,8 @@ pub enum Force {
     Pendulum,
     /// In a way that leaves no closed form for the time: a pinned body under a couple, or under a spring.
     Irregular,
+    /// Likewise, with inertias that change too: bodies joined in the plane. Their balance is not summed by points, and nothing steps.
+    Joined,
 }
 
 /// What was done, and how well.
@@ -77,6 +79,8 @@ const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 pub fn force(scene: &Scene) -> Force {
     if matches!(scene.end, End::AtOnce) {
         Force::Instant
+    } else if scene.lead().is_some() {
+        Force::Joined
     } else if scene.is_pendulum() {
         Force::Pendulum
     } else if scene.pinned().is_some() {
@@ -147,9 +151,10 @@ fn values(
 pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken), Refusal> {
     let mut solved = agree::solve(scene, data)?;
     let force = force(scene);
-    let irregular = force == Force::Irregular;
+    let joined = force == Force::Joined;
+    let irregular = joined || force == Force::Irregular;
     let method = wish.method.unwrap_or(if irregular { Method::Gauss } else { Method::Closed });
-    if irregular && method == Method::Closed {
+    if irregular && method == Method::Closed || joined && method != Method::Gauss {
         return Err(Refusal::NoMethod { method });
     }
     let mut taken = Taken {
@@ -177,6 +182,7 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
     }
     let step = wish.step_s.unwrap_or(USUAL_STEP_S);
     let candidates: Vec<Rung> = match (method, wish.rtol) {
+        (Method::Gauss, _) if joined => vec![Rung::Settled],
         (Method::Gauss, Some(_)) => {
             let settled = irregular.then_some(Rung::Settled);
             POINTS.iter().map(|n| Rung::Gauss(*n)).chain(settled).collect()
@@ -359,6 +365,9 @@ pub const STEPS_S: [(f64, &str); 6] = [
 
 /// The rungs of a study of a motion that takes this time.
 fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
+    if force == Force::Joined {
+        return vec![Rung::Settled];
+    }
     let usual =
         |t: f64| STEPS_S.iter().map(|s| s.0).filter(|h| t / h > 2.0 && t / h < 1e6).collect::<Vec<_>>();
     let mut steps = usual(time_s.unwrap_or(1.0));
@@ -423,7 +432,10 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
     let reference: Vec<Dd> =
         labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value)).collect();
     let time = solved.get(TIME).map(Entry::value);
-    let rows = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().map(|rung| {
+    let searched = scene.formulas.found.is_some();
+    let applies = |rung: &Rung| !searched || matches!(rung, Rung::Doubles | Rung::Closed | Rung::Settled);
+    let rungs = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().filter(applies);
+    let rows = rungs.map(|rung| {
         let found = values(scene, data, Scales::SI, rung, &labels).map(|(values, count)| {
             let errors: Vec<f64> = values.iter().zip(&reference).map(|(v, r)| error(*v, *r)).collect();
             let worst = errors.iter().copied().fold(0.0, |w: f64, e| if e > w || e.is_nan() { e } else { w });

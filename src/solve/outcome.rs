@@ -61,9 +61,9 @@ motions! {
     BackTurningPoint "back turning_point" "move back and just reach the end" ["down turning_point"];
     BackUnreachable "back unreachable" "move back and turn before the end" ["down unreachable"];
     Rest "rest" "stay at rest" [];
-    SwingsOk "swings ok" "swing and reach the end" [];
-    SwingsTurningPoint "swings turning_point" "swing and just reach the end" [];
-    SwingsUnreachable "swings unreachable" "swing and turn before the end" [];
+    SwingsOk "swings ok" "swing and reach the end" ["moves ok"];
+    SwingsTurningPoint "swings turning_point" "swing and just reach the end" ["moves turning_point"];
+    SwingsUnreachable "swings unreachable" "swing and turn before the end" ["moves unreachable"];
     RollsAfter "rolls_after" "slip first and roll afterwards" [];
     RollsAtStart "rolls_at_start" "roll from the start" [];
     SlipsThrough "slips_through" "slip on the other way" [];
@@ -578,6 +578,8 @@ pub enum Held<P> {
     Open(usize),
     /// The contact of a body that is thrown with slip.
     Thrown(Throw),
+    /// A guide that can only push: index of the joint, least normal force on the way and the greatest magnitude, N.
+    Touching(usize, f64, f64),
 }
 
 /// What becomes of the slip of a thrown body, on one road. The senses are decided by that road in its own arithmetic; the

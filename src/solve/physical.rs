@@ -34,7 +34,8 @@ pub fn fill_drive<P: Real>(
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
     let balanced = scene.start.is_empty() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
     if balanced {
-        let held = scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some());
+        let held =
+            scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
         regime.motion = if held { Motion::Rest } else { Motion::Balanced };
         for (_, word) in words.iter_mut().filter(|(l, _)| l.quantity == Quantity::Direction) {
             *word = Word::Stays;
@@ -112,6 +113,14 @@ pub fn judge<P: Real>(
                 required: 0.0,
                 available: *normal,
                 margin: if *normal > 0.0 { 1.0 } else { -1.0 },
+            }),
+            Held::Touching(joint, least, most) => checks.push(Check {
+                kind: CheckKind::Pressed,
+                of: scene.joints[*joint].kind.spots().next().map_or(0, |s| s.body),
+                ok: *least > 0.0,
+                required: 0.0,
+                available: *least,
+                margin: if *least > 0.0 { *least / *most } else { -1.0 },
             }),
             Held::Rolling(tie, most, Some(available)) => {
                 let holds = most.status(*available) <= 0.0;
@@ -201,8 +210,9 @@ pub fn judge<P: Real>(
         }
     };
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
-    // The turn of a pinned body has no such word.
-    if body.pin.is_none() {
+    // The turn of a body has no such word.
+    let turns = body.pin.is_some() || body.planar.is_some();
+    if !turns {
         words.push((
             direction,
             if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) },
@@ -231,7 +241,7 @@ pub fn judge<P: Real>(
             (_, u) if u < 0.0 => Motion::SlipsBack,
             _ => Motion::SpinsInPlace,
         }
-    } else if body.pin.is_some() {
+    } else if turns {
         match (course.sense, course.reached, place) {
             (0.0, ..) => Motion::Rest,
             (_, _, 0.0) if course.asked.is_some() => Motion::SwingsTurningPoint,

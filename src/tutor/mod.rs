@@ -344,7 +344,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         entry: &KeyEntry,
         did: &str,
     ) -> Option<(String, bool)> {
-        let magnitude = label.quantity.is_magnitude();
+        let magnitude = self.problem.cases.get(self.variant.case)?.scene.is_magnitude(label);
         let here = self.variant.solved.get(label)?;
         let before = self.wrong(method, label);
         let mut odd: Option<(u8, Limit, f64)> = None;
@@ -466,8 +466,8 @@ impl Trend {
 const fn group(quantity: Quantity) -> &'static str {
     use Quantity as Q;
     match quantity {
-        Q::V | Q::Omega | Q::VMax | Q::OmegaMax => "speed",
-        Q::A | Q::Alpha | Q::ARolling => "acceleration",
+        Q::V | Q::VX | Q::VY | Q::Omega | Q::VMax | Q::OmegaMax => "speed",
+        Q::A | Q::AX | Q::AY | Q::Alpha | Q::ARolling => "acceleration",
         Q::Friction | Q::Normal => "friction",
         Q::FrictionIfRolled | Q::MuRequired | Q::KBound => "rolling",
         Q::T => "time",

@@ -25,6 +25,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             turns: true,
             particles: vec![],
             pin: None,
+            planar: None,
         }],
         ties: vec![
             contact,
@@ -35,6 +36,9 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             }),
         ],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths: vec![],
         start: vec![],
         end: End::Travel(along, d(7)),

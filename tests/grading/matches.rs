@@ -186,7 +186,8 @@ fn copying_in_several_problems_is_seen() {
     share(100, 1, 5);
     share(100, 2, 3);
     assert!(share(30, 2, 4) > 0.8);
-    assert!(share(100, 2, 4) > 0.6);
+    // Keys that depend on two data alone, as how far a ladder sinks, are often those of several students.
+    assert!(share(100, 2, 4) > 0.5);
     assert!(share(100, 3, 3) > 0.7);
     assert!(share(100, 3, 4) > 0.95);
 }

@@ -134,6 +134,10 @@ fn kinetic_energy_is_compared_by_the_names_of_its_own_ways() {
         for problem in support::banks().iter().flat_map(|b| &b.problems) {
             let variant = Maker::new(problem, 3, "sentences").variant("0").expect("a variant");
             let text = solution(problem, &variant, language);
+            // A page without a worked solution has no ways.
+            if text.contains(language.0.get("solution.short").split(':').next().expect("a sentence")) {
+                continue;
+            }
             let particles = problem.cases[0].scene.bodies.iter().any(|b| !b.particles.is_empty());
             let titles: String = text.lines().filter(|l| l.starts_with("**")).collect();
             let said = heads.map(|h| titles.contains(&format!(": {h}**")));

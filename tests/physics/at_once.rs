@@ -230,6 +230,7 @@ fn body(name: &str, line: Option<Line>, mass: f64, gyration: Option<f64>) -> Bod
         turns: gyration.is_some(),
         particles: Vec::new(),
         pin: None,
+        planar: None,
     }
 }
 
@@ -295,6 +296,9 @@ fn composed(dice: &mut Dice) -> Scene {
         bodies,
         ties,
         couples,
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths,
         start,
         end: End::AtOnce,
@@ -669,6 +673,9 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         bodies: vec![body("plate", None, 1.0, Some(1.0))],
         ties: Vec::new(),
         couples: Vec::new(),
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths: Vec::new(),
         start: vec![Start::Lamina {
             body: 0,

@@ -1,7 +1,7 @@
 //! Freely composed scenes (one to four bodies; blocks, wheels, drums, yo-yos; contacts, cords, couples, pulls, springs; any
 //! start and end) against Lagrange's equations written for this test.
 //!
-//! The banks of the project have thirteen kinds of scenes, and every earlier test draws from them: what nobody had thought of
+//! The banks of the project have a few dozen kinds of scenes, and every earlier test draws from them: what nobody had thought of
 //! (a body that ties hold at rest, blocks that stay where they are, two cords in parallel) was never solved. Here
 //! nobody thinks of anything: the lot composes, and what is refused must be refused by name.
 use crate::composed;
@@ -125,7 +125,7 @@ fn owner(of: program::Owner) -> Owner {
         program::Owner::Scene => Owner::Scene,
         program::Owner::Body(b) => Owner::Body(b),
         program::Owner::Tie(t) => Owner::Tie(t),
-        program::Owner::Asked(_) => panic!("these scenes ask for no expressions"),
+        other => panic!("these scenes ask for nothing of the kind: {other:?}"),
     }
 }
 

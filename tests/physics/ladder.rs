@@ -14,8 +14,7 @@ fn drawn(seeds: u64) -> Vec<(String, Scene, Vec<f64>)> {
     let mut found = Vec::new();
     for bank in &support::banks() {
         for problem in bank.problems.iter().filter(|p| !matches!(p.cases[0].scene.end, End::AtOnce)) {
-            // Pinned bodies are dear: fewer of them.
-            let seeds = if bank.id == "pinned-bodies" { seeds.div_ceil(4) } else { seeds };
+            let seeds = seeds.div_ceil(u64::from(support::dear(problem)));
             for seed in 0..seeds {
                 let variant = Maker::new(problem, seed, "ladder").variant("0").unwrap();
                 let scene = problem.cases[variant.case].scene.clone();
@@ -101,8 +100,20 @@ fn every_method_agrees_within_its_own_estimate() {
             }
             let reference = eom::road::<Dd>(&scene, &data).unwrap();
             let thrown = scene.thrown().is_some();
-            let irregular = ladder::force(&scene) == Force::Irregular;
+            let irregular = matches!(ladder::force(&scene), Force::Irregular | Force::Joined);
+            // What is looked for is searched for in closed form, what is joined is not stepped.
+            let searched = scene.formulas.found.is_some();
+            let still = searched || scene.lead().is_some();
             let applies = |w: &Wish| match w.method {
+                Some(method)
+                    if still && method != Method::Closed && (searched || method != Method::Gauss) =>
+                {
+                    assert!(
+                        matches!(ladder::solve(&scene, &data, w), Err(Refusal::NoMethod { .. })),
+                        "{name}"
+                    );
+                    false
+                }
                 Some(Method::Gauss) => !thrown,
                 Some(Method::Closed) => !irregular,
                 _ => true,
@@ -160,7 +171,7 @@ fn auto_starts_no_integrator_where_a_closed_form_exists() {
             let wish = Wish { method: None, rtol, step_s: None };
             let (_, taken) = ladder::solve(&scene, &data, &wish).unwrap();
             assert!(taken.chosen && taken.count.steps == 0, "{name}");
-            if taken.force == Force::Irregular {
+            if matches!(taken.force, Force::Irregular | Force::Joined) {
                 // No closed form for the time: its integral, never steps.
                 assert_eq!(taken.rung.method(), Method::Gauss, "{name}");
                 assert!(taken.worst <= rtol.unwrap_or(1e-12), "{name}: {rtol:?} {}", taken.worst);

@@ -19,6 +19,7 @@ mod composed_scenes;
 mod expressions;
 mod extremes;
 mod growing;
+mod joined;
 mod ladder;
 mod lagrange;
 mod limits;

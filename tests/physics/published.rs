@@ -90,6 +90,11 @@ const TABLE: &[(&str, usize, &str, &str, f64)] = &[
     ("g6-schaum-16-53", 1, "g6-schaum-16-53", "ropeB.tension", 1.0),
     ("g6-schaum-16-53", 2, "g6-schaum-16-53", "ropeA.tension", 1.0),
     ("g7-openstax-rod-30", 0, "g7-openstax-rod-30", "omega", 1.0),
+    ("g7-hib-18-6", 0, "g7-hib-18-6", "omega", 1.0),
+    ("g8-hib-18-8", 0, "g8-hib-18-8", "omega", 1.0),
+    ("g8-hib-18-2", 0, "g8-hib-18-2", "work", 1.0),
+    // They count the other way.
+    ("g7-hib-17-16", 0, "g7-hib-17-16", "alpha", -1.0),
     ("g7-hib-17-10", 0, "g7-hib-17-10", "alpha", 1.0),
     ("g7-hib-17-10", 1, "g7-hib-17-10", "pin_radial", 1.0),
     // Positive with growing angle; the pin holds the falling rod back.

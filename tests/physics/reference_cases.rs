@@ -19,6 +19,7 @@ fn wheel(k: usize, roll: &str) -> Body {
         turns: true,
         particles: vec![],
         pin: None,
+        planar: None,
     }
 }
 
@@ -40,6 +41,9 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
         bodies: vec![wheel(3, "")],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths: vec![],
         start: vec![],
         end: End::Travel(along(0), Num::Datum(7)),
@@ -327,12 +331,16 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
             start_deg: Num::Datum(3),
             spring: None,
         }),
+        planar: None,
     };
     let scene = Scene {
         gravity_m_s2: Num::Datum(2),
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths: vec![],
         start: vec![],
         end: End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4)),

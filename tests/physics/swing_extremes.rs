@@ -140,12 +140,16 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         turns: true,
         particles: vec![],
         pin: Some(Pin { arm: Arm::Distance(d(1)), from, start_deg: d(4), spring }),
+        planar: None,
     };
     Scene {
         gravity_m_s2: d(3),
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths: vec![],
         start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
         end: End::Angle(turn, d(5)),
@@ -282,8 +286,8 @@ fn swings_of_any_size_meet_the_bar() {
 #[test]
 fn enclosures_of_swings_hold_the_truth() {
     let mut dice = Dice::new(3);
-    let (mut held, mut proved) = (0, 0);
-    for i in 0..4 * support::seeds(100) as usize {
+    let (mut held, mut proved, scenes) = (0, 0, 4 * support::seeds(100) as usize);
+    for i in 0..scenes {
         let kind = [Kind::Free, Kind::Thrown, Kind::Sprung][i % 3];
         let from = if i % 2 == 0 { Zero::Upright } else { Zero::Hanging };
         let mut data = draw(&mut dice, kind, from);
@@ -336,5 +340,6 @@ fn enclosures_of_swings_hold_the_truth() {
         }
     }
     println!("{held} truths inside their enclosures, {proved} scenes");
-    assert!(proved > 100 && held > 5_000, "{proved} {held}");
+    // A third of them or more reach their end and can be enclosed, with a dozen truths for each way to move the data.
+    assert!(proved * 4 > scenes && held > 12 * scenes, "{proved} {held} of {scenes}");
 }

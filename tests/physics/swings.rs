@@ -23,12 +23,16 @@ fn swinging(from: Zero, start: f64, end: End) -> Scene {
         turns: true,
         particles: vec![],
         pin: Some(Pin { arm: Arm::Distance(f(0.5)), from, start_deg: f(start), spring: None }),
+        planar: None,
     };
     Scene {
         gravity_m_s2: f(9.81),
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        joints: Vec::new(),
+        pushes: Vec::new(),
+        struts: Vec::new(),
         growths: vec![],
         start: vec![],
         end,

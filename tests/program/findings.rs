@@ -328,7 +328,7 @@ fn unknown_motion() {
     assert_snapshot!(found(&[("moves: along incline", "moves: sideways")]), @r#"
      15 |         block: {mass: m, moves: sideways}
     test.yaml:15:33: problems.slide.scene.bodies.block.moves: expected how the body moves, found `sideways`
-        hint: `along SURFACE`, `vertically` or `about a fixed axle`
+        hint: `along SURFACE`, `vertically`, `about a fixed axle` or `in the plane`
     "#);
 }
 

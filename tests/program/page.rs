@@ -1,4 +1,5 @@
 //! Sheets that check themselves: the program in the page answers what `slipstick check` answers, in Node and in a browser.
+use crate::support;
 use sha2::{Digest, Sha256};
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
@@ -15,8 +16,6 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-
-const BANKS: [&str; 4] = ["wheels-on-inclines", "hoists-and-pulleys", "slip-and-roll", "pinned-bodies"];
 
 /// Answers that are random besides right and wrong ones, over all banks of a language.
 const RANDOM: usize = 1000;
@@ -153,7 +152,7 @@ fn made(room: &Path, language: &'static str) -> Vec<Made> {
     let find = |id: &str| catalogue.get(id).map(Entry::words);
     let mut lots = Lots(17);
     let mut all = Vec::new();
-    for bank in BANKS {
+    for bank in support::bank_names() {
         let out = room.join(format!("{bank}-{language}"));
         let mut file = bank.to_owned();
         if language == "en" {
@@ -187,7 +186,7 @@ fn made(room: &Path, language: &'static str) -> Vec<Made> {
         };
         let mut rounds = vec![round(&mut |e| right(e, words)), round(&mut |e| wrong(e, words))];
         rounds.extend((0..METHODS).map(|n| round(&mut |e| by_method(e, n))));
-        for _ in 0..RANDOM.div_ceil(BANKS.len() * parts.len()) {
+        for _ in 0..RANDOM.div_ceil(support::bank_names().count() * parts.len()) {
             rounds.push(round(&mut |e| random(e, &mut lots)));
         }
         let parts = parts.iter().map(|(part, ..)| part.clone()).collect();
@@ -356,8 +355,18 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
 /// A page to practise with: its file, and right answers to its problems in their order.
 fn practice(file: &str) -> serde_json::Value {
     let problems = "pulled-rolling,spring-released";
-    let args =
-        ["practice", BANKS[0], "--problems", problems, "--seed", "5", "--variants", "2", "--page", file];
+    let args = [
+        "practice",
+        "wheels-on-inclines",
+        "--problems",
+        problems,
+        "--seed",
+        "5",
+        "--variants",
+        "2",
+        "--page",
+        file,
+    ];
     let (exit, out, err) = run(&args);
     assert_eq!(exit, Exit::Fine, "{err}");
     assert!(out.contains("4 problems (seed 5)"), "{out}");
@@ -391,9 +400,9 @@ fn a_page_to_practise_with_has_solutions_and_is_written_whole_or_not_at_all() {
     let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     let unique: std::collections::BTreeSet<&str> = ids.iter().copied().collect();
     assert_eq!(ids.len(), unique.len(), "an id stands twice");
-    let (exit, _, err) = run(&["practice", BANKS[0], "--page", &file]);
+    let (exit, _, err) = run(&["practice", "wheels-on-inclines", "--page", &file]);
     assert!(exit != Exit::Fine && err.contains("is there already"), "{err}");
-    assert_eq!(run(&["practice", BANKS[0], "--variants", "2"]).0, Exit::Faulty);
+    assert_eq!(run(&["practice", "wheels-on-inclines", "--variants", "2"]).0, Exit::Faulty);
     let bank = Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/slip-and-roll.yaml");
     let text = std::fs::read_to_string(bank).unwrap();
     std::fs::write(at("off.yaml"), text.replacen("\nproblems:", "\nself check: off\nproblems:", 1)).unwrap();
@@ -431,7 +440,7 @@ fn sheets_check_themselves_in_a_browser() {
         let (exit, _, err) = run(&args);
         assert_eq!(exit, Exit::Fine, "{err}");
     };
-    generate(BANKS[0], &site, &["--page", "site"]);
+    generate("wheels-on-inclines", &site, &["--page", "site"]);
     let bank =
         std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/slip-and-roll.yaml"))
             .unwrap();
@@ -462,7 +471,7 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
     std::fs::write(at("roster.csv"), "student\n0017\n0023\n").unwrap();
     let problems = ["--problems", "pulled-rolling"];
     let (roster, set) = (at("roster.csv"), at("set"));
-    let mut args = vec!["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--out", &set];
+    let mut args = vec!["generate", "wheels-on-inclines", "--roster", &roster, "--seed", "7", "--out", &set];
     args.extend(problems);
     assert_eq!(run(&args).0, Exit::Fine);
     let files: [(&str, &str); 6] = [
@@ -544,7 +553,7 @@ fn no_students_file_is_lost_for_its_form() {
     let at = |name: &str| room.path().join(name).display().to_string();
     std::fs::write(at("roster.csv"), "student\n0017\n0023\n0031\n").unwrap();
     let (roster, set) = (at("roster.csv"), at("set"));
-    let args = ["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--out", &set];
+    let args = ["generate", "wheels-on-inclines", "--roster", &roster, "--seed", "7", "--out", &set];
     assert_eq!(run(&[&args[..], &["--problems", "pulled-rolling"]].concat()).0, Exit::Fine);
     let wide = |text: &str| -> Vec<u8> {
         [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()

@@ -81,11 +81,16 @@ fn around(kind: &str, item: &str) -> String {
     )
 }
 
-/// A bank around a scene with a pinned body.
+/// A bank around a scene with a pinned body, or of bodies that are joined in the plane.
 fn swinging(scene: &str) -> String {
     let data = [
         ("m", "kg"),
         ("L", "m"),
+        ("R", "m"),
+        ("r", "m"),
+        ("k", "m"),
+        ("h", "m"),
+        ("P", "N"),
         ("M", "N*m"),
         ("b", "m"),
         ("x_A", "m"),
@@ -96,13 +101,21 @@ fn swinging(scene: &str) -> String {
         ("w0", "rad/s"),
         ("phi1", "deg"),
     ];
+    // Data that a scene does not use are a finding.
+    let told: String = scene.lines().map(|l| l.split(" #").next().unwrap_or(l).to_owned() + "\n").collect();
+    let words: Vec<&str> = told.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let data: String = data
         .iter()
+        .filter(|(s, _)| words.contains(s))
         .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
         .collect();
+    // With several bodies a quantity has its body before it.
+    let bodies: Vec<&str> = scene.lines().skip(2).take_while(|l| l.starts_with(' ')).collect();
+    let first = bodies.first().and_then(|l| l.trim().split_once(':')).map_or("", |(body, _)| body);
+    let asked = if bodies.len() > 1 { format!("{first}.omega") } else { "omega".to_owned() };
     let scene: String = scene.lines().skip(1).map(|l| format!("      {l}\n")).collect();
     format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{ask: omega}}}}\n    statement: s\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{quantity: {asked}, ask: omega}}}}\n    statement: s\n"
     )
 }
 

@@ -68,14 +68,22 @@ fn what_is_solved_may_be_asked_and_nothing_else() {
                 assert!(!q["why"].as_str().unwrap().is_empty());
                 assert!(names.iter().all(|n| n.rsplit('.').next() != q["name"].as_str()));
             }
-            let every: BTreeSet<String> =
-                all.iter().map(|q| name(q).rsplit('.').next().unwrap().to_owned()).collect();
+            // Beside the quantities stand the values that the problem writes as expressions, each by the name of its question.
+            let written =
+                |n: &String| Quantity::from_name(n).is_none() && problem.questions.iter().any(|q| q.id == *n);
+            let every: BTreeSet<String> = all
+                .iter()
+                .map(|q| name(q).rsplit('.').next().unwrap().to_owned())
+                .filter(|n| !written(n))
+                .collect();
             assert_eq!(every, Quantity::ALL.iter().map(|q| q.name().to_owned()).collect());
             for seed in ["1", "2"] {
                 let (_, out, _) = run(&["solve", bank, &problem.id, "--seed", seed, "--json"]);
                 let json: serde_json::Value = serde_json::from_str(&out).unwrap();
                 for quantity in json["quantities"].as_object().unwrap().keys() {
-                    assert!(names.contains(quantity), "{}: {quantity} is not listed", problem.id);
+                    // What only slips where a contact is left open is there in some draws, and cannot be asked.
+                    let slips = !problem.cases[0].touches.is_empty() && json["regime"] != "rolls";
+                    assert!(names.contains(quantity) || slips, "{}: {quantity} is not listed", problem.id);
                     named.insert(quantity.clone());
                     solved += 1;
                 }
@@ -85,7 +93,9 @@ fn what_is_solved_may_be_asked_and_nothing_else() {
             for q in &may {
                 let row = table.lines().find(|l| l.split_whitespace().next() == q["name"].as_str()).unwrap();
                 assert!(row.contains(q["meaning"].as_str().unwrap()), "{row}");
-                assert!(row.trim_end().ends_with(q["sign"].as_str().unwrap()), "{row}");
+                // A value that is written says by its expression how it counts.
+                let sign = if written(&name(q)) { "" } else { q["sign"].as_str().unwrap() };
+                assert!(row.trim_end().ends_with(sign), "{row}");
             }
         }
     }

@@ -2,7 +2,9 @@
 pub mod program;
 pub mod xml;
 
-use slipstick::bank::{Bank, load};
+use slipstick::bank::{Bank, Problem, load};
+use slipstick::problem::maker::Maker;
+use slipstick::solve::ladder;
 
 /// Every bank in `banks/` (beside them lie the words of wrong methods), loaded, in the order of the names.
 pub fn banks() -> Vec<Bank> {
@@ -25,6 +27,12 @@ pub fn banks() -> Vec<Bank> {
         .collect()
 }
 
+/// The names of the banks that the program brings along.
+#[allow(dead_code, reason = "each test file takes what it needs")]
+pub fn bank_names() -> impl Iterator<Item = &'static str> {
+    slipstick::bank::built_in::BUILT_IN.iter().map(|(id, ..)| *id)
+}
+
 /// The banks in a language: their texts are those of `templates/LANGUAGE/banks/`, where there are any.
 #[allow(dead_code, reason = "each test file takes what it needs")]
 pub fn banks_in(language: &str) -> Vec<Bank> {
@@ -45,6 +53,16 @@ pub fn templates(language: &str, bank: &Bank) -> slipstick::template::Templates 
     let mut templates = slipstick::template::Templates::new(language, &[]).expect("built-in templates");
     slipstick::sheet::statement::add_own(&mut templates, bank).expect("statements of the bank");
     templates
+}
+
+/// How many times as dear as a closed form a problem is to solve, about: by the evaluations that its integrals take, so that a
+/// sweep gives each family much the same time.
+#[allow(dead_code, reason = "each program of tests takes what it needs")]
+pub fn dear(problem: &Problem) -> u32 {
+    let drawn = Maker::new(problem, 0, "cost").variant("0").expect("a bank of the project can be satisfied");
+    let taken = ladder::solve(&problem.cases[drawn.case].scene, &drawn.data, &ladder::Wish::default());
+    let evaluations = taken.map_or(1, |(_, taken)| taken.count.evaluations);
+    u32::try_from(evaluations / 10).unwrap_or(u32::MAX).max(1)
 }
 
 /// How many draws a sweep makes: `SLIPSTICK_SEEDS`, 100 where it is not set, never more than `full`.

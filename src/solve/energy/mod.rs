@@ -6,6 +6,7 @@
 pub mod account;
 pub mod balance;
 pub mod instant;
+pub mod joined;
 pub mod pinned;
 pub mod quadrature;
 pub mod speeds;
@@ -64,6 +65,9 @@ impl<T: Real> Forward<T> for Here<'_> {
 /// [`road`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return Ok(joined::road(scene, &n)?.0);
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
     }
@@ -106,6 +110,12 @@ pub fn road_by<T: Real>(
     data: &[f64],
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
+    if scene.formulas.found.is_some() {
+        return match points {
+            Some(_) => Err(Refusal::NoMethod { method: Method::Gauss }),
+            None => Ok((self::road(scene, data)?, Count::default())),
+        };
+    }
     let (road, count) = alone_by(scene, data, points)?;
     Ok((road.answering(scene, data, &|other| alone(other, data)), count))
 }
@@ -117,6 +127,12 @@ fn alone_by<T: Real>(
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return match points {
+            Some(_) => Err(Refusal::NoMethod { method: Method::Gauss }),
+            None => joined::road(scene, &n),
+        };
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), points);
     }
@@ -585,7 +601,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => None,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),

@@ -4,7 +4,9 @@
 pub mod equations;
 pub mod instant;
 pub mod integrate;
+pub mod joined;
 pub mod pinned;
+pub mod planar;
 pub mod swing;
 pub mod thrown;
 pub mod travel;
@@ -65,6 +67,9 @@ impl<T: Real> Forward<T> for Here<'_> {
 /// [`road_of`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        return joined::road(scene, &n, asked);
+    }
     if let Some((body, pin)) = scene.pinned() {
         return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
@@ -102,6 +107,10 @@ pub fn road_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    // What is looked for is searched for in closed form.
+    if scene.formulas.found.is_some() {
+        return Err(Refusal::NoMethod { method: rung.method() });
+    }
     let (road, count) = alone_by(scene, data, rung, asked)?;
     Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
@@ -113,6 +122,9 @@ fn alone_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    if scene.lead().is_some() {
+        return Err(Refusal::NoMethod { method: rung.method() });
+    }
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
@@ -656,7 +668,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
                 }
                 End::TurningPoint(_) => Event::Fall(0.0),
-                End::Angle(..) | End::Rolling(_) | End::AtOnce => return None,
+                End::Angle(..) | End::Rolling(_) | End::AtOnce | End::Leaves(_) => return None,
             };
             Some((event, s))
         });
@@ -684,7 +696,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => (None, None),
         }
     }
 

@@ -399,7 +399,9 @@ impl<T: Real> Swing<T> {
                 let (place, most) = self.reaching(w, turning)?;
                 (Some(w), most, place.and_then(arrive))
             }
-            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => (None, infinite, None),
+            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) | End::Leaves(_) => {
+                (None, infinite, None)
+            }
         })
     }
 

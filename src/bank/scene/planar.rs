@@ -1,0 +1,344 @@
+//! Bodies that move in the plane, and their joints, forces and springs.
+use crate::bank::need::Need;
+use crate::bank::node::{Fields, Node, Value, named, shorten};
+use crate::bank::scene::{SceneReader, plain_name};
+use crate::finding::told;
+use crate::scene::{
+    Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot, Strut,
+    StrutEnd, Surface,
+};
+use crate::units::spell;
+
+/// How a body in the plane is written.
+pub const IN_THE_PLANE: &str = "in the plane";
+
+/// Kinds of joints: field that names what is held, and what it is.
+const JOINTS: [(&str, &str); 6] = [
+    ("pins", "a point that stays in its place"),
+    ("hinges", "two points that stay together"),
+    ("guides", "a point that stays on a line"),
+    ("ties", "a point at the end of a cord"),
+    ("rolls", "a wheel that rolls, by its centre"),
+    ("slides", "a wheel or a point on a smooth surface"),
+];
+
+/// From where angles count, and whether clockwise.
+const ANGLES: [(&str, (Ray, bool)); 14] = [
+    ("from horizontal", (Ray::Right, false)),
+    ("from vertical", (Ray::Up, true)),
+    ("from upright", (Ray::Up, true)),
+    ("from hanging", (Ray::Down, false)),
+    ("from right", (Ray::Right, false)),
+    ("from right counter-clockwise", (Ray::Right, false)),
+    ("from right clockwise", (Ray::Right, true)),
+    ("from up clockwise", (Ray::Up, true)),
+    ("from up counter-clockwise", (Ray::Up, false)),
+    ("from left clockwise", (Ray::Left, true)),
+    ("from left counter-clockwise", (Ray::Left, false)),
+    ("from down clockwise", (Ray::Down, true)),
+    ("from down counter-clockwise", (Ray::Down, false)),
+    ("from horizontal clockwise", (Ray::Right, true)),
+];
+
+impl SceneReader<'_> {
+    /// How a body lies in the plane; the start gives its angle.
+    pub(super) fn planar(&self, fields: &mut Fields, body: &Body) -> Planar {
+        let f = self.faults;
+        let rod = match body.inertia {
+            Some(RotaryInertia::Shape(Shape::Rod, length)) => Some(length),
+            _ => None,
+        };
+        let mut points = Vec::new();
+        match fields.get("points") {
+            Some(node) => {
+                for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
+                    if !plain_name(name) {
+                        let message = told!("`{}` is no name for a point", shorten(name));
+                        f.hint(key, message, "letters, digits and `_`, beginning with a letter");
+                    }
+                    if let Some(place) = self.along(value, rod) {
+                        points.push((name.to_owned(), place));
+                    }
+                }
+            }
+            None => {
+                points.push(("A".to_owned(), Place::At(Num::Fixed(0.0))));
+                if let Some(length) = rod {
+                    points.push(("B".to_owned(), Place::At(length)));
+                }
+            }
+        }
+        let given = fields.get("mass centre").and_then(|n| self.along(n, rod));
+        let centre = given.unwrap_or(rod.map_or(Place::At(Num::Fixed(0.0)), Place::HalfOf));
+        let angle = fields.get("angle").and_then(|n| self.word(n, "from where the angle counts", &ANGLES));
+        let (from, clockwise) = angle.unwrap_or((Ray::Right, false));
+        let origin_m = fields.get("placed").and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
+        let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
+        let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
+        Planar { points, centre, from, clockwise, start_deg: None, origin_m, side: side.unwrap_or_default() }
+    }
+
+    /// A distance along the axis of a body: a length, or a place of a rod in words.
+    fn along(&self, node: &Node, rod: Option<Num>) -> Option<Place> {
+        match (node.text().map(str::trim), rod) {
+            (Some("its end" | "the other end"), Some(length)) => Some(Place::At(length)),
+            (Some("the middle" | "midway"), Some(length)) => Some(Place::HalfOf(length)),
+            _ => self.number(node, Need::PLACE).map(Place::At),
+        }
+    }
+
+    /// A point of a body, `rod.B`; the body alone, where the origin of its axis is its only one.
+    fn spot(&self, node: &Node, bodies: &[Body]) -> Option<Spot> {
+        let text = node.text().unwrap_or("").trim();
+        let (name, point) = text.split_once('.').map_or((text, None), |(b, p)| (b, Some(p)));
+        let body = bodies.iter().position(|b| b.name == name && b.planar.is_some());
+        let found = body.and_then(|body| {
+            let planar = bodies[body].planar.as_ref()?;
+            match point {
+                Some(point) => planar.points.iter().position(|(n, _)| n == point),
+                None => matches!(planar.points[..], [(_, Place::At(Num::Fixed(0.0)))]).then_some(0),
+            }
+            .map(|point| Spot { body, point })
+        });
+        if found.is_none() {
+            let known = bodies.iter().flat_map(|b| {
+                let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
+                names.map(|point| told!("{}.{point}", b.name))
+            });
+            let known: Vec<String> = known.collect();
+            let hint = spell::hint(text, "points", known.iter().map(String::as_str));
+            self.faults.hint(node, told!("expected a point of a body, found {}", node.kind()), hint);
+        }
+        found
+    }
+
+    /// The joints of a scene.
+    pub(super) fn joints(&self, node: &Node, bodies: &[Body]) -> Vec<Joint> {
+        let f = self.faults;
+        let mut list = Vec::new();
+        for (name, key, value) in named(node, "joints by name, such as `{floor: {guides: rod.A}}`", f) {
+            if !plain_name(name) {
+                let message = told!("`{}` is no name for a joint", shorten(name));
+                f.hint(key, message, "letters, digits and `_`, beginning with a letter");
+            }
+            let Some(mut fields) =
+                Fields::open(value, "a joint (pins, hinges, guides, ties, rolls or slides)", f)
+            else {
+                continue;
+            };
+            let [pins, hinges, guides, ties, rolls, slides] = fields.each(JOINTS.map(|(word, _)| word));
+            let touching = match (rolls, slides) {
+                (Some(n), None) => Some((n, true)),
+                (None, Some(n)) => Some((n, false)),
+                _ => None,
+            };
+            let count = [pins, hinges, guides, ties, rolls, slides].iter().flatten().count();
+            let kind = match (pins, hinges, guides, ties) {
+                _ if count == 1 && touching.is_some() => {
+                    touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
+                }
+                _ if count != 1 => {
+                    let words = JOINTS.map(|(word, what)| told!("`{word}` ({what})"));
+                    f.hint(value, told!("`{name}` has to say what it holds"), words.join(", "));
+                    None
+                }
+                (Some(n), None, None, None) => {
+                    let at = self.spot(n, bodies);
+                    at.zip(self.ground(fields.get("at"))).map(|(at, place_m)| JointKind::Pin { at, place_m })
+                }
+                (None, Some(n), None, None) => self.hinge(n, bodies),
+                (None, None, Some(n), None) => self.guide(n, &mut fields, bodies),
+                (None, None, None, Some(n)) => {
+                    let to = fields.need("to", "[x_A, y_A]");
+                    let at = self.spot(n, bodies);
+                    at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m })
+                }
+                _ => None,
+            };
+            fields.close();
+            list.extend(kind.map(|kind| Joint { name: name.to_owned(), kind }));
+        }
+        list
+    }
+
+    /// A fixed place, by default the origin.
+    fn ground(&self, node: Option<&Node>) -> Option<[Num; 2]> {
+        match node {
+            None => Some([Num::Fixed(0.0); 2]),
+            Some(n) => self.place(n).map(|(x, y)| [x, y]),
+        }
+    }
+
+    fn hinge(&self, node: &Node, bodies: &[Body]) -> Option<JointKind> {
+        match &node.value {
+            Value::List(both) if both.len() == 2 => {
+                let (one, other) = (self.spot(&both[0], bodies)?, self.spot(&both[1], bodies)?);
+                if one.body == other.body {
+                    self.faults.at(node, "a hinge joins two bodies");
+                    return None;
+                }
+                Some(JointKind::Hinge { one, other })
+            }
+            _ => {
+                let message = told!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
+                self.faults.at(node, message);
+                None
+            }
+        }
+    }
+
+    /// A wheel that rolls, or a wheel or a point that slides, on a line or a cylinder; inside a smaller one it is a hoop on a peg.
+    fn surface(&self, node: &Node, rolls: bool, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+        let f = self.faults;
+        let at = self.spot(node, bodies);
+        let radius = match fields.get("radius") {
+            Some(n) => self.number(n, if rolls { Need::RADIUS } else { Need::LENGTH }),
+            None if rolls => {
+                f.hint(node, "a wheel that rolls has a radius", "write `radius: r` beside it");
+                None
+            }
+            None => Some(Num::Fixed(0.0)),
+        };
+        let [outside, inside, along] = fields.each(["outside", "inside", "along"]);
+        let surface = match (outside, inside, along) {
+            (Some(n), None, None) | (None, Some(n), None) => {
+                let centre = self.ground(fields.get("axis"));
+                let arc = self.number(n, Need::RADIUS);
+                centre.zip(arc).map(|(centre_m, radius_m)| {
+                    let inside = inside.is_some();
+                    Surface::Arc { centre_m, radius_m, inside }
+                })
+            }
+            (None, None, Some(n)) => {
+                let through = self.ground(fields.get("through"));
+                through
+                    .zip(self.direction(n))
+                    .map(|(through_m, direction_deg)| Surface::Line { through_m, direction_deg })
+            }
+            _ => {
+                let hint =
+                    "`along: horizontal` or an angle for a plane, `outside: R` or `inside: R` for a cylinder";
+                f.hint(node, "it has to say on what it rolls or slides", hint);
+                None
+            }
+        };
+        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls })
+    }
+
+    /// The direction of a line, in a word or as an angle.
+    fn direction(&self, node: &Node) -> Option<Num> {
+        match node.text().map(str::trim) {
+            Some("horizontal") => Some(Num::Fixed(0.0)),
+            Some("vertical") => Some(Num::Fixed(-90.0)),
+            _ => self.number(node, Need::ANGLE),
+        }
+    }
+
+    fn guide(&self, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+        let f = self.faults;
+        let at = self.spot(node, bodies);
+        let through = self.ground(fields.get("through"));
+        let along = fields.need("along", "horizontal").and_then(|n| self.direction(n));
+        let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
+        let pushes_node = fields.get("pushes");
+        let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
+        let mu_k = fields.get("mu_k").map(|n| self.number(n, Need::FRICTION));
+        let mut direction_deg = along?;
+        if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
+            // The normal force is positive to the left of the direction.
+            match (direction_deg, pushes) {
+                (Num::Fixed(d), pushes) => {
+                    let (sine, cosine) = crate::num::trig::sin_cos_degrees(d);
+                    let [x, y] = pushes.components();
+                    let along_push = x * -sine.hi + y * cosine.hi;
+                    if along_push.abs() < 1e-9 {
+                        let hint = "a level line pushes up or down, a vertical one right or left";
+                        f.hint(node, "the line cannot push that way", hint);
+                    } else if along_push < 0.0 {
+                        direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
+                    }
+                }
+                (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
+                (Num::Datum(_) | Num::Derived(_), _) => {
+                    let hint = "it pushes to the left of its direction: write the angle so that this is `up`";
+                    f.hint(node, "a line along a drawn direction pushes up", hint);
+                }
+            }
+        }
+        let one_sided = pushes.is_some();
+        let mu_k = match mu_k {
+            None => None,
+            Some(number) => Some(number?),
+        };
+        Some(JointKind::Guide { at: at?, through_m: through?, direction_deg, one_sided, mu_k })
+    }
+
+    /// A force on a point of a body in the plane.
+    pub(super) fn push(&self, node: &Node, bodies: &[Body], count: usize) -> Option<Push> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a force (on, magnitude, direction)", f)?;
+        let at = fields.need("on", "rod.B").and_then(|n| self.spot(n, bodies));
+        let force = self.need_number(&mut fields, "magnitude", "P", Need::FORCE);
+        let turning = fields.get("from the axis");
+        let towards = if turning.is_some() { None } else { fields.need("direction", "right") };
+        let words = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
+        let direction = match (turning, towards) {
+            (Some(n), _) => self.number(n, Need::ANGLE),
+            (None, Some(n)) => match words.iter().find(|(w, _)| n.text().map(str::trim) == Some(w)) {
+                Some((_, degrees)) => Some(Num::Fixed(*degrees)),
+                None => self.number(n, Need::ANGLE),
+            },
+            (None, None) => None,
+        };
+        let name = fields.get("name").and_then(Node::text).map_or_else(|| default("P", count), str::to_owned);
+        fields.close();
+        Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns: turning.is_some() })
+    }
+
+    /// A spring at a point of a body in the plane.
+    pub(super) fn strut(&self, node: &Node, bodies: &[Body], count: usize) -> Option<Strut> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a spring (on, to, stiffness, natural length)", f)?;
+        let at = fields.need("on", "rod.B").and_then(|n| self.spot(n, bodies));
+        let to = fields.need("to", "[x_A, y_A]").and_then(|n| match &n.value {
+            Value::List(_) => self.place(n).map(|(x, y)| StrutEnd::Ground([x, y])),
+            Value::Map(_) => {
+                let mut fields = Fields::open(n, "a guide (along, through)", f)?;
+                let through = self.ground(fields.get("through"));
+                let along = fields.need("along", "horizontal").and_then(|n| self.direction(n));
+                fields.close();
+                through
+                    .zip(along)
+                    .map(|(through_m, direction_deg)| StrutEnd::Guide { through_m, direction_deg })
+            }
+            _ => self.spot(n, bodies).map(StrutEnd::Spot),
+        });
+        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
+        let rest = self.natural(node, &mut fields);
+        let name =
+            fields.get("name").and_then(Node::text).map_or_else(|| default("spring", count), str::to_owned);
+        fields.close();
+        Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest? })
+    }
+
+    /// Natural length of a spring, or its stretch at the start.
+    pub(super) fn natural(&self, node: &Node, fields: &mut Fields) -> Option<Rest> {
+        match (fields.get("natural length"), fields.get("stretch")) {
+            (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
+            (None, Some(n)) => self.number(n, Need::LENGTH).map(Rest::Stretch),
+            _ => {
+                self.faults.hint(
+                    node,
+                    "a spring has a natural length, or a stretch at the start",
+                    "write `natural length: l0`, or `stretch: x0`",
+                );
+                None
+            }
+        }
+    }
+}
+
+/// The first is called as it is, the next ones are numbered.
+fn default(name: &str, count: usize) -> String {
+    if count == 0 { name.to_owned() } else { format!("{name}{}", count + 1) }
+}

@@ -1,0 +1,829 @@
+//! The picture of joined bodies in the plane: at the start, with the position considered as a ghost.
+use crate::figure::pinned::dimension;
+use crate::figure::view::SceneView;
+use crate::figure::{names, say};
+use crate::num::half::Half;
+use crate::picture::board::{Board, LabelTie};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Role, symbol};
+use crate::scene::{
+    Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia, Shape,
+    Spot, Strut, StrutEnd, Surface, pose,
+};
+
+/// Pixels of the height of all that moves, at most.
+const HIGH: f64 = 330.0;
+/// Pixels of its width, at most: a flat mechanism is wider, or its crank would be lost under its labels.
+const WIDE: f64 = 400.0;
+/// Half the width of a rod.
+const THICK: f64 = 5.0;
+/// Half the width of a slot in which the end of a rod slides, and of a guide of what only slides.
+const SLOT: f64 = 9.0;
+const GUIDE: f64 = 11.0;
+/// Half the gap of a line round a dot.
+const APART: f64 = 7.0;
+/// How far a guide is drawn beyond what slides on it.
+const BEYOND: f64 = 30.0;
+
+/// Where a body lies on the board.
+#[derive(Debug, Clone, Copy)]
+pub struct Laid {
+    /// Origin of its axis.
+    pub origin: Vec2,
+    /// Direction of its axis.
+    pub axis: Vec2,
+}
+
+/// Bodies in the plane on the board.
+#[derive(Debug, Clone)]
+pub struct Plane {
+    /// Pixels per metre.
+    pub scale: f64,
+    /// The bodies at the start.
+    pub start: Vec<Laid>,
+    /// The bodies at the position considered, where it is another one.
+    pub end: Option<Vec<Laid>>,
+}
+
+impl Plane {
+    /// How the bodies of a view lie; `None` where the joints do not place them.
+    pub fn new(view: &SceneView) -> Option<Self> {
+        let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+        let start = lay(view, &numbers, &view.scene.start_angle(&numbers), true)?;
+        let lead = view.scene.lead()?;
+        let turned = |degrees: f64| lay(view, &numbers, &Half::of_degrees(degrees), false);
+        let end = match view.scene.end {
+            End::Angle(c, n) if c.body == lead => turned(view.of(n)),
+            _ => None,
+        };
+        let mut plane = Self { scale: 1.0, start, end };
+        let (mut low, mut high) = (vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY));
+        for (b, body) in view.scene.bodies.iter().enumerate() {
+            let Some(planar) = &body.planar else { continue };
+            for along in span(view, b, planar) {
+                for laid in std::iter::once(&plane.start).chain(&plane.end) {
+                    let p = laid[b].origin + laid[b].axis * along;
+                    (low, high) = (low.inf(&p), high.sup(&p));
+                }
+            }
+        }
+        for joint in &view.scene.joints {
+            // Wheels, and the cylinders that they touch.
+            let JointKind::Contact { at, radius_m, surface, .. } = joint.kind else { continue };
+            let own = plane.spot(view, &plane.start, at);
+            let last = plane.end.as_ref().map(|end| plane.spot(view, end, at));
+            let mut round = vec![(own, view.of(radius_m))];
+            round.extend(last.map(|place| (place, view.of(radius_m))));
+            if let Surface::Arc { centre_m, radius_m, .. } = surface {
+                round.push((ground(view, centre_m), view.of(radius_m)));
+            }
+            for (place, radius) in round {
+                let corner = vec2(radius, radius);
+                (low, high) = (low.inf(&(place - corner)), high.sup(&(place + corner)));
+            }
+        }
+        for place in view.scene.joints.iter().filter_map(fixed_place) {
+            let p = ground(view, place);
+            (low, high) = (low.inf(&p), high.sup(&p));
+        }
+        for strut in &view.scene.struts {
+            let (_, far) = plane.ends(view, &plane.start, strut);
+            (low, high) = (low.inf(&far), high.sup(&far));
+        }
+        let size = ((high - low).x / WIDE).max((high - low).y / HIGH);
+        plane.scale = if size > 0.0 && size.is_finite() { 1.0 / size } else { HIGH };
+        let scale = plane.scale;
+        for laid in plane.start.iter_mut().chain(plane.end.iter_mut().flatten()) {
+            laid.origin *= scale;
+        }
+        Some(plane)
+    }
+
+    /// The same with a scale at which a body is so many pixels long.
+    pub fn close_up(&self, view: &SceneView, body: usize, pixels: f64) -> Self {
+        let [from, to] = view.scene.planar(body).map_or([0.0; 2], |p| span(view, body, p));
+        let scale = if to > from { pixels / (to - from) } else { self.scale };
+        Self { scale, ..self.clone() }
+    }
+    /// The bodies at the end, also where only the solver knows where that is; `None` where nothing moves.
+    pub fn at_end(&self, view: &SceneView) -> Option<Vec<Laid>> {
+        if self.end.is_some() {
+            return self.end.clone();
+        }
+        let lead = view.scene.lead()?;
+        let start = view.of(view.scene.planar(lead)?.start_deg?);
+        let said = |quantity: Quantity| view.solved(quantity, Owner::Body(lead));
+        let (turned, rise) = (said(Quantity::Phi)?.to_degrees(), said(Quantity::Rise)?);
+        let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+        let before = self.centre(view, &self.start, lead).y;
+        // How far it turns is a magnitude: the sense is the one in which its mass centre rises as much as it is said to.
+        let tried = [1.0, -1.0].into_iter().filter_map(|sense| {
+            let mut laid = lay(view, &numbers, &Half::of_degrees(start + sense * turned), false)?;
+            laid.iter_mut().for_each(|l| l.origin *= self.scale);
+            let off = (self.centre(view, &laid, lead).y - before) / self.scale - rise;
+            Some((off.abs(), laid))
+        });
+        tried.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, laid)| laid)
+    }
+    /// Both ends of a spring, where the bodies lie so.
+    pub fn ends(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> (Vec2, Vec2) {
+        let near = self.spot(view, laid, strut.at);
+        let far = match strut.to {
+            StrutEnd::Ground(place) => ground(view, place) * self.scale,
+            StrutEnd::Spot(spot) => self.spot(view, laid, spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let (through, along) =
+                    (ground(view, through_m) * self.scale, Vec2::at_degrees(view.of(direction_deg)));
+                through + along * (near - through).dot(&along)
+            }
+        };
+        (near, far)
+    }
+    /// A point of a body.
+    pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
+        let place = view.scene.planar(spot.body).and_then(|p| p.points.get(spot.point));
+        let along = place.map_or(0.0, |(_, place)| along(view, *place));
+        laid[spot.body].origin + laid[spot.body].axis * (along * self.scale)
+    }
+    /// On which side of a fixed pin its bracket stands: where no body is.
+    fn bracket(&self, place: Vec2) -> Vec2 {
+        let taken = |side: &Vec2| {
+            self.start.iter().chain(self.end.iter().flatten()).any(|laid| {
+                let near = (laid.origin - place).norm() < 60.0;
+                near && laid.axis.dot(side) > 0.8
+            })
+        };
+        let sides = [Vec2::DOWN, Vec2::UP, Vec2::LEFT, Vec2::RIGHT];
+        sides.into_iter().find(|s| !taken(s)).unwrap_or(Vec2::DOWN)
+    }
+    /// The mass centre of a body.
+    pub fn centre(&self, view: &SceneView, laid: &[Laid], body: usize) -> Vec2 {
+        let along = view.scene.planar(body).map_or(0.0, |p| along(view, p.centre));
+        laid[body].origin + laid[body].axis * (along * self.scale)
+    }
+
+    /// The outline of a body.
+    pub fn outline(&self, board: &mut Board, view: &SceneView, laid: &[Laid], body: usize, role: Role) {
+        let this = &view.scene.bodies[body];
+        let Some(planar) = &this.planar else { return };
+        let Laid { origin, axis } = laid[body];
+        if !this.turns {
+            // Along its guide, or upon the surface on which it slides.
+            let lies = view.scene.joints.iter().find_map(|j| match j.kind {
+                JointKind::Guide { at, direction_deg, .. } if at.body == body => {
+                    Some((Vec2::at_degrees(view.of(direction_deg)), 0.0))
+                }
+                JointKind::Contact { at, surface: Surface::Arc { inside, .. }, .. } if at.body == body => {
+                    Some((-axis.left(), if inside { -10.0 } else { 10.0 }))
+                }
+                JointKind::Contact { at, surface: Surface::Line { direction_deg, .. }, .. }
+                    if at.body == body =>
+                {
+                    Some((Vec2::at_degrees(view.of(direction_deg)), 10.0))
+                }
+                _ => None,
+            });
+            let (side, off) = lies.unwrap_or((axis, 0.0));
+            let (a, b) = (side * 15.0, side.left() * 10.0);
+            let origin = origin + side.left() * off;
+            board.lines(&[origin + a + b, origin - a + b, origin - a - b, origin + a - b], true, role);
+            return;
+        }
+        let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * self.scale));
+        let (side, on) = (axis.left() * THICK, axis * THICK);
+        board.lines(&[from - on + side, to + on + side, to + on - side, from - on - side], true, role);
+        if !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
+            let mass = view.kilograms(this);
+            let round = match &this.inertia {
+                Some(RotaryInertia::Shape(_, r)) => view.of(*r),
+                _ if mass > 0.0 => (view.inertia(this) / mass).max(0.0).sqrt(),
+                _ => 0.0,
+            };
+            board.circle(self.centre(view, laid, body), (round * self.scale).max(9.0), role);
+        }
+    }
+}
+
+/// The bodies at an angle of the leading one, m; `None` where the joints do not place them.
+fn lay(view: &SceneView, numbers: &Numbers<f64>, angle: &Half<f64>, at_start: bool) -> Option<Vec<Laid>> {
+    let laid = pose::poses(view.scene, numbers, angle, at_start)?;
+    let vector = |p: pose::Point<f64>| vec2(p[0].value, p[1].value);
+    let laid: Vec<Laid> =
+        laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
+    laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
+}
+
+/// A distance along the axis of a body, m.
+fn along(view: &SceneView, place: Place) -> f64 {
+    match place {
+        Place::At(n) => view.of(n),
+        Place::HalfOf(n) => view.of(n) / 2.0,
+    }
+}
+
+/// From where to where a body lies along its axis, m.
+fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
+    let long = match view.scene.bodies[body].inertia {
+        Some(RotaryInertia::Shape(Shape::Rod, l)) => Some(view.of(l)),
+        _ => None,
+    };
+    let centre = along(view, planar.centre);
+    let ends = long.map(|l| [centre - l / 2.0, centre + l / 2.0]);
+    let points = planar.points.iter().map(|(_, p)| along(view, *p));
+    let all = points.chain([centre]).chain(ends.into_iter().flatten());
+    all.fold([f64::INFINITY, -f64::INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
+    vec2(view.of(place[0]), view.of(place[1]))
+}
+
+/// The fixed place of a joint.
+fn fixed_place(joint: &Joint) -> Option<[Num; 2]> {
+    match joint.kind {
+        JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => Some(place_m),
+        _ => None,
+    }
+}
+
+/// Draws the bodies with their joints, forces and sizes.
+pub fn draw(board: &mut Board, view: &SceneView) {
+    let Some(plane) = Plane::new(view) else { return };
+    let runs: Vec<Run> = view.scene.joints.iter().filter_map(|j| Run::new(view, &plane, j)).collect();
+    for (i, run) in runs.iter().enumerate() {
+        let others: Vec<&Run> = runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, r)| r).collect();
+        guide(board, run, &others);
+        // The same coefficient a second time is named, not told again.
+        let told = runs[..i].iter().any(|r| r.mu_k == run.mu_k);
+        rubs(board, view, run, &others, told);
+    }
+    if let Some(end) = &plane.end {
+        for b in 0..view.scene.bodies.len() {
+            plane.outline(board, view, end, b, Role::Ghost);
+        }
+    }
+    for b in 0..view.scene.bodies.len() {
+        plane.outline(board, view, &plane.start, b, Role::Body);
+    }
+    for joint in &view.scene.joints {
+        held(board, view, &plane, joint);
+    }
+    for strut in &view.scene.struts {
+        let (near, far) = plane.ends(view, &plane.start, strut);
+        if (far - near).norm() > 14.0 {
+            board.spring(far, near, 9, 6.0);
+        } else {
+            board.line(far, near, Role::Spring);
+        }
+        if !matches!(strut.to, StrutEnd::Spot(_)) && (far - near).norm() > 1.0 {
+            crate::figure::parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
+        }
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
+        let (middle, out) = (far.middle(near), (far - near).unit().left());
+        let rows = vec![view.label(strut.stiffness_n_m, "N/m"), view.label(rest, "m")];
+        let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
+        board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots);
+    }
+    letters(board, view, &plane);
+    angles(board, view, &plane);
+    for b in 0..view.scene.bodies.len() {
+        sizes(board, view, &plane, b);
+    }
+    places(board, view, &plane);
+    loads(board, view, &plane);
+}
+
+impl Plane {
+    /// From a surface to what touches it at a place.
+    pub fn normal(&self, view: &SceneView, surface: Surface, at: Vec2) -> Vec2 {
+        match surface {
+            Surface::Line { direction_deg, .. } => Vec2::at_degrees(view.of(direction_deg)).left(),
+            Surface::Arc { centre_m, inside, .. } => {
+                let out = (at - ground(view, centre_m) * self.scale).unit();
+                if inside { -out } else { out }
+            }
+        }
+    }
+}
+
+/// A line that guides a point, as far as it is drawn.
+struct Run {
+    body: usize,
+    through: Vec2,
+    direction: Vec2,
+    /// The distances along it between which it guides.
+    low: f64,
+    high: f64,
+    /// Half its width.
+    apart: f64,
+    one_sided: bool,
+    mu_k: Option<Num>,
+}
+
+impl Run {
+    fn new(view: &SceneView, plane: &Plane, joint: &Joint) -> Option<Self> {
+        let JointKind::Guide { at, through_m, direction_deg, one_sided, mu_k } = joint.kind else {
+            return None;
+        };
+        let direction = Vec2::at_degrees(view.of(direction_deg));
+        let through = ground(view, through_m) * plane.scale;
+        let places = std::iter::once(&plane.start).chain(&plane.end);
+        let reach = places.map(|laid| (plane.spot(view, laid, at) - through).dot(&direction));
+        let (low, high) = reach.fold((f64::INFINITY, -f64::INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        // What slides on it lies within it, a rod's end upon it.
+        let slider = !view.scene.bodies[at.body].turns;
+        let apart = match (slider, one_sided) {
+            (true, _) => GUIDE,
+            (false, true) => THICK + 1.0,
+            (false, false) => SLOT,
+        };
+        Some(Self { body: at.body, through, direction, low, high, apart, one_sided, mu_k })
+    }
+    /// A line of it, this far to its left: its ends, up to the corner with the other lines on which the same body slides.
+    fn ends(&self, side: f64, others: &[&Run]) -> (Vec2, Vec2) {
+        let (mut low, mut high) = (self.low, self.high);
+        for other in others.iter().filter(|o| o.body == self.body) {
+            if let Some(at) = self.meets(0.0, other, 0.0) {
+                (low, high) = (low.min(at), high.max(at));
+            }
+        }
+        (self.at(low - BEYOND, side), self.at(high + BEYOND, side))
+    }
+    fn at(&self, along: f64, side: f64) -> Vec2 {
+        self.through + self.direction * along + self.direction.left() * side
+    }
+    /// How far along it a line beside it meets a line beside another one; `None` where they are parallel.
+    fn meets(&self, side: f64, other: &Run, other_side: f64) -> Option<f64> {
+        let cross = self.direction.perp(&other.direction);
+        let gap = other.at(0.0, other_side) - self.at(0.0, side);
+        (cross.abs() > 1e-6).then(|| gap.perp(&other.direction) / cross)
+    }
+    /// Is a point within it: between its rails, or behind its surface?
+    fn covers(&self, point: Vec2) -> bool {
+        let off = (point - self.through).dot(&self.direction.left());
+        if self.one_sided { off < -self.apart - 0.1 } else { off.abs() < self.apart - 0.1 }
+    }
+    /// The pieces of a line beside it that no other one covers.
+    fn pieces(&self, side: f64, others: &[&Run]) -> Vec<(Vec2, Vec2)> {
+        let (from, to) = self.ends(side, others);
+        let along = |p: Vec2| (p - self.through).dot(&self.direction);
+        let (low, high) = (along(from), along(to));
+        let mut cuts = vec![low, high];
+        for other in others {
+            let sides = if other.one_sided { vec![-other.apart] } else { vec![-other.apart, other.apart] };
+            cuts.extend(sides.iter().filter_map(|s| self.meets(side, other, *s)));
+        }
+        cuts.retain(|x| (low..=high).contains(x));
+        cuts.sort_by(f64::total_cmp);
+        let pieces = cuts.windows(2).map(|w| (self.at(w[0], side), self.at(w[1], side)));
+        pieces.filter(|(a, b)| !others.iter().any(|o| o.covers(a.middle(*b)))).collect()
+    }
+}
+
+/// A line that guides a point: hatched where it only pushes, else two rails, open where two of them cross.
+fn guide(board: &mut Board, run: &Run, others: &[&Run]) {
+    let normal = run.direction.left();
+    let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
+    for side in sides {
+        for (from, to) in run.pieces(side, others) {
+            if run.one_sided {
+                board.hatch(from, to, -normal);
+            }
+            board.line(from, to, Role::Ground);
+        }
+    }
+}
+
+/// The coefficient of friction of a guide.
+fn rubs(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run], told: bool) {
+    let normal = run.direction.left();
+    if let Some(mu) = run.mu_k {
+        let (from, to) = run.ends(-run.apart, others);
+        let middle = from.middle(to);
+        let label = crate::figure::view::joined(symbol::symbol(r"\mu_k"), view.value(mu, ""));
+        let label = match view.symbol(mu) {
+            symbol if symbol.is_empty() => label,
+            symbol if told => symbol,
+            _ => view.label(mu, ""),
+        };
+        let direction = run.direction;
+        board.wish(label, vec![(middle, -normal), (to, direction), (from, -direction)], Role::Friction);
+    }
+}
+
+/// Pins, hinges and cords.
+fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
+    match joint.kind {
+        JointKind::Guide { at, one_sided, .. } => {
+            if !one_sided && view.scene.bodies[at.body].turns {
+                board.circle(plane.spot(view, &plane.start, at), 3.6, Role::Inner);
+            }
+        }
+        JointKind::Hinge { one, .. } => board.circle(plane.spot(view, &plane.start, one), 3.6, Role::Inner),
+        JointKind::Pin { at, .. } => {
+            let place = plane.spot(view, &plane.start, at);
+            let side = plane.bracket(place);
+            let (wall, across) = (place + side * 24.0, side.left());
+            board.lines(&[wall - across * 12.0, place, wall + across * 12.0], true, Role::Inner);
+            let (a, b) = (wall + across * 24.0, wall - across * 24.0);
+            let (a, b) = if side.y < -0.5 || side.x < -0.5 { (b, a) } else { (a, b) };
+            board.hatch(a, b, side);
+            board.line(a, b, Role::Ground);
+            board.circle(place, 3.6, Role::Inner);
+        }
+        JointKind::Contact { at, radius_m, surface, .. } => {
+            let place = plane.spot(view, &plane.start, at);
+            let radius = view.of(radius_m) * plane.scale;
+            if radius > 0.0 {
+                board.circle(place, radius, Role::Body);
+                // A round shape has its radius beside its mass.
+                let told = view.scene.bodies[at.body].inertia.as_ref();
+                if !matches!(told, Some(RotaryInertia::Shape(_, r)) if *r == radius_m) {
+                    radius_line(board, view, place, (radius_m, plane.scale), Vec2::at_degrees(-140.0));
+                }
+            }
+            match surface {
+                Surface::Line { direction_deg, .. } => {
+                    let direction = Vec2::at_degrees(view.of(direction_deg));
+                    let foot = place - direction.left() * radius;
+                    let reach =
+                        plane.end.iter().map(|laid| (plane.spot(view, laid, at) - place).dot(&direction));
+                    let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
+                    let margin = radius + 40.0;
+                    let (from, to) = (foot + direction * (low - margin), foot + direction * (high + margin));
+                    board.hatch(from, to, -direction.left());
+                    board.line(from, to, Role::Ground);
+                }
+                Surface::Arc { centre_m, radius_m, .. } => {
+                    let centre = ground(view, centre_m) * plane.scale;
+                    board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
+                    radius_line(board, view, centre, (radius_m, plane.scale), Vec2::at_degrees(-140.0));
+                }
+            }
+        }
+        JointKind::Cord { at, place_m } => {
+            let (near, far) = (plane.spot(view, &plane.start, at), ground(view, place_m) * plane.scale);
+            board.line(near, far, Role::Cord);
+            crate::figure::parts::wall(board, far, (far - near).unit(), -14.0, 14.0);
+        }
+    }
+}
+
+/// Names of points, and the mass centre of a single body.
+fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
+    let mut named: Vec<Vec2> = Vec::new();
+    let single = view.scene.bodies.len() == 1;
+    for (b, body) in view.scene.bodies.iter().enumerate() {
+        let Some(planar) = body.planar.as_ref().filter(|_| body.turns) else { continue };
+        let axis = plane.start[b].axis;
+        let mut letter = |text: &str, at: Vec2, dot: bool| {
+            if named.iter().any(|p| (*p - at).norm() < 3.0) {
+                return;
+            }
+            named.push(at);
+            if dot {
+                board.dot(at);
+            }
+            // Beside the axis, then between the lines that cross there: the axis, a slot, a bracket, a dashed line.
+            let across = axis.left();
+            let beside = [across, -across, axis, -axis].map(|d| (at + d * 6.0, d));
+            let along = [14.0, -14.0, 24.0, -24.0, 34.0, -34.0]
+                .into_iter()
+                .flat_map(|s| [across, -across].map(|d| (at + axis * s + d * 6.0, d)));
+            let between = (0..4).flat_map(|quarter| {
+                let d = Vec2::at_degrees(45.0 + 90.0 * f64::from(quarter));
+                [(at + d * 10.0, d), (at + d * 18.0, d)]
+            });
+            let spots = beside.into_iter().chain(between).chain(along.filter(|_| dot)).collect();
+            board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
+        };
+        if single {
+            letter("G", plane.centre(view, &plane.start, b), true);
+        }
+        for (point, (name, _)) in planar.points.iter().enumerate() {
+            letter(name, plane.spot(view, &plane.start, Spot { body: b, point }), false);
+        }
+    }
+}
+
+/// The angle of the leading body, at the start and at the position considered.
+fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
+    let Some(lead) = view.scene.lead() else { return };
+    let Some(planar) = view.scene.planar(lead) else { return };
+    let [x, y] = planar.from.components();
+    let zero = vec2(x, y);
+    let sense = if planar.clockwise { -1.0 } else { 1.0 };
+    // On a cylinder the angle is that of the mass centre, seen from the axis.
+    let axis = view.scene.joints.iter().find_map(|joint| match joint.kind {
+        JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } if at.body == lead => {
+            Some((at, ground(view, centre_m) * plane.scale))
+        }
+        _ => None,
+    });
+    let mut shown = Vec::new();
+    if let Some(start) = planar.start_deg {
+        shown.push((start, &plane.start, 46.0));
+    }
+    if let (End::Angle(_, n), Some(end)) = (view.scene.end, &plane.end) {
+        shown.push((n, end, 72.0));
+    }
+    for (num, laid, mut radius) in shown {
+        let degrees = view.of(num);
+        if matches!(num, Num::Fixed(_)) && degrees.abs() < 1e-9 {
+            continue;
+        }
+        let corner = axis.map_or(laid[lead].origin, |(_, axis)| axis);
+        if let Some((at, axis)) = axis {
+            board.line(axis, plane.spot(view, laid, at), Role::Ghost);
+        }
+        // No arrow ends on the mass centre of a single body.
+        let tip = corner + Vec2::at_angle(zero.angle_of() + sense * degrees.to_radians()) * radius;
+        if view.scene.bodies.len() == 1 && (plane.centre(view, &plane.start, lead) - tip).norm() < 2.0 * APART
+        {
+            radius -= 2.0 * APART;
+        }
+        // Broken where the mass centre of a single body has its dot.
+        let off = plane.centre(view, &plane.start, lead) - corner;
+        let dotted = view.scene.bodies.len() == 1 && off.perp(&zero).abs() < APART;
+        let dot = if dotted { off.dot(&zero) } else { f64::INFINITY };
+        let far: f64 = radius + 16.0;
+        for (low, high) in [(9.0, far.min(dot - APART)), (9f64.max(dot + APART), far)] {
+            if high > low {
+                board.line(corner + zero * low, corner + zero * high, Role::Ghost);
+            }
+        }
+        let from = zero.angle_of();
+        let to = from + sense * degrees * std::f64::consts::PI / 180.0;
+        if degrees.abs() * radius < 400.0 {
+            board.arc(corner, radius, from, to, Role::Dimension);
+        } else {
+            board.curved_arrow(corner, radius, from, to, Role::Dimension);
+        }
+        let at = |share: f64| {
+            let d = Vec2::at_angle(from + (to - from) * share);
+            (corner + d * radius, d)
+        };
+        let spots = [0.5, 0.35, 0.65, 0.2, 0.8].map(at).to_vec();
+        board.label(vec![view.label(num, "°")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
+    }
+}
+
+/// The side of a body on which its length stands: away from the angle of the leading body, then from where it goes; away from
+/// the other bodies for all that follow it.
+fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
+    let across = plane.start[body].axis.left();
+    let middle = |laid: &[Laid], b: usize| plane.centre(view, laid, b);
+    let here = middle(&plane.start, body);
+    let away = match view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) {
+        Some(planar) => {
+            let [x, y] = planar.from.components();
+            let side = |off: f64| if off.abs() > 1e-6 { off.signum() } else { 0.0 };
+            let goes = plane.end.as_ref().map_or(Vec2::ZERO, |end| middle(end, body) - here);
+            side(goes.dot(&across)) + 2.0 * side(vec2(x, y).dot(&across))
+        }
+        None => (0..plane.start.len()).map(|b| (middle(&plane.start, b) - here).dot(&across)).sum(),
+    };
+    if away > 0.0 { -across } else { across }
+}
+
+/// Coordinates of fixed places that are data, each as a length from the origin.
+fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
+    let springs = view.scene.struts.iter().filter_map(|s| match s.to {
+        StrutEnd::Ground(place) | StrutEnd::Guide { through_m: place, .. } => Some(place),
+        StrutEnd::Spot(_) => None,
+    });
+    let mut seen: Vec<Num> = Vec::new();
+    for place in view.scene.joints.iter().filter_map(fixed_place).chain(springs) {
+        let at = ground(view, place) * plane.scale;
+        let [x, y] = place;
+        // An upright length stands on the side where no body is.
+        let centres = (0..plane.start.len()).map(|b| plane.centre(view, &plane.start, b).x - at.x);
+        let side = if centres.sum::<f64>() > 0.0 { Vec2::LEFT } else { Vec2::RIGHT };
+        let lengths = [(x, vec2(0.0, at.y), Vec2::DOWN, 66.0), (y, vec2(at.x, 0.0), side, 40.0)];
+        for (n, from, out, off) in lengths {
+            if matches!(n, Num::Datum(_)) && !seen.contains(&n) {
+                seen.push(n);
+                dimension(board, from, at, out, off, view.label(n, "m"));
+            }
+        }
+    }
+}
+
+/// Length, mass and radius of gyration of a body.
+fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
+    let this = &view.scene.bodies[body];
+    let Some(planar) = &this.planar else { return };
+    let Laid { origin, axis } = plane.start[body];
+    let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * plane.scale));
+    let out = free_side(view, plane, body);
+    let mut rows = Vec::new();
+    if let Some((n, weight)) = view.mass(this) {
+        rows.push(view.label(n, if weight { "N" } else { "kg" }));
+    }
+    match &this.inertia {
+        Some(RotaryInertia::Shape(Shape::Rod, l)) => {
+            dimension(board, from, to, out, 40.0, view.label(*l, "m"))
+        }
+        Some(RotaryInertia::Shape(_, r) | RotaryInertia::Gyration(r @ Num::Datum(_))) => {
+            rows.push(view.label(*r, "m"))
+        }
+        Some(RotaryInertia::Moment(i @ Num::Datum(_))) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
+        _ => {}
+    }
+    for (name, place) in &planar.points {
+        if let (Place::At(n @ Num::Datum(_)), true) = (place, this.turns)
+            && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == *n)
+            && !name.is_empty()
+        {
+            let at = origin + axis * (view.of(*n) * plane.scale);
+            dimension(board, origin, at, -out, 26.0, view.label(*n, "m"));
+        }
+    }
+    let middle = from.middle(to);
+    let side = if this.turns { THICK } else { 12.0 };
+    // Beside the middle, where the mass centre has its dot; across the line of its length only where all else is taken.
+    let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
+    let spots = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
+    board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
+}
+
+/// The radius of a circle that is a datum, drawn to its rim.
+fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, (radius_m, scale): (Num, f64), out: Vec2) {
+    if !matches!(radius_m, Num::Datum(_)) {
+        return;
+    }
+    let rim = centre + out * (view.of(radius_m) * scale);
+    board.arrow(centre, rim, Role::Dimension);
+    let (middle, across) = (centre.middle(rim), out.left());
+    let spots = vec![(rim, out), (middle, across), (middle, -across)];
+    board.label(vec![view.label(radius_m, "m")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
+}
+
+/// Forces, couples and the spin at the start.
+fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
+    for push in &view.scene.pushes {
+        let at = plane.spot(view, &plane.start, push.at);
+        let towards = towards(view, &plane.start, push);
+        let tip = at + towards * 56.0;
+        board.arrow(at, tip, Role::Force);
+        let spots = vec![(tip, towards), (at.middle(tip), towards.left()), (at.middle(tip), towards.right())];
+        board.wish(view.label(push.force_n, "N"), spots, Role::Force);
+    }
+    for couple in &view.scene.couples {
+        let clockwise = view.scene.planar(couple.body).is_some_and(|p| p.clockwise);
+        let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
+        let laid = plane.start[couple.body];
+        let sense = if clockwise == forward { -1.0 } else { 1.0 };
+        // Between the body and the bracket of its pin, on the side where there is more room.
+        let mut taken = vec![laid.axis.angle_of()];
+        let pins = |j: &Joint| matches!(j.kind, JointKind::Pin { at, .. } if (plane.spot(view, &plane.start, at) - laid.origin).norm() < 1.0);
+        if view.scene.joints.iter().any(pins) {
+            taken.push(plane.bracket(laid.origin).angle_of());
+        }
+        let turn = 2.0 * std::f64::consts::PI;
+        let room = |from: f64| {
+            let others = taken.iter().map(|t| (t - from).rem_euclid(turn));
+            others.filter(|r| *r > 1e-9).fold(turn, f64::min)
+        };
+        let widest = taken.iter().map(|from| (*from, room(*from))).max_by(|a, b| a.1.total_cmp(&b.1));
+        let (low, wide) = widest.unwrap_or((0.0, turn));
+        let (middle, half) = (low + wide / 2.0, (wide / 2.0 - 0.65).clamp(0.6, 1.8));
+        let (from, to) = (middle - sense * half, middle + sense * half);
+        board.curved_arrow(laid.origin, 24.0, from, to, Role::Force);
+        let spots = [0.5, 0.3, 0.7, 0.1, 1.0].map(|share| {
+            let d = Vec2::at_angle(from + (to - from) * share);
+            (laid.origin + d * 24.0, d)
+        });
+        let label = view.size_label(couple.moment_n_m, "N·m");
+        board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots.to_vec());
+    }
+    for (b, laid) in plane.start.iter().enumerate() {
+        for (_, num) in view.started(b).filter(|(degree, _)| *degree == Degree::Turn) {
+            let clockwise = view.scene.planar(b).is_some_and(|p| p.clockwise);
+            let sense = if clockwise == (view.of(num) >= 0.0) { -1.0 } else { 1.0 };
+            let mid = laid.axis.angle_of();
+            let radius = 92.0;
+            board.curved_arrow(laid.origin, radius, mid + sense * 0.08, mid + sense * 0.4, Role::Motion);
+            let d = Vec2::at_angle(mid + sense * 0.24);
+            board.wish(view.size_label(num, "rad/s"), vec![(laid.origin + d * radius, d)], Role::Motion);
+        }
+    }
+}
+
+/// Direction of a force.
+pub fn towards(view: &SceneView, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
+    let direction = Vec2::at_degrees(view.of(push.direction_deg));
+    if push.turns {
+        let axis = laid[push.at.body].axis;
+        axis * direction.x + axis.left() * direction.y
+    } else {
+        direction
+    }
+}
+
+/// What the picture shows, in words.
+pub fn tell(view: &SceneView, out: &mut Vec<String>) {
+    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.joined.{name}"), pieces);
+    let called = |spot: Spot| {
+        let (_, point) = view.scene.point_name(spot).unwrap_or(("", ""));
+        let body = names::body_within(view.words, view.scene, spot.body);
+        if view.scene.bodies[spot.body].turns {
+            say("point", &[("point", point), ("body", &body)])
+        } else {
+            body
+        }
+    };
+    let place = |place: [Num; 2]| {
+        let (x, y) = (say::text(view, place[0], "m"), say::text(view, place[1], "m"));
+        say("place", &[("x", &x), ("y", &y)])
+    };
+    let line = |direction_deg: Num| {
+        let name = match direction_deg {
+            Num::Fixed(d) if d % 180.0 == 0.0 => "level",
+            Num::Fixed(d) if (d % 180.0).abs().to_bits() == 90.0_f64.to_bits() => "upright",
+            _ => "sloped",
+        };
+        say(name, &[("angle", &say::text(view, direction_deg, "°"))])
+    };
+    for (b, body) in view.scene.bodies.iter().enumerate() {
+        out.push(say("body", &[("body", &say::named(view, body))]));
+        say::couples(view, b, out);
+        for (_, num) in view.started(b) {
+            out.push(say("spin", &[("spin", &say::text(view, num, "rad/s"))]));
+        }
+    }
+    if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {
+        let body = names::body_within(view.words, view.scene, lead);
+        let from = view.words.get(&format!("figure.joined.ray.{}", ray(planar)));
+        if let Some(start) = planar.start_deg {
+            out.push(say(
+                "start",
+                &[("body", &body), ("from", from), ("angle", &say::text(view, start, "°"))],
+            ));
+        }
+        if let End::Angle(_, n) = view.scene.end {
+            out.push(say("end", &[("angle", &say::text(view, n, "°"))]));
+        }
+    }
+    for joint in &view.scene.joints {
+        out.push(match joint.kind {
+            JointKind::Pin { at, place_m } => {
+                say("pin", &[("point", &called(at)), ("place", &place(place_m))])
+            }
+            JointKind::Hinge { one, other } => {
+                say("hinge", &[("one", &called(one)), ("other", &called(other))])
+            }
+            JointKind::Guide { at, direction_deg, one_sided, .. } => {
+                let what = if one_sided { "touches" } else { "guide" };
+                say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
+            }
+            JointKind::Contact { at, radius_m, surface, rolls } => {
+                let what = if rolls { "rolls" } else { "slides" };
+                let on = match surface {
+                    Surface::Line { direction_deg, .. } => {
+                        let line = say("sloped", &[("angle", &say::text(view, direction_deg, "°"))]);
+                        say("surface", &[("line", &line)])
+                    }
+                    Surface::Arc { radius_m, inside, .. } => {
+                        let name = if inside { "within" } else { "outside" };
+                        say(name, &[("radius", &say::text(view, radius_m, "m"))])
+                    }
+                };
+                let radius = say::text(view, radius_m, "m");
+                say(what, &[("point", &called(at)), ("radius", &radius), ("on", &on)])
+            }
+            JointKind::Cord { at, place_m } => {
+                say("cord", &[("point", &called(at)), ("place", &place(place_m))])
+            }
+        });
+    }
+    for push in &view.scene.pushes {
+        let force = say::text(view, push.force_n, "N");
+        out.push(say("force", &[("force", &force), ("point", &called(push.at))]));
+    }
+    for strut in &view.scene.struts {
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
+        let list = [say::text(view, strut.stiffness_n_m, "N/m"), say::text(view, rest, "m")];
+        let to = match strut.to {
+            StrutEnd::Ground(p) => place(p),
+            StrutEnd::Spot(spot) => called(spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let name = [("line", line(direction_deg)), ("place", place(through_m))];
+                say("guided", &name.each_ref().map(|(name, text)| (*name, text.as_str())))
+            }
+        };
+        let list = list.join(say::separator(view));
+        out.push(say("spring", &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));
+    }
+}
+
+/// From where an angle counts and in which sense: a name in the word list.
+fn ray(planar: &Planar) -> String {
+    let from = match planar.from.components() {
+        [x, _] if x > 0.5 => "right",
+        [x, _] if x < -0.5 => "left",
+        [_, y] if y > 0.0 => "up",
+        _ => "down",
+    };
+    format!("{from}_{}", if planar.clockwise { "clockwise" } else { "counter" })
+}

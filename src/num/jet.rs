@@ -1,0 +1,85 @@
+//! A number with its first and second derivative by one variable, so that what is differentiated is never written down twice.
+use crate::num::Real;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A value and its first and second derivative.
+#[derive(Debug, Clone, Copy)]
+pub struct Jet<T> {
+    /// The value.
+    pub value: T,
+    /// Its first derivative.
+    pub first: T,
+    /// Its second derivative.
+    pub second: T,
+}
+
+impl<T: Real> Jet<T> {
+    /// What does not depend on the variable.
+    pub fn fixed(value: T) -> Self {
+        Self { value, first: T::zero(), second: T::zero() }
+    }
+    /// Square root; its derivatives are not finite where the value is 0.
+    pub fn root(self) -> Self {
+        let value = self.value.root();
+        let first = self.first.scale2(-1) / value;
+        Self { value, first, second: (self.second.scale2(-1) - first.square()) / value }
+    }
+    /// Product with a number that does not depend on the variable.
+    pub fn times(self, factor: T) -> Self {
+        Self { value: self.value * factor, first: self.first * factor, second: self.second * factor }
+    }
+}
+
+impl<T: Real> Add for Jet<T> {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self { value: self.value + o.value, first: self.first + o.first, second: self.second + o.second }
+    }
+}
+impl<T: Real> Sub for Jet<T> {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        self + (-o)
+    }
+}
+impl<T: Real> Neg for Jet<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { value: -self.value, first: -self.first, second: -self.second }
+    }
+}
+impl<T: Real> Mul for Jet<T> {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        Self {
+            value: self.value * o.value,
+            first: self.first * o.value + self.value * o.first,
+            second: self.second * o.value + (self.first * o.first).scale2(1) + self.value * o.second,
+        }
+    }
+}
+impl<T: Real> Div for Jet<T> {
+    type Output = Self;
+    fn div(self, o: Self) -> Self {
+        let value = self.value / o.value;
+        let first = (self.first - value * o.first) / o.value;
+        let second = (self.second - (first * o.first).scale2(1) - value * o.second) / o.value;
+        Self { value, first, second }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against differences of `sqrt(1 + x^2) / (2 - x) - 3 x` at x = 0.3.
+    #[test]
+    fn derivatives_are_limits_of_differences() {
+        let f = |x: Jet<f64>| (Jet::fixed(1.0) + x * x).root() / (Jet::fixed(2.0) - x) - x.times(3.0);
+        let at = |x: f64| f(Jet { value: x, first: 1.0, second: 0.0 });
+        let (x, h) = (0.3, 1e-4);
+        let (before, here, after) = (at(x - h).value, at(x), at(x + h).value);
+        assert!((here.first - (after - before) / (2.0 * h)).abs() < 1e-7);
+        assert!((here.second - (after - 2.0 * here.value + before) / (h * h)).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,231 @@
+//! Bodies that move in the vertical plane otherwise than along a line or about one axle: rods in guides, hinged rods, cranks and
+//! sliders.
+//!
+//! Places are told in a frame fixed in space, x to the right and y up. A body has an axis, and its points lie on it, each told by
+//! its distance from the origin of the axis. The angle of the axis counts from one of four directions, in either sense; a turn is
+//! positive as that angle grows.
+use crate::scene::Num;
+
+/// How a body lies in the plane and which of its points have names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Planar {
+    /// Points of the axis: name, and distance from its origin.
+    pub points: Vec<(String, Place)>,
+    /// Place of the mass centre.
+    pub centre: Place,
+    /// From where the angle of the axis counts.
+    pub from: Ray,
+    /// Does it count clockwise?
+    pub clockwise: bool,
+    /// Angle at the start, degrees, -360 to 360; `None` where the joints give it.
+    pub start_deg: Option<Num>,
+    /// Place of the origin of the axis at the start, m, of a body that no joint places.
+    pub origin_m: Option<[Num; 2]>,
+    /// Of the two ways in which the joints can place it: the one on the left of what leads to it, or on the right; see
+    /// [`crate::scene::pose`].
+    pub side: Branch,
+}
+
+/// Which of two ways of placing a body is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Branch {
+    /// Along the guide, or left of the line between the outer ends of two rods.
+    #[default]
+    Ahead,
+    /// The other one.
+    Behind,
+}
+
+/// A distance along the axis of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// Given, m, of either sign.
+    At(Num),
+    /// Half of this length.
+    HalfOf(Num),
+}
+
+/// A direction from which angles count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ray {
+    /// To the right.
+    Right,
+    /// Up.
+    Up,
+    /// To the left.
+    Left,
+    /// Down.
+    Down,
+}
+
+impl Ray {
+    /// Its components to the right and up.
+    pub const fn components(self) -> [f64; 2] {
+        match self {
+            Self::Right => [1.0, 0.0],
+            Self::Up => [0.0, 1.0],
+            Self::Left => [-1.0, 0.0],
+            Self::Down => [0.0, -1.0],
+        }
+    }
+}
+
+/// A named point of a body: index of the body, and of the point among those of the body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Spot {
+    /// Index of the body.
+    pub body: usize,
+    /// Index of the point.
+    pub point: usize,
+}
+
+/// What holds points of bodies to the ground or to each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// Name, for `wall.normal`.
+    pub name: String,
+    /// What it does.
+    pub kind: JointKind,
+}
+
+/// Kinds of joints.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JointKind {
+    /// A fixed pin: the point stays at this place, m.
+    Pin {
+        /// The point.
+        at: Spot,
+        /// Where it is.
+        place_m: [Num; 2],
+    },
+    /// A hinge: two points of two bodies stay together.
+    Hinge {
+        /// The one point; the force of the hinge is told as it acts on this body.
+        one: Spot,
+        /// The other.
+        other: Spot,
+    },
+    /// A straight guide, a wall, a floor: the point stays on a line. Its normal force is positive to the left of the direction.
+    Guide {
+        /// The point.
+        at: Spot,
+        /// A place on the line, m.
+        through_m: [Num; 2],
+        /// Direction of the line, degrees counter-clockwise from the right.
+        direction_deg: Num,
+        /// Can it only push, so that the point can leave it?
+        one_sided: bool,
+        /// Kinetic friction coefficient; `None` if it is smooth.
+        mu_k: Option<Num>,
+    },
+    /// A surface on which a wheel rolls, or on which a wheel or a point slides. It only pushes.
+    Contact {
+        /// The centre of the wheel, or the point.
+        at: Spot,
+        /// Radius of the wheel, m; 0 for a point.
+        radius_m: Num,
+        /// What it rolls or slides on.
+        surface: Surface,
+        /// Does it roll without slipping?
+        rolls: bool,
+    },
+    /// A cord of constant length from the point to a fixed place, m.
+    Cord {
+        /// The point.
+        at: Spot,
+        /// The place.
+        place_m: [Num; 2],
+    },
+}
+
+/// A fixed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surface {
+    /// A line, whose left side is free.
+    Line {
+        /// A place on it, m.
+        through_m: [Num; 2],
+        /// Its direction, degrees counter-clockwise from the right.
+        direction_deg: Num,
+    },
+    /// A cylinder. The angle of a body that leads on it is that of the line from the axis of the cylinder to its centre.
+    Arc {
+        /// Its axis, m.
+        centre_m: [Num; 2],
+        /// Its radius, m.
+        radius_m: Num,
+        /// Is the body within it, or the cylinder within the body (a hoop on a peg)?
+        inside: bool,
+    },
+}
+
+impl JointKind {
+    /// How many forces it has.
+    pub const fn forces(&self) -> usize {
+        match self {
+            Self::Pin { .. } | Self::Hinge { .. } | Self::Contact { rolls: true, .. } => 2,
+            Self::Guide { .. } | Self::Contact { .. } | Self::Cord { .. } => 1,
+        }
+    }
+    /// Can it only push, so that its point can leave it?
+    pub const fn only_pushes(&self) -> bool {
+        matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { .. })
+    }
+    /// The points that it holds.
+    pub fn spots(&self) -> impl Iterator<Item = Spot> {
+        let (one, other) = match *self {
+            Self::Hinge { one, other } => (one, Some(other)),
+            Self::Pin { at, .. }
+            | Self::Guide { at, .. }
+            | Self::Contact { at, .. }
+            | Self::Cord { at, .. } => (at, None),
+        };
+        std::iter::once(one).chain(other)
+    }
+}
+
+/// A force on a point of a body in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Push {
+    /// Name, such as `P`.
+    pub name: String,
+    /// The point.
+    pub at: Spot,
+    /// Magnitude, N, >= 0.
+    pub force_n: Num,
+    /// Direction, degrees counter-clockwise from the right, or from the axis of the body.
+    pub direction_deg: Num,
+    /// Does its direction turn with the body?
+    pub turns: bool,
+}
+
+/// A spring between a point of a body and a fixed place or a point of another body. It pulls and pushes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strut {
+    /// Name.
+    pub name: String,
+    /// The point.
+    pub at: Spot,
+    /// Its other end.
+    pub to: StrutEnd,
+    /// Stiffness, N/m, > 0.
+    pub stiffness_n_m: Num,
+    /// Its natural length, told directly or by its stretch at the start.
+    pub rest: crate::scene::Rest,
+}
+
+/// The other end of a spring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StrutEnd {
+    /// A fixed place, m.
+    Ground([Num; 2]),
+    /// A point of a body.
+    Spot(Spot),
+    /// A smooth guide along which it follows the point, so that the spring stands at right angles to it.
+    Guide {
+        /// A place on the line, m.
+        through_m: [Num; 2],
+        /// Direction of the line, degrees counter-clockwise from the right.
+        direction_deg: Num,
+    },
+}

@@ -1,0 +1,957 @@
+//! The motion of joined bodies in the plane from the work of the forces: speed from the balance over the way, accelerations from its
+//! rate, the force of a joint from a virtual motion that the joint alone forbids.
+//!
+//! Velocities are the derivatives of the poses by the leading angle `q`. The kinetic energy of each body is that of two particles
+//! of half its mass, as far from its mass centre on either side along its axis as its radius of gyration (equimomental particles):
+//! no angular velocity comes in. Where a guide rubs, the balance is drawn up for virtual motions in which normal force and friction
+//! together do no work, and solved by collocation. Time is a quadrature in an angle whose cosine is the place: the root
+//! singularities at the ends of the way are gone.
+//! Source: Routh, *Dynamics of a System of Rigid Bodies*, elementary part, article 33 (equimomental bodies).
+use crate::num::eliminate::{Equations, Reduced};
+use crate::num::gauss::{self, PerNode, Unsettled};
+use crate::num::ode::Count;
+use crate::num::plant::plant;
+use crate::num::{Dd, Jet, Real, ball, root, trig};
+use crate::scene::pose::{self, Layout, Poses};
+use crate::scene::{
+    End, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Start, StrutEnd,
+};
+use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
+use smallvec::{SmallVec, smallvec};
+use std::cell::{Cell, RefCell};
+
+/// A motion is followed for two turns at most.
+const TURNS: f64 = 2.0;
+/// Step in which events are looked for, radians.
+const STEP: f64 = 0.0625;
+/// Turns of an iteration after which a panel is too long.
+const TURNS_OF_ITERATION: u32 = 40;
+/// Coefficients of a panel of the collocation that are below this share are rounding of the answer, in numbers of 32 digits and in
+/// doubles.
+const SMOOTH: [f64; 2] = [1e-18, 1e-12];
+
+type Vector<T> = [T; 2];
+
+/// Bodies, forces and joints as an account of work.
+struct Account<'a, T: Real> {
+    scene: &'a Scene,
+    n: &'a Numbers<'a, T>,
+    lead: usize,
+    layout: Layout<'a, T>,
+    /// Distance of the mass centre of each body along its axis, and its radius of gyration.
+    centres: SmallVec<[(T, T); 2]>,
+    /// Natural length of each spring.
+    natural: SmallVec<[T; 2]>,
+    /// Sense in which the leading angle changes.
+    sense: f64,
+    /// For each joint: sense in which its point slides where it rubs, else 0.
+    sliding: SmallVec<[f64; 4]>,
+    /// Where guides rub: the way as far as its balance has been solved.
+    solved: RefCell<Vec<Stretch<T>>>,
+    /// At how many places it has looked.
+    looked: Cell<u64>,
+}
+
+/// A part of the way on which the balance has been solved by collocation.
+struct Stretch<T> {
+    /// The way at its ends.
+    ends: (T, T),
+    /// Half the square of the rate at its ends.
+    squares: (T, T),
+    /// What half the square of the rate has gained per way since its start, at the nodes.
+    gains: PerNode<T>,
+}
+
+/// For each joint: the rows of its conditions.
+type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
+
+/// A possible or virtual motion: velocity of the origin of each body's axis, and rate of its angle counter-clockwise.
+type Motion<T> = SmallVec<[[T; 3]; 2]>;
+
+/// What a virtual motion makes of the balance: `inertia q'' + bend q'^2 = force`.
+#[derive(Debug, Clone, Copy)]
+struct Balance<T> {
+    inertia: T,
+    bend: T,
+    force: T,
+    /// Sum of the magnitudes of the terms of the force.
+    size: f64,
+}
+
+fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// Everything that work and energy say of a scene of joined bodies, and at how many places they looked.
+///
+/// Errors: joints that do not determine the motion, a quadrature that does not settle.
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<(Road<T>, Count), Refusal> {
+    let mut account = Account::new(scene, n)?;
+    let road = account.road()?;
+    Ok((road, Count { evaluations: account.looked.get(), ..Count::default() }))
+}
+
+impl<T: Real> Account<'_, T> {
+    fn road(&mut self) -> Result<Road<T>, Refusal> {
+        let scene = self.scene;
+        let spin = scene.start.iter().find_map(|s| match s {
+            Start::Speed(c, w) if c.body == self.lead => Some(self.n.get(*w)),
+            _ => None,
+        });
+        let spin = spin.map_or_else(T::zero, |w| w / self.layout.ratio());
+        let mut road = Road::new(Scope::ALL);
+        if matches!(scene.end, End::AtOnce) {
+            self.instant(spin, &mut road)?;
+            return Ok(road);
+        }
+        let first = self.poses(T::zero())?;
+        let free = self.balance(&first, &self.rates(&first))?;
+        let rate = free.force.balance(-(free.bend * spin.square())).cleared(free.size);
+        self.sense = if spin.is_zero() { rate.sign() } else { spin.sign() };
+        let motion = self.rates(&first).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
+        self.slide(&first, &motion);
+        let own = self.across_friction(&first)?;
+        let rubbed = self.balance(&first, &own)?;
+        let sets_off = rubbed.force.balance(-(rubbed.bend * spin.square())).cleared(rubbed.size)
+            / rubbed.inertia.signed(self.sense);
+        if self.sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
+            road.course = Some(Course::at_rest());
+            return Ok(road);
+        }
+        let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
+        if matches!(scene.end, End::Angle(..)) {
+            self.settle(spin, drive, &mut road)?;
+        } else {
+            // Where the end is searched for, nothing is enclosed, so no comparison has to be proved.
+            ball::unwatched(|| self.settle(spin, drive, &mut road))?;
+        }
+        Ok(road)
+    }
+}
+
+impl<'a, T: Real> Account<'a, T> {
+    fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Result<Self, Refusal> {
+        let lead = scene.lead().ok_or(Refusal::Freedoms(0))?;
+        let centres = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
+            let centre = body.planar.as_ref().map_or(Place::At(crate::scene::Num::Fixed(0.0)), |p| p.centre);
+            let gyration = if body.turns { (numbers.inertia / numbers.mass).root() } else { T::zero() };
+            (pose::along(n, centre), gyration)
+        });
+        let mut account = Self {
+            scene,
+            n,
+            lead,
+            layout: Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?,
+            centres: centres.collect(),
+            natural: SmallVec::new(),
+            sense: 1.0,
+            sliding: scene.joints.iter().map(|_| 0.0).collect(),
+            solved: RefCell::new(Vec::new()),
+            looked: Cell::new(0),
+        };
+        let poses = account.placed()?;
+        for strut in &scene.struts {
+            account.natural.push(match strut.rest {
+                Rest::Length(l) => n.get(l),
+                Rest::Stretch(x) => account.length(&poses, strut.at, &strut.to).value - n.get(x),
+            });
+        }
+        Ok(account)
+    }
+
+    fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
+        self.looked.set(self.looked.get() + 1);
+        self.layout.poses(way.signed(self.sense), false).ok_or(Refusal::Freedoms(2))
+    }
+    /// Where everything is at the start.
+    fn placed(&self) -> Result<Poses<T>, Refusal> {
+        self.layout.poses(T::zero(), true).ok_or(Refusal::Freedoms(2))
+    }
+    fn point(&self, poses: &Poses<T>, spot: Spot) -> pose::Point<T> {
+        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
+    }
+    fn centre(&self, poses: &Poses<T>, body: usize) -> pose::Point<T> {
+        poses[body].point(self.centres[body].0)
+    }
+    /// The two particles that move as the body does.
+    fn particles(&self, poses: &Poses<T>, body: usize) -> [pose::Point<T>; 2] {
+        let (centre, gyration) = self.centres[body];
+        let apart = plant!("energy: equimomental particles", gyration);
+        [poses[body].point(centre + apart), poses[body].point(centre - apart)]
+    }
+    fn length(&self, poses: &Poses<T>, at: Spot, to: &StrutEnd) -> Jet<T> {
+        let near = self.point(poses, at);
+        let far = match to {
+            StrutEnd::Ground(place) => pose::ground(self.n, *place).map(Jet::fixed),
+            StrutEnd::Spot(spot) => self.point(poses, *spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let line = [pose::ground(self.n, *through_m), pose::direction(self.n, *direction_deg)];
+                let [through, along] = line.map(|x| x.map(Jet::fixed));
+                pose::foot(near, through, along)
+            }
+        };
+        let (x, y) = (far[0] - near[0], far[1] - near[1]);
+        (x * x + y * y).root()
+    }
+
+    /// The motion of unit rate of the leading angle.
+    fn rates(&self, poses: &Poses<T>) -> Motion<T> {
+        poses.iter().map(|p| [p.origin[0].first, p.origin[1].first, p.turn().0]).collect()
+    }
+    /// Velocity of a point at a distance along the axis of a body in a motion.
+    fn velocity(&self, poses: &Poses<T>, motion: &Motion<T>, body: usize, along: T) -> Vector<T> {
+        let ([x, y, turn], axis) = (motion[body], poses[body].axis);
+        [x - turn * along * axis[1].value, y + turn * along * axis[0].value]
+    }
+    fn of_spot(&self, poses: &Poses<T>, motion: &Motion<T>, spot: Spot) -> Vector<T> {
+        self.velocity(poses, motion, spot.body, pose::of_spot(self.scene, self.n, spot))
+    }
+
+    /// Notes in which sense points slide in guides that rub, by a motion.
+    fn slide(&mut self, poses: &Poses<T>, motion: &Motion<T>) {
+        for (j, joint) in self.scene.joints.iter().enumerate() {
+            if let JointKind::Guide { at, mu_k: Some(_), .. } = joint.kind {
+                let u = self.layout.lines[j];
+                let v = self.of_spot(poses, motion, at);
+                self.sliding[j] = (v[0] * u[0]).balance(v[1] * u[1]).sign();
+            }
+        }
+    }
+
+    /// What the joints forbid: the rows of their conditions, where a guide rubs that of its normal force with its friction.
+    /// `held` is the motion that the last rows keep from: the leading angle, and a drift.
+    fn conditions(&self, poses: &Poses<T>, virtually: bool) -> (Equations<T>, OfJoint) {
+        let columns = 3 * self.scene.bodies.len();
+        let mut rows = Equations::new(columns);
+        let mut of_joint = OfJoint::new();
+        let mut count = 0;
+        for (j, (joint, sliding)) in self.scene.joints.iter().zip(&self.sliding).enumerate() {
+            let mut rim = T::zero();
+            let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
+                JointKind::Pin { at, .. } => {
+                    Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
+                }
+                JointKind::Contact { at, rolls, .. } => {
+                    let centre = self.point(poses, at).map(|x| x.value);
+                    self.layout.touch(j, centre).map(|touch| {
+                        rim = plant!("energy: radius of a rolling wheel", touch.radius);
+                        let along: SmallVec<[Vector<T>; 2]> = if rolls {
+                            smallvec![touch.normal, touch.along]
+                        } else {
+                            smallvec![touch.normal]
+                        };
+                        (at, along)
+                    })
+                }
+                JointKind::Guide { at, mu_k, .. } => {
+                    let [c, s] = self.layout.lines[j];
+                    let rub = match mu_k {
+                        Some(mu) if virtually && *sliding != 0.0 => {
+                            plant!("energy: friction in a guide", self.n.get(mu)).signed(*sliding)
+                        }
+                        _ => T::zero(),
+                    };
+                    Some((at, smallvec![[-s - rub * c, c - rub * s]]))
+                }
+                JointKind::Cord { at, place_m } => {
+                    let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
+                    let apart = [far[0] - near[0].value, far[1] - near[1].value];
+                    let length = dot(apart, apart).root();
+                    Some((at, smallvec![apart.map(|x| x / length)]))
+                }
+                JointKind::Hinge { .. } => None,
+            };
+            let mut own: SmallVec<[usize; 2]> = SmallVec::new();
+            let mut add = |ends: &[(Spot, Vector<T>)], rim: T| {
+                let row = rows.row();
+                for (spot, u) in ends {
+                    // Velocities of the point by those of the origin and the turn.
+                    let r = pose::of_spot(self.scene, self.n, *spot);
+                    let [c, s] = poses[spot.body].axis.map(|x| x.value);
+                    let at = 3 * spot.body;
+                    row[at] = row[at] + u[0];
+                    row[at + 1] = row[at + 1] + u[1];
+                    row[at + 2] = row[at + 2]
+                        + plant!("energy: turn about the origin of the axis", r * (u[1] * c - u[0] * s))
+                        + rim;
+                }
+                own.push(count);
+                count += 1;
+            };
+            match (ground, joint.kind) {
+                // The second condition of a wheel is that its rim does not slip.
+                (Some((at, directions)), kind) => {
+                    let wheel = matches!(kind, JointKind::Contact { .. });
+                    for (i, u) in directions.iter().enumerate() {
+                        add(&[(at, *u)], if wheel && i == 1 { rim } else { T::zero() });
+                    }
+                }
+                (None, JointKind::Hinge { one, other }) => {
+                    for u in [[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]] {
+                        add(&[(one, u), (other, u.map(|x| -x))], T::zero());
+                    }
+                }
+                _ => {}
+            }
+            of_joint.push(own);
+        }
+        for (b, body) in self.scene.bodies.iter().enumerate() {
+            if !body.turns {
+                rows.row()[3 * b + 2] = T::of(1.0);
+            }
+        }
+        (rows, of_joint)
+    }
+
+    /// Adds that the mass centre of the leading body keeps from drifting, where nothing but that holds it.
+    fn no_drift(&self, poses: &Poses<T>, rows: &mut Equations<T>) {
+        if let Some(direction) = self.scene.drifts() {
+            let [c, s] = pose::direction(self.n, direction);
+            let axis = poses[self.lead].axis;
+            let row = rows.row();
+            (row[3 * self.lead], row[3 * self.lead + 1]) = (c, s);
+            row[3 * self.lead + 2] = self.centres[self.lead].0 * (s * axis[0].value - c * axis[1].value);
+        }
+    }
+
+    /// Adds what the leading angle moves, at this rate: the turn of the body, or its centre about the axis of a cylinder.
+    fn leading(&self, poses: &Poses<T>, rows: &mut Equations<T>, rate: T) {
+        let (columns, at) = (3 * self.scene.bodies.len(), 3 * self.lead);
+        let (mut along, mut turn) = ([T::zero(); 2], T::of(1.0));
+        if let Some(arc) = self.layout.arc()
+            && let Some(spot) = self.scene.joints[arc.joint].kind.spots().next()
+        {
+            let place = self.point(poses, spot).map(|x| x.value);
+            along = [arc.axis[1] - place[1], place[0] - arc.axis[0]];
+            let [c, s] = poses[self.lead].axis.map(|x| x.value);
+            turn = pose::of_spot(self.scene, self.n, spot) * (along[1] * c - along[0] * s);
+        }
+        let row = rows.row();
+        (row[at], row[at + 1], row[at + 2], row[columns]) = (along[0], along[1], turn, rate);
+    }
+    /// The rate of what [`Self::leading`] tells in the motion of unit rate of the leading angle.
+    fn unit(&self, poses: &Poses<T>) -> T {
+        match self.layout.arc() {
+            Some(arc) => arc.apart.square().signed(self.counts(self.lead)),
+            None => poses[self.lead].turn().0,
+        }
+    }
+
+    fn motion(&self, reduced: &Reduced<T>) -> Motion<T> {
+        (0..self.scene.bodies.len()).map(|b| [0, 1, 2].map(|i| reduced.at_zero(3 * b + i))).collect()
+    }
+
+    /// The virtual motion in which normal forces and their friction do no work: that of the bodies where nothing rubs.
+    fn across_friction(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
+        if self.sliding.iter().all(|s| *s == 0.0) {
+            return Ok(self.rates(poses));
+        }
+        let (mut rows, _) = self.conditions(poses, true);
+        self.no_drift(poses, &mut rows);
+        self.leading(poses, &mut rows, self.unit(poses));
+        let reduced = rows.reduce(&[]);
+        if reduced.open().is_empty() { Ok(self.motion(&reduced)) } else { Err(Refusal::Freedoms(2)) }
+    }
+
+    /// The balance of all bodies in a virtual motion.
+    fn balance(&self, poses: &Poses<T>, motion: &Motion<T>) -> Result<Balance<T>, Refusal> {
+        let zero = T::zero();
+        let mut balance = Balance { inertia: zero, bend: zero, force: zero, size: 0.0 };
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let (centre, gyration) = self.centres[b];
+            let half = numbers.mass.scale2(-1);
+            for (particle, along) in
+                self.particles(poses, b).iter().zip([centre + gyration, centre - gyration])
+            {
+                let v = self.velocity(poses, motion, b, along);
+                let (first, second) = (particle.map(|x| x.first), particle.map(|x| x.second));
+                balance.inertia =
+                    balance.inertia + plant!("energy: inertia over the angle", half * dot(v, first));
+                balance.bend = balance.bend + plant!("energy: change of the inertia", half * dot(v, second));
+            }
+        }
+        for power in self.powers(poses, motion) {
+            balance.force = balance.force + power;
+            balance.size += power.size();
+        }
+        balance.force = balance.force.cleared(balance.size);
+        Ok(balance)
+    }
+
+    /// Twice the kinetic energy at unit rate of the leading angle.
+    fn inertia(&self, poses: &Poses<T>) -> T {
+        let mut sum = T::zero();
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let half = plant!("energy: inertia over the angle", numbers.mass.scale2(-1));
+            for particle in self.particles(poses, b) {
+                let [x, y] = particle.map(|x| x.first);
+                sum = sum + half * (x.square() + y.square());
+            }
+        }
+        sum
+    }
+
+    /// Powers of weights, forces, couples and springs in a motion.
+    fn powers(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[T; 6]> {
+        let mut powers: SmallVec<[T; 6]> = SmallVec::new();
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let [_, up] = self.velocity(poses, motion, b, self.centres[b].0);
+            powers.push(-plant!(
+                "energy: power of the weight in the plane",
+                numbers.mass * self.n.gravity * up
+            ));
+        }
+        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes) {
+            let u = Self::push(poses, push, *direction);
+            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
+            powers.push(p * dot(u, self.of_spot(poses, motion, push.at)));
+        }
+        for c in &self.scene.couples {
+            let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
+            let turn = motion[c.body][2].signed(self.counts(c.body));
+            powers.push(moment * if c.forward { turn } else { -turn });
+        }
+        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
+            let near = self.point(poses, strut.at).map(|x| x.value);
+            let (far, moves) = match strut.to {
+                StrutEnd::Ground(place) => (pose::ground(self.n, place), [T::zero(); 2]),
+                StrutEnd::Spot(spot) => {
+                    (self.point(poses, spot).map(|x| x.value), self.of_spot(poses, motion, spot))
+                }
+                // It moves along the guide, across the spring.
+                StrutEnd::Guide { through_m, direction_deg } => {
+                    let (through, along) =
+                        (pose::ground(self.n, through_m), pose::direction(self.n, direction_deg));
+                    (pose::foot(near, through, along), [T::zero(); 2])
+                }
+            };
+            let apart = [far[0] - near[0], far[1] - near[1]];
+            let length = dot(apart, apart).root();
+            let v = self.of_spot(poses, motion, strut.at);
+            let longer = dot(apart, [moves[0] - v[0], moves[1] - v[1]]);
+            let stiffness =
+                plant!("energy: power of a spring in the plane", self.n.massive(strut.stiffness_n_m));
+            let slope = if natural.is_zero() { stiffness } else { stiffness * (length - *natural) / length };
+            powers.push(-(slope * longer));
+        }
+        powers
+    }
+
+    /// Direction of a force.
+    fn push(poses: &Poses<T>, push: &crate::scene::Push, [c, s]: Vector<T>) -> Vector<T> {
+        let axis = poses[push.at.body].axis.map(|x| x.value);
+        if push.turns { [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s] } else { [c, s] }
+    }
+
+    /// 1 where the angle of a body counts counter-clockwise, else -1.
+    fn counts(&self, body: usize) -> f64 {
+        if self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 }
+    }
+
+    /// Work of all forces from the start to a place.
+    fn work(&self, from: &Poses<T>, to: &Poses<T>, way: T) -> Result<T, Refusal> {
+        let (mut work, mut size) = (T::zero(), 0.0);
+        let mut add = |w: T| {
+            work = work + w;
+            size += w.size();
+        };
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let fallen = self.centre(from, b)[1].value - self.centre(to, b)[1].value;
+            add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
+        }
+        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes) {
+            let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
+            if push.turns {
+                let power = |at: T| {
+                    let poses = self.poses(at)?;
+                    let v = self.point(&poses, push.at).map(|x| x.first.signed(self.sense));
+                    Ok::<_, Refusal>(dot(Self::push(&poses, push, *direction), v))
+                };
+                add(p * gauss::integral(power, T::zero(), way)?);
+            } else {
+                let (a, b) = (self.point(from, push.at), self.point(to, push.at));
+                add(p * dot(Self::push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
+            }
+        }
+        for c in &self.scene.couples {
+            let turned = if c.body == self.lead && self.layout.arc().is_none() {
+                way.signed(self.sense)
+            } else {
+                let rate = |at: T| Ok::<_, Refusal>(self.poses(at)?[c.body].turn().0.signed(self.sense));
+                gauss::integral(rate, T::zero(), way)?.signed(self.counts(c.body))
+            };
+            let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
+            add(moment * if c.forward { turned } else { -turned });
+        }
+        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
+            let (a, b) =
+                (self.length(from, strut.at, &strut.to).value, self.length(to, strut.at, &strut.to).value);
+            // (x0 - x1)(x0 + x1) of the stretches.
+            let stored = (a - b) * ((a - *natural) + (b - *natural));
+            let stiffness =
+                plant!("energy: work of a spring in the plane", self.n.massive(strut.stiffness_n_m));
+            add((stiffness * stored).scale2(-1));
+        }
+        Ok(work.cleared(size))
+    }
+
+    /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
+    fn half_square(&self, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+        if self.sliding.iter().any(|s| *s != 0.0) {
+            return self.collocated(way, from);
+        }
+        let poses = self.poses(way)?;
+        let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
+        Ok(kinetic.balance(self.work(first, &poses, way)?) / self.inertia(&poses))
+    }
+
+    /// The same where guides rub: the balance of virtual motions, `dy/dq = (force - 2 bend y) / inertia`, by collocation.
+    fn collocated(&self, way: T, from: T) -> Result<T, Refusal> {
+        let widened = T::of(1.0).widened(|| f64::INFINITY);
+        if widened.radius() > 0.0 {
+            return Ok(widened);
+        }
+        if way.sign() <= 0.0 {
+            return Ok(from);
+        }
+        let mut solved = self.solved.borrow_mut();
+        while solved.last().is_none_or(|s| s.ends.1.below(way)) {
+            let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
+            let mut next = at + T::of(8.0 * STEP);
+            let stretch = (0..=gauss::halvings()).find_map(|_| {
+                let stretch = self.collocate((at, next), square).transpose();
+                next = (at + next).scale2(-1);
+                stretch
+            });
+            let unsettled = || Unsettled { value: square.f64(), gap: f64::INFINITY }.into();
+            solved.push(stretch.unwrap_or_else(|| Err(unsettled()))?);
+        }
+        let within = solved.iter().find(|s| way.at_most(s.ends.1));
+        Ok(within.map_or(from, |Stretch { ends: (a, b), squares: (start, _), gains }| {
+            *start + gauss::at(gains, (way - *a) / (*b - *a)) * (way - *a)
+        }))
+    }
+
+    /// One panel of the collocation; `None` if it is too long.
+    fn collocate(&self, ends: (T, T), from: T) -> Result<Option<Stretch<T>>, Refusal> {
+        let width = ends.1 - ends.0;
+        let (mut forces, mut bends) = (PerNode::new(), PerNode::new());
+        for node in gauss::nodes() {
+            let poses = self.poses(ends.0 + width * T::constant(*node))?;
+            let balance = self.balance(&poses, &self.across_friction(&poses)?)?;
+            let per = width.signed(self.sense) / balance.inertia;
+            forces.push(balance.force * per);
+            bends.push((balance.bend * per).scale2(1));
+        }
+        let share = SMOOTH[usize::from(T::is_double())];
+        if !gauss::smooth(&forces, share)
+            || !bends.iter().all(|b| b.is_zero()) && !gauss::smooth(&bends, share)
+        {
+            return Ok(None);
+        }
+        // Each turn of the iteration gains a power of the length of the panel over its factorial.
+        let mut squares: PerNode<T> = vec![from; gauss::NODES];
+        for _ in 0..TURNS_OF_ITERATION {
+            let rates = forces.iter().zip(&bends).zip(&squares).map(|((f, b), y)| *f - *b * *y);
+            let rates: PerNode<T> = rates.collect();
+            let gained = gauss::running(&rates);
+            let next: PerNode<T> = gained.iter().map(|g| from + *g).collect();
+            let size = next.iter().map(|y| y.size()).fold(0.0, f64::max);
+            let change = next.iter().zip(&squares).map(|(a, b)| (*a - *b).size()).fold(0.0, f64::max);
+            squares = next;
+            if change <= T::SETTLED * size {
+                let gains = gained.iter().zip(gauss::nodes()).map(|(g, x)| *g / (width * T::constant(*x)));
+                let squares = (from, from + gauss::mean(&rates));
+                return Ok(Some(Stretch { ends, squares, gains: gains.collect() }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Second derivative of the leading angle at this square of its rate, and the sum of the magnitudes of its terms.
+    fn acceleration(&self, poses: &Poses<T>, square: T) -> Result<(T, f64), Refusal> {
+        let balance = self.balance(poses, &self.across_friction(poses)?)?;
+        let bend = balance.bend * square;
+        let size = (balance.size + bend.size()) / balance.inertia.size();
+        Ok(((balance.force - bend) / balance.inertia, size))
+    }
+
+    /// The forces of a joint, from the virtual motions that it alone forbids; `None` where no such motion is.
+    fn reaction(
+        &self,
+        poses: &Poses<T>,
+        joint: usize,
+        acceleration: &dyn Fn(usize, T) -> Vector<T>,
+    ) -> Option<SmallVec<[(T, f64); 2]>> {
+        let (rows, of_joint) = self.conditions(poses, true);
+        let columns = 3 * self.scene.bodies.len();
+        let mut forces = SmallVec::new();
+        for own in of_joint.get(joint)? {
+            let mut rows = rows.clone();
+            rows.right_of(*own)[columns] = T::of(1.0);
+            self.leading(poses, &mut rows, T::zero());
+            self.no_drift(poses, &mut rows);
+            let reduced = rows.reduce(&[]);
+            if !reduced.repeats() {
+                return None;
+            }
+            let motion = self.motion(&reduced);
+            let (mut missing, mut size) = (T::zero(), 0.0);
+            let mut add = |x: T| {
+                missing = missing + x;
+                size += x.size();
+            };
+            for (b, numbers) in self.n.bodies.iter().enumerate() {
+                let (centre, gyration) = self.centres[b];
+                for along in [centre + gyration, centre - gyration] {
+                    let v = self.velocity(poses, &motion, b, along);
+                    let half = plant!("energy: inertia in a virtual motion", numbers.mass.scale2(-1));
+                    add(half * dot(v, acceleration(b, along)));
+                }
+            }
+            for power in self.powers(poses, &motion) {
+                add(-power);
+            }
+            forces.push((missing.cleared(size), size));
+        }
+        Some(forces)
+    }
+
+    // -- where it ends --------------------------------------------------------------------------------------------------
+
+    /// The first place before `far` at which `value`, which sets off above 0 (or `rising` below it), no longer is there.
+    fn first(
+        &self,
+        far: T,
+        rising: bool,
+        value: &dyn Fn(T) -> Result<T, Refusal>,
+    ) -> Result<Option<T>, Refusal> {
+        ball::unwatched(|| {
+            let mut before = T::zero();
+            while before.below(far) {
+                let next = before + T::of(STEP);
+                let next = if next.below(far) { next } else { far };
+                let now = value(next)?;
+                if now.sign() == 0.0 || (now.sign() > 0.0) == rising {
+                    let mut last: Option<(T, T)> = None;
+                    let found = root::between(before, next, rising, |x| {
+                        let now = value(x)?;
+                        let slope = match last {
+                            Some((at, before)) if !(x - at).is_zero() => (now - before) / (x - at),
+                            _ => T::zero(),
+                        };
+                        last = Some((x, now));
+                        Ok::<_, Refusal>((now, slope))
+                    })?;
+                    return Ok(Some(found));
+                }
+                before = next;
+            }
+            Ok(None)
+        })
+    }
+
+    /// Time over a way: in an angle whose cosine is the place.
+    fn time(&self, way: T, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
+        if way.is_zero() {
+            return Ok(T::zero());
+        }
+        // A quadrature settles, it proves nothing.
+        let open = T::of(1.0).widened(|| f64::INFINITY);
+        if open.radius() > 0.0 {
+            return Ok(open);
+        }
+        let middle = way.scale2(-1);
+        let slowness = |angle: T| {
+            let (sine, _) = trig::turn(angle);
+            let (half, other) = trig::turn(angle.scale2(-1));
+            let at = way * half.square();
+            let square = self.half_square(at, from)?;
+            // Near an end at rest the work is that of the way back.
+            let square = if rest && square.sign() <= 0.0 { (way * other.square()).square() } else { square };
+            Ok::<_, Refusal>(middle * sine / square.scale2(1).root())
+        };
+        let time = gauss::integral(slowness, T::zero(), T::constant(Dd::PI))?;
+        Ok(plant!("energy: time of joined bodies", time))
+    }
+
+    fn settle(&self, spin: T, drive: (T, T), road: &mut Road<T>) -> Result<(), Refusal> {
+        let scene = self.scene;
+        let from = spin.square().scale2(-1);
+        let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let proves = T::of(1.0).widened(|| f64::INFINITY).radius() > 0.0;
+        let mut far = horizon;
+        let asked = match scene.end {
+            End::Angle(_, angle) => {
+                let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
+                let apart = self.n.get(angle) - start.map_or_else(T::zero, |s| self.n.get(s));
+                far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
+                Some(apart.signed(self.sense))
+            }
+            End::Speed(_, w) => Some((self.n.get(w) / self.layout.ratio()).abs()),
+            End::Time(_, t) => Some(self.n.get(t)),
+            _ => None,
+        };
+        let begin = self.poses(T::zero())?;
+        let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
+        let from = (&begin, from);
+        // Where it comes to rest within a way.
+        let turning = |far: T| self.first(far, false, &|way| self.half_square(way, from));
+        // What is met beyond the turning point is not met.
+        let before_rest = |found: Option<T>| match found {
+            Some(way) => Ok::<_, Refusal>(turning(way)?.is_none().then_some(way)),
+            None => Ok(None),
+        };
+        let found = match scene.end {
+            _ if backward => None,
+            End::Angle(..) => before_rest(Some(far))?,
+            End::TurningPoint(_) => turning(far)?,
+            End::Speed(_, w) => {
+                let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
+                before_rest(
+                    self.first(far, from.1.below(level), &|way| Ok(self.half_square(way, from)? - level))?,
+                )?
+            }
+            End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
+                let poses = self.poses(way)?;
+                let square = self.half_square(way, from)?.scale2(1);
+                let (rate, _) = self.acceleration(&poses, square)?;
+                let moves = |b: usize, along: T| self.accelerates(&poses, b, along, rate, square);
+                Ok(self.reaction(&poses, joint, &moves).map_or_else(T::zero, |f| f[0].0))
+            })?)?,
+            End::Time(_, t) => {
+                let t = self.n.get(t);
+                let rest = turning(far)?;
+                let limit = rest.unwrap_or(far);
+                let most = self.time(limit, from, rest.is_some())?;
+                if proves {
+                    None
+                } else if t.at_most(most) {
+                    Some(root::between(T::zero(), limit, true, |way| {
+                        let speed = self.half_square(way, from)?.scale2(1).root();
+                        Ok::<_, Refusal>((self.time(way, from, false)? - t, T::of(1.0) / speed))
+                    })?)
+                } else {
+                    None
+                }
+            }
+            _ => None,
+        };
+        // Only margins hang on the drive, and whether the other joints push on the way is watched by the first road.
+        let drive = ball::unwatched(|| {
+            let first = self.poses(T::zero())?;
+            let (mut push, mut hold) = (T::zero(), T::zero());
+            for power in self.powers(&first, &self.rates(&first)) {
+                let power = power.signed(self.sense);
+                if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
+            }
+            let rubbed = drive.0 - drive.1;
+            if rubbed.sign() > 0.0 {
+                hold = hold + rubbed;
+            }
+            Ok::<_, Refusal>((push, hold))
+        })?;
+        let course = Course { sense: self.sense, drive, asked, farthest: far, reached: found.is_some() };
+        road.course = Some(course);
+        let Some(way) = found else { return Ok(()) };
+        let rest = matches!(scene.end, End::TurningPoint(_));
+        let open = |x: T| {
+            if proves && !matches!(scene.end, End::Angle(..)) { x.widened(|| f64::INFINITY) } else { x }
+        };
+        let half_square = if rest { T::zero() } else { self.half_square(way, from)? };
+        let time = match scene.end {
+            End::Time(_, t) => self.n.get(t),
+            _ => self.time(way, from, rest)?,
+        };
+        let mut say = |quantity, of, value: T| self.say(road, quantity, of, value);
+        say(Quantity::T, Owner::Scene, time);
+        say(Quantity::Phi, Owner::Body(self.lead), open(way));
+        let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
+        for (b, body) in scene.bodies.iter().enumerate() {
+            if body.planar.is_some() {
+                let risen = self.centre(&poses, b)[1].value - self.centre(&first, b)[1].value;
+                say(Quantity::Rise, Owner::Body(b), open(plant!("energy: rise in the plane", risen)));
+            }
+        }
+        let rate = open(half_square).scale2(1).root().signed(self.sense);
+        let (second, _) = self.acceleration(&poses, rate.square())?;
+        self.tell(&poses, rate, second, road)
+    }
+
+    /// Does each joint that can only push do so at the start, with more than this share of all weights?
+    fn presses(&self, begin: &Poses<T>, from: T) -> Result<bool, Refusal> {
+        const LEAST: f64 = 1e-9;
+        let square = from.scale2(1);
+        let pushing = |joint: &usize| self.scene.joints[*joint].kind.only_pushes();
+        let mut joints = (0..self.scene.joints.len()).filter(pushing).peekable();
+        if joints.peek().is_none() {
+            return Ok(true);
+        }
+        let weights = self.n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n.gravity).size());
+        let (rate, _) = self.acceleration(begin, square)?;
+        let moves = |b: usize, along: T| self.accelerates(begin, b, along, rate, square);
+        Ok(joints.all(|joint| {
+            let force = self.reaction(begin, joint, &moves);
+            force.is_none_or(|force| !force[0].0.below(T::of(LEAST * weights)))
+        }))
+    }
+
+    /// Acceleration of a point at a distance along the axis of a body.
+    fn accelerates(&self, poses: &Poses<T>, body: usize, along: T, rate: T, square: T) -> Vector<T> {
+        poses[body].point(along).map(|x| x.first * rate + x.second * square)
+    }
+
+    fn say(&self, road: &mut Road<T>, quantity: Quantity, of: Owner, value: T) {
+        let value = self.n.publish(quantity, value);
+        road.said.push(Said { label: Label { quantity, of }, value, scale: value.f64().abs() });
+    }
+
+    /// Everything at a place where the leading angle has this rate and this second derivative.
+    fn tell(&self, poses: &Poses<T>, rate: T, second: T, road: &mut Road<T>) -> Result<(), Refusal> {
+        let rates = self.rates(poses);
+        let square = rate.square();
+        let moves = |b: usize, along: T| self.accelerates(poses, b, along, second, square);
+        let turning = |b: usize| {
+            let (first, bend) = poses[b].turn();
+            (first * second).balance(bend * square)
+        };
+        let moving = rates.iter().map(|r| r.map(|x| x * rate)).collect();
+        self.all(poses, &moving, &moves, &turning, road)
+    }
+
+    /// An instant: of one freedom with any rate, of several from rest.
+    fn instant(&mut self, spin: T, road: &mut Road<T>) -> Result<(), Refusal> {
+        let poses = self.placed()?;
+        if !spin.is_zero() {
+            let poses = self.poses(T::zero())?;
+            let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
+            self.slide(&poses, &motion);
+            let (second, _) = self.acceleration(&poses, spin.square())?;
+            return self.tell(&poses, spin, second, road);
+        }
+        // What starts from rest slides as it would without friction.
+        let mut sum = self.sets_off(&poses)?;
+        self.slide(&poses, &sum);
+        if self.sliding.iter().any(|s| *s != 0.0) {
+            sum = self.sets_off(&poses)?;
+        }
+        let moves = |b: usize, along: T| self.velocity(&poses, &sum, b, along);
+        let turning = |b: usize| sum[b][2];
+        let still: Motion<T> = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
+        self.all(&poses, &still, &moves, &turning, road)
+    }
+
+    /// Accelerations from rest, of any number of freedoms: a sum of the motions that the joints allow, from the balances of the
+    /// virtual motions in which normal forces and their friction do no work.
+    fn sets_off(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
+        let bodies = self.scene.bodies.len();
+        let modes = |virtually: bool| -> Vec<Motion<T>> {
+            let reduced = self.conditions(poses, virtually).0.reduce(&[]);
+            let mode = |which: usize| {
+                (0..bodies).map(|b| [0, 1, 2].map(|i| reduced.in_mode(which, 3 * b + i))).collect()
+            };
+            reduced.open().into_iter().map(mode).collect()
+        };
+        let (modes, virtual_modes) = (modes(false), modes(true));
+        let mut rows = Equations::new(modes.len());
+        for one in &virtual_modes {
+            let row = rows.row();
+            for (cell, other) in row.iter_mut().zip(&modes) {
+                for (b, numbers) in self.n.bodies.iter().enumerate() {
+                    let (centre, gyration) = self.centres[b];
+                    for along in [centre + gyration, centre - gyration] {
+                        let (v, u) =
+                            (self.velocity(poses, one, b, along), self.velocity(poses, other, b, along));
+                        let half = numbers.mass.scale2(-1);
+                        *cell = *cell + plant!("energy: inertia of two motions", half) * dot(v, u);
+                    }
+                }
+            }
+            let powers = self.powers(poses, one);
+            let size = powers.iter().map(|p| p.size()).sum();
+            row[modes.len()] = powers.into_iter().fold(T::zero(), |sum, p| sum + p).cleared(size);
+            rows.sized(size);
+        }
+        let rates = rows.reduce(&[]).solution().ok_or(Refusal::Freedoms(modes.len()))?;
+        let mut sum: Motion<T> = smallvec![[T::zero(); 3]; bodies];
+        for (mode, rate) in modes.iter().zip(&rates) {
+            for (s, m) in sum.iter_mut().zip(mode) {
+                for (s, m) in s.iter_mut().zip(m) {
+                    *s = s.balance(*m * *rate);
+                }
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Everything of one place: the velocities, accelerations of points, angular accelerations counter-clockwise.
+    fn all(
+        &self,
+        poses: &Poses<T>,
+        motion: &Motion<T>,
+        moves: &dyn Fn(usize, T) -> Vector<T>,
+        turning: &dyn Fn(usize) -> T,
+        road: &mut Road<T>,
+    ) -> Result<(), Refusal> {
+        let scene = self.scene;
+        let mut energy = T::zero();
+        for (b, body) in scene.bodies.iter().enumerate() {
+            let (of, (centre, gyration)) = (Owner::Body(b), self.centres[b]);
+            let [vx, vy] = self.velocity(poses, motion, b, centre);
+            for along in [centre + gyration, centre - gyration] {
+                let v = self.velocity(poses, motion, b, along);
+                energy = energy
+                    + plant!("energy: kinetic energy of the particles", self.n.bodies[b].mass.scale2(-1))
+                        * dot(v, v);
+            }
+            self.say(road, Quantity::V, of, (vx.square() + vy.square()).root());
+            self.say(road, Quantity::VX, of, vx);
+            self.say(road, Quantity::VY, of, vy);
+            let [ax, ay] = moves(b, centre);
+            self.say(road, Quantity::AX, of, ax);
+            self.say(road, Quantity::AY, of, ay);
+            if body.turns {
+                self.say(road, Quantity::Omega, of, motion[b][2].abs());
+                self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
+            }
+            let points = body.planar.as_ref().map_or(0, |p| p.points.len());
+            for spot in (0..points).map(|point| Spot { body: b, point }) {
+                let [x, y] = self.of_spot(poses, motion, spot);
+                self.say(road, Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root());
+            }
+        }
+        self.say(road, Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let of = Owner::Joint(j);
+            let quantities: &[Quantity] = match joint.kind {
+                JointKind::Pin { .. } | JointKind::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
+                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &[Quantity::Normal],
+                JointKind::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
+                JointKind::Cord { .. } => &[Quantity::Tension],
+            };
+            let Some(forces) = self.reaction(poses, j, moves) else {
+                road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                continue;
+            };
+            for (quantity, (force, _)) in quantities.iter().zip(&forces) {
+                self.say(road, *quantity, of, *force);
+            }
+            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [(normal, _)]) =
+                (joint.kind, forces.as_slice())
+            {
+                let up = pose::upward(pose::direction(self.n, direction_deg));
+                let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
+                self.say(road, Quantity::Friction, of, -most.signed(self.sliding[j]).signed(up));
+            }
+            if let ([(x, _), (y, _)], [_, Quantity::PinY]) = (forces.as_slice(), quantities) {
+                self.say(road, Quantity::PinForce, of, (x.square() + y.square()).root());
+            }
+        }
+        for (s, (strut, natural)) in scene.struts.iter().zip(&self.natural).enumerate() {
+            let length = self.length(poses, strut.at, &strut.to).value;
+            let force = self.n.massive(strut.stiffness_n_m) * length.balance(-*natural);
+            self.say(road, Quantity::SpringForce, Owner::Strut(s), force);
+        }
+        Ok(())
+    }
+}
