@@ -1,16 +1,20 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Tie};
+use crate::num::{gauss, shown, trig};
+use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Rest, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    signed, sine, square, sum,
 };
-use crate::solution::factors::Factors;
+use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::symbols::FIGURES;
+use crate::solution::terms::{
+    Action, BodyTerms, ForceKind, ForceSource, Pivot, PivotSpring, Terms, mark_of, tagged,
+};
 use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
@@ -41,6 +45,10 @@ pub struct Eliminated {
     pub is: Expr,
 }
 
+/// Step in degrees in which an angle is looked for at which something happens, and the farthest way that is looked over.
+pub const LOOK: f64 = 0.25;
+const FAR: f64 = 720.0;
+
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
 
@@ -62,17 +70,63 @@ pub struct Account<'d, 'a> {
     pub v: Expr,
     /// What the lead accelerates: effective mass or moment of inertia.
     pub effective: Expr,
-    /// Sum of the forces but the spring's, reckoned to the lead.
+    /// Sum of the forces but the spring's, reckoned to the lead; of a body on a pin, all moments at any angle.
     pub drive: Expr,
+    /// The square of the speed of a body on a pin at any angle.
+    pub square: Expr,
+    /// Works of the forces on a body on a pin.
+    pub works: Vec<Expr>,
     /// The spring.
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
     pub last: Expr,
+    /// Velocity of the point of contact at the start, of a body thrown with slip.
+    pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
     known: Vec<(Label, SymbolId)>,
     /// The ties whose reactions are being solved for, each for the one before it.
     solving: Vec<usize>,
+}
+
+/// The symbols of a quantity that is not among the terms; the first that is free is taken.
+const fn names_of(quantity: Quantity) -> [&'static str; 2] {
+    match quantity {
+        Quantity::V => ["v_G", "u_G"],
+        Quantity::Omega => [r"\omega", r"\omega_2"],
+        Quantity::T => ["t", "t_2"],
+        Quantity::Displacement => [r"\Delta x", r"\Delta x_G"],
+        Quantity::Distance => ["d", "D"],
+        Quantity::Rise => ["h", "y"],
+        Quantity::Phi => [r"\varphi", r"\psi"],
+        Quantity::CordTravel => [r"\ell", "L"],
+        Quantity::SlipDistance => [r"\delta", r"\Delta"],
+        Quantity::AngularMomentum => ["L", r"\Lambda"],
+        Quantity::Impulse => ["J", "S"],
+        Quantity::Work => ["W", "A_{W}"],
+        Quantity::WorkPull => ["W", "A"],
+        Quantity::PowerPull => [r"\dot{W}", r"\dot{A}"],
+        Quantity::WorkCouple => ["W_{M}", "A_{M}"],
+        Quantity::PowerCouple => [r"\dot{W}_{M}", r"\dot{A}_{M}"],
+        Quantity::Heat => ["Q", r"Q_{\mathrm{th}}"],
+        Quantity::KineticEnergy => ["E_{k}", r"E_{\mathrm{kin}}"],
+        Quantity::RotationalFraction => [r"\eta", r"\beta"],
+        Quantity::MuRequired => [r"\mu_{\mathrm{min}}", r"\mu_{\mathrm{m}}"],
+        Quantity::KBound => ["k_{0}", "k_{1}"],
+        Quantity::XEq => [r"x_{\mathrm{eq}}", "x_{0}"],
+        Quantity::VMax => [r"v_{\mathrm{max}}", "v_{m}"],
+        Quantity::DAtVMax => ["D_{v}", "d_{v}"],
+        Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
+        Quantity::OmegaMax => [r"\omega_{\mathrm{max}}", r"\omega_{m}"],
+        Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
+        Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
+        Quantity::Period => [r"\tau", r"\tau_1"],
+        Quantity::PinForce => ["F_O", "O"],
+        Quantity::PinX => ["O_x", "X_O"],
+        Quantity::PinY => ["O_y", "Y_O"],
+        Quantity::PinAngle => [r"\psi_O", r"\chi_O"],
+        _ => ["Z", "Y"],
+    }
 }
 
 /// A body's label.
@@ -108,6 +162,28 @@ const fn turn(body: usize) -> Coordinate {
     Coordinate { body, degree: Degree::Turn }
 }
 
+/// The coordinate that a quantity of a body is of: its line or its turn.
+const fn coordinate(quantity: Quantity, body: usize) -> Coordinate {
+    match quantity {
+        Quantity::A | Quantity::V | Quantity::Displacement | Quantity::Distance => along(body),
+        _ => turn(body),
+    }
+}
+
+/// What is 0 where nothing moves.
+const STILL: [Quantity; 7] = [
+    Quantity::V,
+    Quantity::Omega,
+    Quantity::KineticEnergy,
+    Quantity::VMax,
+    Quantity::DAtVMax,
+    Quantity::DTurn,
+    Quantity::AngularMomentum,
+];
+
+/// What may have a symbol before it is asked.
+const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Quantity::T];
+
 fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
@@ -142,8 +218,11 @@ impl<'d, 'a> Account<'d, 'a> {
             v: ZERO,
             effective: ZERO,
             drive: ZERO,
+            square: ZERO,
+            works: Vec::new(),
             spring: None,
             last: ZERO,
+            slip: None,
             rolled,
             known: Vec::new(),
             solving: Vec::new(),
@@ -169,6 +248,9 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         this.effective = this.effective_mass();
         this.set_out()?;
+        if let Some(pivot) = this.m.pivot.clone() {
+            this.set_out_on(pivot);
+        }
         Ok(this)
     }
 
@@ -240,7 +322,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance that the lead goes, a magnitude.
     pub fn distance(&self) -> Expr {
-        in_sense(self.s.clone(), self.value(&self.s))
+        self.positive(&self.s)
     }
 
     /// The lead.
@@ -266,7 +348,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let given = self.number(num, tex, unit);
             let ratio = self.m.ratio(c).clone();
             if given != ZERO && !ratio.is_zero() {
-                return Factors::of(&given).per(&ratio).expr();
+                return given.over(&ratio);
             }
         }
         ZERO
@@ -280,6 +362,12 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Start, sense of the motion, kinetic friction with its sign, the sum of the constant forces.
     fn set_out(&mut self) -> Result<(), DerivationStop> {
         self.v0 = self.start_velocity();
+        if let Some(thrown) = self.scene.thrown().filter(|_| self.scene.end != End::AtOnce) {
+            let c = self.number(thrown.radius_m, "R", "m");
+            let spin = self.number(thrown.spin_rad_s, r"\omega_0", "rad/s");
+            let slip = positive_first([&self.v0 - c * spin]);
+            self.slip = Some(self.page.find(&["u_0", "w_0"], "m/s", slip));
+        }
         self.rub();
         if let (Some(spring), true) = (self.spring.clone(), self.still()) {
             let pull = &spring.stiffness * &spring.stretch;
@@ -288,8 +376,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if !self.m.one {
             self.together()?;
         }
-        let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
-        self.drive = positive_first(all.into_iter().map(|(_, e)| e).collect());
+        self.drive = self.share_sum(&[ForceKind::Given, ForceKind::Kinetic]);
         let lead = self.lead();
         let mut push = self.value(&self.drive);
         if let Some(s) = &self.spring {
@@ -306,6 +393,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Sense of the friction on a body, positive up, as the key has it.
     fn friction_sense(&self, body: usize) -> f64 {
+        if let Some(slip) = self.slip {
+            return -self.symbols.value(slip).signum() * f64::from(self.m.parts[body].up);
+        }
         let key = self.variant.solved.get(of_body(Quantity::Friction, body));
         key.map_or(1.0, |entry| if entry.value() < 0.0 { -1.0 } else { 1.0 })
     }
@@ -430,26 +520,53 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What of the forces of these kinds does not drop out, each as its share of the lead's equation.
     pub fn shares(&self, kinds: &[ForceKind]) -> Vec<(Action, Expr)> {
-        let mut list: Vec<(Action, Factors)> = Vec::new();
-        for action in self.m.actions.iter().filter(|a| kinds.contains(&a.kind)) {
-            let share = Factors::of(&action.force).times(&self.point(action));
-            if !share.is_zero() {
-                list.push((action.clone(), share));
-            }
-        }
-        list.sort_by_key(|(a, share)| (negative(share), rank(a)));
-        list.into_iter().map(|(a, share)| (a, share.expr())).collect()
+        self.listed(&|a| kinds.contains(&a.kind), &|a| self.point(a))
     }
 
     /// Forces or moments in the equation of a coordinate.
     pub fn row(&self, c: Coordinate) -> Vec<(Action, Expr)> {
-        let mut list: Vec<(Action, Factors)> = Vec::new();
-        for action in self.m.actions.iter().filter(|a| a.body == c.body) {
-            let share = Factors::of(&action.force).times(self.m.lever(action, c));
-            if !share.is_zero() {
-                list.push((action.clone(), share));
+        self.listed(&|a| a.body == c.body, &|a| self.m.lever(a, c).clone())
+    }
+
+    /// The sum of [`Self::shares`].
+    pub fn share_sum(&self, kinds: &[ForceKind]) -> Expr {
+        positive_first(self.shares(kinds).into_iter().map(|(_, e)| e))
+    }
+
+    /// The equations of motion of a body, both sides; with its coordinate one that belongs to a coordinate of the scene.
+    pub fn equations(&self, body: usize) -> Vec<(Option<Coordinate>, Expr, Expr)> {
+        let (mut all, part) = (Vec::new(), &self.m.parts[body]);
+        for c in [along(body), turn(body)] {
+            let (inertia, forces) = (self.m.inertia(c), self.row_sum(c));
+            if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || forces != ZERO) {
+                all.push((Some(c), forces, sum(inertia.iter().map(|i| i.by(a)))));
+            }
+            if let (Degree::Along, Some((normal, is))) = (c.degree, part.normal.clone()) {
+                all.push((None, normal - is, ZERO));
             }
         }
+        if let (Some(pivot), Some(a), Some(v)) = (&self.m.pivot, part.alpha, part.omega) {
+            let (mh, [toward, aside]) = (part.mass.times(&pivot.h), self.m.beside_the_pin(pivot));
+            all.push((None, pivot.radial + toward, mh.by(square(v))));
+            all.push((None, pivot.across + aside, mh.by(a)));
+        }
+        all
+    }
+
+    /// The sum of [`Self::row`].
+    pub fn row_sum(&self, c: Coordinate) -> Expr {
+        positive_first(self.row(c).into_iter().map(|(_, e)| e))
+    }
+
+    /// These forces, each with its share, as they stand in an equation.
+    fn listed(
+        &self,
+        which: &dyn Fn(&Action) -> bool,
+        lever: &dyn Fn(&Action) -> Factors,
+    ) -> Vec<(Action, Expr)> {
+        let actions = self.m.actions.iter().filter(|a| which(a));
+        let shares = actions.map(|a| (a.clone(), a.force.factors().times(lever(a))));
+        let mut list: Vec<(Action, Factors)> = shares.filter(|(_, share)| !share.is_zero()).collect();
         list.sort_by_key(|(a, share)| (negative(share), rank(a)));
         list.into_iter().map(|(a, share)| (a, share.expr())).collect()
     }
@@ -461,10 +578,30 @@ impl<'d, 'a> Account<'d, 'a> {
         symbol
     }
 
-    fn new_found(&mut self, label: Label, names: &[&str], unit: &str, from: Expr) -> SymbolId {
-        let tex = self.free(names);
+    /// What a quantity of the end is, in place of what it was on the way.
+    pub fn ends_as(&mut self, label: Label, symbol: SymbolId) {
+        self.known.retain(|(l, _)| *l != label);
+        self.known.push((label, symbol));
+    }
+
+    /// The magnitude of a quantity: itself, or under bars where it is negative.
+    pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {
+        if self.symbols.value(symbol) >= 0.0 {
+            return symbol;
+        }
+        let name = format!(r"\left|{}\right|", self.symbols.tex(symbol));
+        let size = self.symbols.unknown_like(&name, symbol);
+        self.symbols.settle_by(size, &magnitude(symbol));
+        size
+    }
+
+    /// A quantity that is not among the terms.
+    fn new_found(&mut self, label: Label, from: Expr) -> SymbolId {
+        let tag = self.tag_of(label);
+        let names = names_of(label.quantity).map(|name| tagged(name, &tag));
+        let tex = self.free(&[&names[0], &names[1]]);
         let mut mark = String::new();
-        if self.symbols.named(&tex).is_some() {
+        if self.symbols.named(&[&tex]).is_some() {
             // Another body or cord bears it already.
             mark = match label.of {
                 Owner::Body(b) => self.m.parts[b].tag.clone(),
@@ -473,8 +610,25 @@ impl<'d, 'a> Account<'d, 'a> {
             };
         }
         let tex = if mark.is_empty() { tex } else { marked(&tex, &mark) };
-        let symbol = self.new_symbol(&[&tex], unit);
+        let symbol = self.new_symbol(&[&tex], label.quantity.unit());
         self.found(label, symbol, from)
+    }
+
+    /// What tells a quantity of one body or cord from that of another, where several have it.
+    fn tag_of(&self, label: Label) -> String {
+        let has = |p: &&BodyTerms| match label.quantity {
+            Quantity::Phi | Quantity::AngularMomentum => p.alpha.is_some(),
+            Quantity::Distance | Quantity::Impulse | Quantity::Rise => p.a.is_some(),
+            _ => false,
+        };
+        let pulled =
+            |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
+        match (label.of, label.quantity) {
+            (Owner::Body(b), _) if self.m.parts.iter().filter(has).count() > 1 => self.m.parts[b].tag.clone(),
+            (Owner::Tie(t), _) if self.scene.ties.iter().filter(pulled).count() > 1 => (t + 1).to_string(),
+            (_, Quantity::WorkPull | Quantity::PowerPull) => "P".to_owned(),
+            _ => String::new(),
+        }
     }
 
     fn length(&mut self, num: Num) -> Expr {
@@ -501,15 +655,22 @@ impl<'d, 'a> Account<'d, 'a> {
         };
         let (a_label, v_label) =
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        if let (Some(pivot), true) = (self.m.pivot.clone(), self.scene.end != End::AtOnce) {
+            return self.arrive_on(&pivot, v);
+        }
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             return self.arrive_on_spring(a, v);
         }
-        let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
+        let per = self.drive.over(&self.effective);
         let accelerated = |this: &mut Self| {
             if this.m.one {
                 this.found(a_label, a, per.clone());
             }
         };
+        if self.slip.is_some() {
+            accelerated(self);
+            return Ok(());
+        }
         match self.scene.end {
             End::Travel(_, d) | End::Position(_, d) => {
                 let d = self.length(d);
@@ -518,12 +679,10 @@ impl<'d, 'a> Account<'d, 'a> {
                     _ => d,
                 };
                 let push = if self.m.one { self.drive.clone() } else { a.into() };
-                let push = positive_first(vec![in_sense(push, self.value(&self.s))]);
+                let push = positive_first([in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
-                let gained =
-                    if self.m.one { twice.per(&Factors::of(&self.effective)).expr() } else { twice.expr() };
-                let before = if self.v0 == ZERO { ZERO } else { square(self.v0.clone()) };
-                self.found(v_label, v, root(before + gained));
+                let gained = if self.m.one { twice.over(&self.effective) } else { twice.expr() };
+                self.found(v_label, v, root(square(&self.v0) + gained));
                 self.v = v.into();
                 accelerated(self);
             }
@@ -531,7 +690,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let t = self.number(t, "t", "s");
                 accelerated(self);
                 let end = &self.v0 + a * &t;
-                let end = in_sense(end.clone(), self.value(&end));
+                let end = self.positive(&end);
                 self.found(v_label, v, end);
                 self.v = v.into();
                 self.new_way(&self.v0.clone() * &t + ratio(1, 2) * a * square(&t));
@@ -555,10 +714,10 @@ impl<'d, 'a> Account<'d, 'a> {
                 accelerated(self);
             }
             End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
-                let size = in_sense(self.v0.clone(), self.value(&self.v0));
+                let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
-                if self.spring.is_none() {
+                if self.spring.is_none() && self.m.pivot.is_none() {
                     accelerated(self);
                 }
             }
@@ -566,10 +725,229 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
+    // A body on a pin.
+
+    /// Moment of inertia, natural length, and what moves it at any angle.
+    fn set_out_on(&mut self, mut pivot: Pivot) {
+        let (up, first, angle) = (pivot.up, pivot.first.clone(), Expr::from(pivot.angle));
+        let mass = self.m.parts[self.lead().body].mass.expr();
+        let inertia = &pivot.own + mass * square(&pivot.h);
+        self.found(of_body(Quantity::IO, self.lead().body), pivot.about, inertia);
+        let given = self.scene.pinned().and_then(|(_, pin)| pin.spring).map(|s| s.rest);
+        let mut stretches = [ZERO, ZERO];
+        if let Some(spring) = &mut pivot.spring {
+            if let Some(Rest::Stretch(_)) = given {
+                let length = self.page.find(&["s_0", "d_0"], "m", spring.length(up, &first));
+                spring.rest = self.page.find(&["l_0", "l_n"], "m", length - &spring.rest).into();
+            }
+            stretches = [&first, &angle].map(|a| spring.length(up, a) - &spring.rest);
+        }
+        let turned = self.radians(&angle - &first);
+        let works = self.works_on(&pivot, &angle, turned, &stretches);
+        self.square = square(&self.v0) + number(2) * sum(works) / pivot.about;
+        self.drive = self.row_sum(self.lead());
+        if let Some(spring) = &pivot.spring {
+            let law = spring.law(up, &angle, &spring.length(up, &angle));
+            let put = |e: Expr, (symbol, is): (&SymbolId, &Expr)| e.put(*symbol, is);
+            self.drive = spring.force.iter().zip(&law).fold(self.drive.clone(), put);
+        }
+        self.last = first;
+        self.m.pivot = Some(pivot);
+        let start = self.value(&self.last);
+        let way =
+            if self.v0 == ZERO { self.along_way(&self.drive.clone(), start) } else { self.value(&self.v0) };
+        self.sense = way.signum();
+    }
+
+    /// An angle in degrees, in radians.
+    fn radians(&mut self, degrees: Expr) -> Expr {
+        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        degrees * self.draft.pi() / half
+    }
+
+    /// The angle that a body on a pin has turned, in radians with its sign.
+    pub fn turned(&mut self, pivot: &Pivot) -> SymbolId {
+        let name = format!(r"\Delta {}", self.symbols.tex(pivot.angle));
+        self.symbols.named(&[&name]).unwrap_or_else(|| {
+            let angle = self.radians(&self.last - &pivot.first);
+            self.page.find(&[&name], "rad", angle)
+        })
+    }
+
+    /// What an expression comes to with a body on a pin at this angle, degrees.
+    pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
+        let Some(angle) = self.m.pivot.as_ref().map(|p| p.angle) else { return f64::NAN };
+        self.symbols.place(angle, degrees);
+        let value = self.value(of);
+        self.symbols.place(angle, f64::NAN);
+        value
+    }
+
+    /// Works of weight, couples and spring from the start to an angle.
+    fn works_on(&self, pivot: &Pivot, to: &Expr, turned: Expr, stretches: &[Expr; 2]) -> Vec<Expr> {
+        let weight = self.m.parts[self.lead().body].mass.times(&self.m.g).times(&pivot.h);
+        let couples = self.row(self.lead()).into_iter();
+        let couples = couples.filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+        let mut works =
+            vec![weight.by(pivot.sinking(&pivot.first, to)), sum(couples.map(|(_, e)| e)) * turned];
+        if let Some(spring) = &pivot.spring {
+            let [first, last] = stretches.each_ref().map(square);
+            works.push(ratio(1, 2) * &spring.stiffness * (first - last));
+        }
+        works.retain(|w| *w != ZERO);
+        works
+    }
+
+    /// Length of the spring on a pinned body at the end.
+    fn last_length(&mut self, pivot: &Pivot, spring: &PivotSpring) -> SymbolId {
+        let last = spring.length(pivot.up, &self.last);
+        let names = ["s_1", "d_1"];
+        self.symbols.named(&names).unwrap_or_else(|| self.page.find(&names, "m", last))
+    }
+
+    /// The motion of a body on a pin up to its end.
+    fn arrive_on(&mut self, pivot: &Pivot, v: SymbolId) -> Result<(), DerivationStop> {
+        let one = format!("{}_1", self.symbols.tex(pivot.angle));
+        self.last = match self.scene.end {
+            End::Angle(_, angle) => self.number(angle, &one, "deg"),
+            End::Speed(_, w) => self.angle_of(&one, self.datum(w))?,
+            End::TurningPoint(_) => self.angle_of(&one, 0.0)?,
+            _ => return beyond(Beyond::Unfound),
+        };
+        let couples = self.row(self.lead()).iter().any(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+        let turned = if couples { self.turned(pivot).into() } else { ZERO };
+        let mut stretches = [ZERO, ZERO];
+        if let Some(spring) = &pivot.spring {
+            let names = ["s_0", "d_0"];
+            let known = self.symbols.named(&names);
+            let first = spring.length(pivot.up, &pivot.first);
+            let first = known.unwrap_or_else(|| self.page.find(&names, "m", first));
+            let last = self.last_length(pivot, spring);
+            let first = self.page.find(&[r"\delta_0", "e_0"], "m", first - &spring.rest);
+            let last = self.page.find(&[r"\delta_1", "e_1"], "m", last - &spring.rest);
+            stretches = [first.into(), last.into()];
+        }
+        self.works = self.works_on(pivot, &self.last, turned, &stretches);
+        let twice = self.works.iter().map(|w| w.by(number(2)));
+        let gained = match self.works.as_slice() {
+            [one] => one.by(number(2)).over(pivot.about),
+            _ => positive_first(twice) / pivot.about,
+        };
+        let still = matches!(self.scene.end, End::TurningPoint(_));
+        let from = if still { ZERO } else { root(square(&self.v0) + gained) };
+        self.found(self.of_lead(Quantity::V, Quantity::Omega), v, from);
+        self.v = v.into();
+        if self.symbols.value(v).is_nan() { beyond(Beyond::Unfound) } else { Ok(()) }
+    }
+
+    /// The first angle at which a body on a pin has this speed, as a symbol in degrees.
+    fn angle_of(&mut self, tex: &str, speed: f64) -> Result<Expr, DerivationStop> {
+        let (start, sense, square) = (self.value(&self.last), self.sense, self.square.clone());
+        let mut over = |way: f64| self.along_way(&square, start + sense * way) - speed * speed;
+        let first = over(LOOK);
+        let mut low = LOOK;
+        while over(low + LOOK) * first > 0.0 {
+            low += LOOK;
+            if low > FAR {
+                return beyond(Beyond::Unfound);
+            }
+        }
+        let mut high = low + LOOK;
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if over(middle) * first > 0.0 { low = middle } else { high = middle }
+        }
+        let value = start + sense * 0.5 * (low + high);
+        Ok(self.symbols.given(tex, value, &shown::significant(value, FIGURES), "", true).into())
+    }
+
+    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
+    /// cosine takes away.
+    fn time_on(&mut self, pivot: &Pivot) -> Expr {
+        let (first, last) = (self.value(&pivot.first), self.value(&self.last));
+        let (half, pieces, square) = (0.5 * (last - first).abs(), 40, self.square.clone());
+        let step = std::f64::consts::PI / f64::from(pieces);
+        let mut pace = |theta: f64| {
+            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
+            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
+            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
+        };
+        let mut piece = |i: i32| {
+            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
+            gauss::mean(&places.collect::<Vec<f64>>())
+        };
+        let time = step * (0..pieces).map(&mut piece).sum::<f64>();
+        let t = self.new_symbol(&["t", "t_1"], "s");
+        self.symbols.settle(t, time, 0.0);
+        self.step(t, t.into());
+        t.into()
+    }
+
+    /// What a quantity is of a body on a pin that no other body has, or has in another way.
+    fn of_pivot(&mut self, pivot: &Pivot, quantity: Quantity) -> Result<Option<Expr>, DerivationStop> {
+        let body = self.lead().body;
+        let mh = self.m.parts[body].mass.times(&pivot.h);
+        let mgh = self.m.parts[body].mass.times(&self.m.g).times(&pivot.h);
+        let of = |this: &mut Self, quantity| this.get(of_body(quantity, body));
+        let pulls = [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential].contains(&quantity);
+        if pulls && pivot.spring.is_some() {
+            of(self, Quantity::SpringForce)?;
+        }
+        let beside = self.m.beside_the_pin(pivot).map(|e| e.put(pivot.angle, &self.last));
+        let [toward, aside] = beside;
+        Ok(Some(match quantity {
+            Quantity::SpringForce => {
+                let Some(spring) = &pivot.spring else { return beyond(Beyond::Unfound) };
+                let length = self.last_length(pivot, spring);
+                let [pull, out, side] = spring.law(pivot.up, &self.last, &length.into());
+                self.step(spring.force[0], pull.clone());
+                self.step(spring.force[2], side);
+                self.step(spring.force[1], out);
+                self.known.push((of_body(quantity, body), spring.force[0]));
+                pull
+            }
+            Quantity::Alpha => {
+                let row = self.row(self.lead()).into_iter().map(|(_, e)| e.put(pivot.angle, &self.last));
+                positive_first(row.filter(|e| *e != ZERO)).over(pivot.about)
+            }
+            Quantity::PinRadial => positive_first([mh.by(square(of(self, Quantity::Omega)?)) - toward]),
+            Quantity::PinTangential => positive_first([mh.by(of(self, Quantity::Alpha)?) - aside]),
+            Quantity::PinForce | Quantity::PinX | Quantity::PinY => {
+                let (r, s) = (of(self, Quantity::PinRadial)?, of(self, Quantity::PinTangential)?);
+                let (sin, cos) = (sine(&self.last), cosine(&self.last));
+                match quantity {
+                    Quantity::PinForce => root(square(r) + square(s)),
+                    Quantity::PinX => positive_first([s * cos - r * sin]),
+                    _ => positive_first([signed(r * cos, !pivot.up), signed(s * sin, !pivot.up)]),
+                }
+            }
+            Quantity::PinAngle => {
+                let (x, y) = (of(self, Quantity::PinX)?, of(self, Quantity::PinY)?);
+                let angle = arc_cosine(x / root(square(x) + square(y)));
+                in_sense(angle, self.symbols.value(y))
+            }
+            Quantity::V => pivot.h.by(of(self, Quantity::Omega)?),
+            Quantity::RotationalFraction => pivot.own.over(pivot.about),
+            Quantity::Rise => -pivot.h.by(pivot.sinking(&pivot.first, &self.last)),
+            Quantity::OmegaMax => {
+                let above = if pivot.up { ONE + cosine(&pivot.first) } else { ONE - cosine(&pivot.first) };
+                root(square(&self.v0) + mgh.times(number(2)).by(above).over(pivot.about))
+            }
+            Quantity::OmegaSmall => root(mgh.expr() / pivot.about),
+            Quantity::PeriodSmall => number(2) * self.draft.pi() / of(self, Quantity::OmegaSmall)?,
+            Quantity::T if self.scene.end != End::AtOnce => self.time_on(pivot),
+            Quantity::WorkCouple | Quantity::Phi => {
+                self.s = self.turned(pivot).into();
+                return Ok(None);
+            }
+            _ => return Ok(None),
+        }))
+    }
+
     /// The stretch at which a spring balances a force on the lead.
     fn rest_under(&self, spring: &CordSpring, force: &Expr) -> Expr {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma);
-        Factors::of(&-force).per(&per).expr()
+        -force.over(&per)
     }
 
     /// A quantity of the swing on a spring, each once.
@@ -584,8 +962,8 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Angular frequency of the swing on a spring.
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
-        let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
-        let frequency = root(per.per(&Factors::of(&self.effective)).expr());
+        let per = Factors::of(&spring.stiffness).times(spring.gamma.squared());
+        let frequency = root(per.over(&self.effective));
         self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
@@ -604,7 +982,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let rest = self.middle(spring)?;
         let off = &spring.stretch - rest;
         let amplitude = if self.v0 == ZERO {
-            in_sense(off.clone(), self.value(&off))
+            self.positive(&off)
         } else {
             root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
         };
@@ -623,7 +1001,6 @@ impl<'d, 'a> Account<'d, 'a> {
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
-        let way = |x: &Expr| Factors::of(&(&spring.stretch - x)).per(&spring.gamma).expr();
         let mut last = None;
         match self.scene.end {
             End::Travel(_, d) => self.s = in_sense(self.length(d), self.sense),
@@ -653,7 +1030,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 match slack.filter(|(time, _)| self.value(time) < self.value(&t)) {
                     Some((time, speed)) => {
                         let left = self.swung(&[r"\Delta t"], "s", &t - time);
-                        let first = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+                        let first = spring.stretch.over(&spring.gamma);
                         let coast = &self.drive / &self.effective;
                         let more = in_sense(speed, self.sense) * left + ratio(1, 2) * coast * square(left);
                         self.new_way(first + more);
@@ -661,7 +1038,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     None => {
                         let [frequency, rest, amplitude] = self.swing(&spring)?;
                         let begin = self.phase(&spring, &spring.stretch.clone())?;
-                        let turned = positive_first(vec![&frequency * t + begin]);
+                        let turned = positive_first([&frequency * t + begin]);
                         last = Some(rest - in_sense(amplitude * cosine(turned), grows));
                     }
                 }
@@ -671,7 +1048,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some(x) = last {
             let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
             self.step(x1, x);
-            self.new_way(way(&x1.into()));
+            self.new_way((&spring.stretch - x1).over(&spring.gamma));
             last = Some(x1.into());
         }
         let last = match last {
@@ -681,11 +1058,9 @@ impl<'d, 'a> Account<'d, 'a> {
                 from => self.swung(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
             },
         };
-        let squares =
-            if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
+        let squares = square(&spring.stretch) - square(&last);
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
-        let twice = positive_first(vec![&spring.stiffness * squares, others]);
-        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
+        let twice = positive_first([&spring.stiffness * squares, others]);
         match self.scene.end {
             End::TurningPoint(_) => {
                 self.found(v_label, v, ZERO);
@@ -695,14 +1070,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.found(v_label, v, self.v.clone());
             }
             _ => {
-                self.found(v_label, v, root(before + twice / &self.effective));
+                self.found(v_label, v, root(square(&self.v0) + twice / &self.effective));
                 self.v = v.into();
             }
         }
         self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
-        let pull = Factors::of(&spring.tension.into()).times(&spring.gamma).expr();
-        let now = positive_first(vec![pull, self.drive.clone()]);
+        let now = positive_first([spring.tension.by(&spring.gamma), self.drive.clone()]);
         self.found(a_label, a, now / &self.effective);
         Ok(())
     }
@@ -714,7 +1088,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let [_, rest, amplitude] = self.swing(spring)?;
         let grows = self.stretching(spring);
-        Ok(arc_cosine(positive_first(vec![in_sense(stretch - rest, -grows)]) / amplitude))
+        Ok(arc_cosine(positive_first([in_sense(stretch - rest, -grows)]) / amplitude))
     }
 
     /// When the cord of the spring goes slack, and how fast the lead is then; `None` where it does not.
@@ -725,40 +1099,34 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
         let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
-        let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+        let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
-        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
-        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(before + work / &self.effective));
+        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(square(&self.v0) + work / &self.effective));
         Ok(Some((time.into(), speed.into())))
     }
 
     /// Time of a motion on a spring, by the angle of its swing.
-    fn time_on_spring(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn time_on_spring(&mut self) -> Result<Expr, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let last = self.last.clone();
-        let time = if last == ZERO
+        if last == ZERO
             && !spring.rigid
             && let Some((time, speed)) = self.slackened(&spring)?
         {
-            let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
-            let left = if self.drive == ZERO {
-                (&self.s - way) / in_sense(speed, self.sense)
-            } else {
-                let gain = in_sense(self.v.clone() - speed, self.sense);
-                Factors::of(&gain).times(&Factors::of(&self.effective)).per(&Factors::of(&self.drive)).expr()
-            };
-            time + left
-        } else {
-            let [frequency, ..] = self.swing(&spring)?;
-            let begin = self.phase(&spring, &spring.stretch.clone())?;
-            let end = if matches!(self.scene.end, End::TurningPoint(_)) {
-                self.draft.pi().into()
-            } else {
-                self.phase(&spring, &last)?
-            };
-            (end - begin) / frequency
+            let way = spring.stretch.over(&spring.gamma);
+            if self.drive == ZERO {
+                return Ok(time + (&self.s - way) / in_sense(speed, self.sense));
+            }
+            let gain = in_sense(self.v.clone() - speed, self.sense);
+            return Ok(time + gain.by(&self.effective).over(&self.drive));
+        }
+        let [frequency, ..] = self.swing(&spring)?;
+        let begin = self.phase(&spring, &spring.stretch.clone())?;
+        let end = match self.scene.end {
+            End::TurningPoint(_) => self.draft.pi().into(),
+            _ => self.phase(&spring, &last)?,
         };
-        Ok(self.new_found(label, &["t", "t_2"], "s", time))
+        Ok((end - begin) / frequency)
     }
 
     /// The label of the lead: this for a line, that for a turn.
@@ -766,26 +1134,10 @@ impl<'d, 'a> Account<'d, 'a> {
         of_body(if self.straight() { line } else { spin }, self.lead().body)
     }
 
-    /// The speed of the lead at the end.
-    ///
-    /// # Errors
-    /// What is not covered.
-    pub fn speed_at_end(&mut self) -> Result<SymbolId, DerivationStop> {
-        self.get(self.of_lead(Quantity::V, Quantity::Omega))
-    }
-
-    /// The greatest speed of the lead's body.
-    ///
-    /// # Errors
-    /// What is not covered.
-    pub fn top_speed(&mut self) -> Result<SymbolId, DerivationStop> {
-        self.get(of_body(Quantity::VMax, self.lead().body))
-    }
-
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
     pub fn stretch_at(&self, s: &Expr) -> Expr {
         let Some(spring) = &self.spring else { return ZERO };
-        let stretch = &spring.stretch - spring.gamma.times(&Factors::of(s)).expr();
+        let stretch = &spring.stretch - spring.gamma.by(s);
         let slack = SLACK * self.value(&spring.stretch).abs();
         if !spring.rigid && self.value(&stretch) < slack { ZERO } else { stretch }
     }
@@ -834,8 +1186,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // Term by term: no fraction in a fraction.
         let over = rest.into_iter().filter(|term| *term != ZERO);
-        let terms = over.map(|term| Factors::of(&in_sense(term, sense)).per(&lever).expr());
-        Ok(positive_first(terms.collect()))
+        let terms = over.map(|term| in_sense(term, sense).over(&lever));
+        Ok(positive_first(terms))
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -847,7 +1199,7 @@ impl<'d, 'a> Account<'d, 'a> {
             _ => return ZERO,
         };
         let by = Factors::of(&by.into()).times(&ratio);
-        sum(self.m.inertia(c).iter().map(|i| i.times(&by).expr()))
+        sum(self.m.inertia(c).iter().map(|i| i.by(&by)))
     }
 
     /// A quantity: looked up, or derived.
@@ -862,172 +1214,137 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Body(b) => b,
             _ => self.lead().body,
         };
-        let still = [
-            (Quantity::V, "m/s"),
-            (Quantity::Omega, "rad/s"),
-            (Quantity::KineticEnergy, "J"),
-            (Quantity::VMax, "m/s"),
-            (Quantity::DAtVMax, "m"),
-            (Quantity::DTurn, "m"),
-            (Quantity::AngularMomentum, "kg m^2/s"),
-        ];
-        if let (true, Some((_, unit))) = (self.stays(), still.iter().find(|(q, _)| *q == label.quantity)) {
-            let names = match label.quantity {
-                Quantity::V => ["v"],
-                Quantity::Omega => [r"\omega"],
-                Quantity::KineticEnergy => ["E_{k}"],
-                Quantity::VMax => [r"v_{\mathrm{max}}"],
-                Quantity::DAtVMax => ["D_{v}"],
-                Quantity::DTurn => [r"D_{\mathrm{t}}"],
-                _ => ["L"],
-            };
-            return Ok(self.new_found(label, &names, unit, ZERO));
-        }
-        let c = if label.quantity == Quantity::Displacement || label.quantity == Quantity::Distance {
-            along(body)
-        } else {
-            turn(body)
-        };
-        match label.quantity {
-            Quantity::A | Quantity::Alpha => self.acceleration(label, body),
-            Quantity::V | Quantity::Omega => self.speed(label, body),
-            Quantity::Phi => self.angle(body, label),
-            Quantity::Displacement => {
-                let from = self.signed_travel(c)?;
-                Ok(self.new_found(label, &[r"\Delta x"], "m", from))
-            }
-            Quantity::Distance => {
-                let tag = self.tag(body, |p| p.a.is_some());
-                let from = self.travel(c)?;
-                Ok(self.new_found(label, &[&tagged("d", &tag), &tagged("D", &tag)], "m", from))
-            }
-            Quantity::AngularMomentum => {
-                let tag = self.tag(body, |p| p.alpha.is_some());
-                let omega = self.get(of_body(Quantity::Omega, body))?;
-                let inertia = self.m.inertia(c);
-                let from = sum(inertia.iter().map(|i| i.times(&Factors::of(&omega.into())).expr()));
-                let names = [&*tagged("L", &tag), &tagged(r"\Lambda", &tag)];
-                Ok(self.new_found(label, &names, "kg m^2/s", from))
-            }
-            Quantity::Impulse => {
-                let tag = self.tag(body, |p| p.a.is_some());
-                let v = self.get(of_body(Quantity::V, body))?;
-                let v = in_sense(v.into(), self.velocity_sense(along(body)));
-                let before = Factors::of(&self.v0).times(&self.m.parts[body].along).expr();
-                let gain = Factors::of(&positive_first(vec![v - before]));
-                let from = self.m.parts[body].mass.times(&gain).expr();
-                Ok(self.new_found(label, &[&tagged("J", &tag), &tagged("S", &tag)], "N s", from))
-            }
-            Quantity::Work => {
-                let from = match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
-                    true => Factors::of(&self.drive).times(&Factors::of(&self.s)).expr(),
-                    false => self.get(of_scene(Quantity::KineticEnergy))?.into(),
-                };
-                Ok(self.new_found(label, &["W", "A_{W}"], "J", from))
-            }
-            Quantity::WorkCouple | Quantity::PowerCouple => {
-                let work = label.quantity == Quantity::WorkCouple;
-                let couples =
-                    self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
-                let moment = positive_first(couples.map(|(_, e)| e).collect());
-                let rate: Expr = match work {
-                    true => self.signed_travel(c)?,
-                    false => {
-                        let omega = self.get(of_body(Quantity::Omega, body))?;
-                        in_sense(omega.into(), self.velocity_sense(c))
-                    }
-                };
-                let from = Factors::of(&moment).times(&Factors::of(&rate)).expr();
-                let (name, unit) = if work { ("W_{M}", "J") } else { (r"\dot{W}_{M}", "W") };
-                Ok(self.new_found(label, &[name, &format!("{name}^{{*}}")], unit, from))
-            }
-            Quantity::FrictionIfRolled => {
-                // Found before, as if it rolled.
-                match self.draft.found_for(label) {
-                    Some(DerivedAnswer::Value(symbol)) => Ok(symbol),
-                    _ => beyond(Beyond::Unfound),
-                }
-            }
-            Quantity::Rise => {
-                let tag = self.tag(body, |p| p.a.is_some());
-                let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
-                let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
-                let from = Factors::of(&self.signed_travel(along(body))?).times(&climb).expr();
-                Ok(self.new_found(label, &[&tagged("h", &tag), &tagged("y", &tag)], "m", from))
-            }
-            Quantity::Friction | Quantity::Tension => self.reaction(label, body).or_else(|_| {
+        if matches!(label.quantity, Quantity::Friction | Quantity::Tension) {
+            return self.reaction(label, body).or_else(|_| {
                 self.solving.clear();
                 self.together()?;
                 let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
                 found.ok_or_else(|| Beyond::Unfound.into())
-            }),
-            Quantity::MuRequired => self.least_grip(body, label),
-            Quantity::T => self.time(label),
+            });
+        }
+        let from = self.derived(label, body)?;
+        // What belongs together was found together.
+        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
+            return Ok(*symbol);
+        }
+        let pivot = self.m.pivot.as_ref();
+        let own = match label.quantity {
+            Quantity::A | Quantity::Alpha => self.m.acceleration(coordinate(label.quantity, body)),
+            Quantity::V | Quantity::Omega => self.m.speed(coordinate(label.quantity, body)),
+            Quantity::PinRadial => pivot.map(|p| p.radial),
+            Quantity::PinTangential => pivot.map(|p| p.across),
+            _ => None,
+        };
+        match (own, &from) {
+            (Some(symbol), _) => Ok(self.found(label, symbol, from)),
+            // It has its symbol already.
+            (None, Expr::Symbol(symbol)) if SAME.contains(&label.quantity) => {
+                let symbol = *symbol;
+                self.known.push((label, symbol));
+                Ok(symbol)
+            }
+            _ => Ok(self.new_found(label, from)),
+        }
+    }
+
+    /// What a quantity is equal to.
+    fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
+        if self.stays() && STILL.contains(&label.quantity) {
+            return Ok(ZERO);
+        }
+        if let Some(pivot) = self.m.pivot.clone()
+            && let Some(from) = self.of_pivot(&pivot, label.quantity)?
+        {
+            return Ok(from);
+        }
+        let c = coordinate(label.quantity, body);
+        match label.quantity {
+            Quantity::A | Quantity::Alpha => self.acceleration(c),
+            Quantity::V | Quantity::Omega if self.own(c) => self.since_rest(c, 1),
+            Quantity::V | Quantity::Omega if self.m.speed(c).is_some() => Ok(self.over_lead(&self.v, c)),
+            Quantity::Phi | Quantity::Distance => self.travel(c),
+            Quantity::Displacement => self.signed_travel(c),
+            Quantity::AngularMomentum => {
+                let omega = self.get(of_body(Quantity::Omega, body))?;
+                Ok(sum(self.m.inertia(c).iter().map(|i| i.by(omega))))
+            }
+            Quantity::Impulse => {
+                let v = self.get(of_body(Quantity::V, body))?;
+                let v = in_sense(v.into(), self.velocity_sense(along(body)));
+                let before = self.v0.by(&self.m.parts[body].along);
+                Ok(self.m.parts[body].mass.by(positive_first([v - before])))
+            }
+            Quantity::Work => match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
+                true => Ok(self.drive.by(&self.s)),
+                false => Ok(self.get(of_scene(Quantity::KineticEnergy))?.into()),
+            },
+            Quantity::WorkCouple | Quantity::PowerCouple => {
+                let couples =
+                    self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+                let moment = positive_first(couples.map(|(_, e)| e));
+                let rate = match label.quantity {
+                    Quantity::WorkCouple => self.signed_travel(c)?,
+                    _ => {
+                        let omega = self.get(of_body(Quantity::Omega, body))?;
+                        in_sense(omega.into(), self.velocity_sense(c))
+                    }
+                };
+                Ok(moment.by(&rate))
+            }
+            // Found before, as if it rolled.
+            Quantity::FrictionIfRolled => match self.draft.found_for(label) {
+                Some(DerivedAnswer::Value(symbol)) => Ok(symbol.into()),
+                _ => beyond(Beyond::Unfound),
+            },
+            Quantity::Rise => {
+                let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
+                let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
+                Ok(self.signed_travel(along(body))?.by(&climb))
+            }
+            Quantity::MuRequired => self.least_grip(body),
+            Quantity::T => self.time(),
             Quantity::CordTravel => self.cord_travel(label),
             Quantity::WorkPull | Quantity::PowerPull => self.pull(label),
-            Quantity::KineticEnergy => {
-                let from = self.kinetic_sum()?;
-                Ok(self.new_found(label, &["E_{k}", r"E_{\mathrm{kin}}"], "J", from))
-            }
-            Quantity::RotationalFraction => self.rotational(label),
-            Quantity::SlipDistance => self.slip_distance(body, label),
-            Quantity::Heat => self.heat(label),
-            Quantity::KBound => self.bound_of_gyration(body, label),
+            Quantity::KineticEnergy => self.kinetic_sum(),
+            Quantity::RotationalFraction => self.rotational(),
+            Quantity::SlipDistance => self.slip_distance(body),
+            Quantity::Heat => self.heat(),
+            Quantity::KBound => self.bound_of_gyration(body),
             Quantity::XEq => {
                 let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
                 // Without friction, which would hold it in many places.
-                let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect();
-                let from = if self.m.tied { self.rest_under(&spring, &positive_first(given)) } else { ZERO };
-                Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
+                let given = self.share_sum(&[ForceKind::Given]);
+                Ok(if self.m.tied { self.rest_under(&spring, &given) } else { ZERO })
             }
             Quantity::OmegaSmall | Quantity::PeriodSmall => {
                 let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
                 let frequency = self.frequency(&spring);
-                if label.quantity == Quantity::OmegaSmall {
-                    self.known.push((label, frequency));
-                    return Ok(frequency);
+                match label.quantity {
+                    Quantity::OmegaSmall => Ok(frequency.into()),
+                    _ => Ok(number(2) * self.draft.pi() / frequency),
                 }
-                let turn = number(2) * self.draft.pi();
-                Ok(self.new_found(label, &[r"\tau", r"\tau_1"], "s", turn / frequency))
             }
-            Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
-            Quantity::DTurn => self.turning(label),
+            Quantity::VMax | Quantity::DAtVMax => self.fastest(label.quantity),
+            Quantity::DTurn => self.turning(),
             other => beyond(Beyond::Quantity(other)),
         }
     }
 
-    fn tag(&self, body: usize, has: impl Fn(&crate::solution::terms::BodyTerms) -> bool) -> String {
-        let several = self.m.parts.iter().filter(|p| has(p)).count() > 1;
-        if several { self.m.parts[body].tag.clone() } else { String::new() }
-    }
-
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
-    fn acceleration(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
-        let c = if label.quantity == Quantity::A { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.acceleration(c) else { return beyond(Beyond::Unfound) };
-        if c == self.lead() || !self.m.one {
+    fn acceleration(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if self.m.acceleration(c).is_none() || c == self.lead() || !self.m.one {
             return beyond(Beyond::Unfound);
         }
         if self.own(c) {
-            let over = positive_first(self.row(c).into_iter().map(|(_, e)| e).collect());
-            let from = Factors::of(&over).per(&Factors::of(&self.m.inertia_expr(c))).expr();
-            return Ok(self.found(label, symbol, from));
+            return Ok(self.row_sum(c).over(self.m.inertia_expr(c)));
         }
         let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        let from = Factors::of(&by.into()).times(self.m.ratio(c)).expr();
-        Ok(self.found(label, symbol, from))
-    }
-
-    fn speed(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
-        let c = if label.quantity == Quantity::V { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Unfound) };
-        let from = if self.own(c) { self.since_rest(c, 1)? } else { self.over_lead(&self.v, c) };
-        Ok(self.found(label, symbol, from))
+        Ok(by.by(self.m.ratio(c)))
     }
 
     /// By the lead's, a magnitude.
     fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
-        Factors::of(of).times(&self.magnitude(self.m.ratio(c))).expr()
+        of.by(self.magnitude(self.m.ratio(c)))
     }
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
@@ -1058,7 +1375,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The same with its sign.
     fn signed_travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
         if !self.own(c) {
-            return Ok(Factors::of(&self.s).times(self.m.ratio(c)).expr());
+            return Ok(self.s.by(self.m.ratio(c)));
         }
         let travel = self.travel(c)?;
         Ok(in_sense(travel, self.velocity_sense(c)))
@@ -1070,12 +1387,6 @@ impl<'d, 'a> Account<'d, 'a> {
             Some(a) if self.own(c) => self.symbols.value(a),
             _ => self.value(&self.m.ratio(c).expr()) * self.sense,
         }
-    }
-
-    fn angle(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
-        let tag = self.tag(body, |p| p.alpha.is_some());
-        let from = self.travel(turn(body))?;
-        Ok(self.new_found(label, &[&tagged(r"\varphi", &tag), &tagged(r"\psi", &tag)], "rad", from))
     }
 
     /// Whose reaction a tie has.
@@ -1094,6 +1405,11 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
             Tie::Cord(_) => false,
         })
+    }
+
+    /// The radius of the contact of a body.
+    pub fn radius_of(&self, body: usize) -> Option<Factors> {
+        self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm))
     }
 
     /// A reaction: from the row in which it is the only unknown left, others first where need be.
@@ -1144,13 +1460,12 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(self.found(self.label_of_tie(tie), symbol, from))
     }
 
-    fn least_grip(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn least_grip(&mut self, body: usize) -> Result<Expr, DerivationStop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let most = match self.spring {
             Some(_) => {
                 let [one, other] = self.extremes(body)?;
-                let larger = self.value(&one.1.into()).abs() >= self.value(&other.1.into()).abs();
-                if larger { one.1 } else { other.1 }
+                if self.symbols.value(one).abs() >= self.symbols.value(other).abs() { one } else { other }
             }
             None => {
                 // Kinetic friction says nothing of the grip that rolling needs.
@@ -1161,24 +1476,22 @@ impl<'d, 'a> Account<'d, 'a> {
                 }
             }
         };
-        let size = self.size(most.into());
-        Ok(self.new_found(label, &[r"\mu_{\mathrm{min}}"], "1", size / n))
+        Ok(self.size(most.into()) / n)
     }
 
-    /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring, each with the
-    /// stretch there, m: it is linear in the tension, so one of them is the largest.
+    /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring: it is linear in the
+    /// tension, so one of them is the largest.
     ///
     /// # Errors
     /// What is not covered.
-    pub fn extremes(&mut self, body: usize) -> Result<[(f64, SymbolId); 2], DerivationStop> {
+    pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
             _ => self.turning_or_slack()?.0,
         };
         let first = self.friction_at(body, &ZERO, "0")?;
         let last = if far == self.s {
-            let now = self.get(of_body(Quantity::Friction, body))?;
-            (self.value(&self.stretch_at(&far)), now)
+            self.get(of_body(Quantity::Friction, body))?
         } else {
             self.friction_at(body, &far, "2")?
         };
@@ -1192,23 +1505,23 @@ impl<'d, 'a> Account<'d, 'a> {
     /// There is no spring.
     pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-        let kappa = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
-        let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch));
+        let kappa = spring.stiffness.by(spring.gamma.squared());
+        let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
-            number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa
+            number(2) * positive_first([pull.expr(), self.drive.clone()]) / kappa
         } else {
             let [_, rest, amplitude] = self.swing(&spring)?;
             let last = rest + in_sense(amplitude, self.stretching(&spring));
-            Factors::of(&(&spring.stretch - last)).per(&spring.gamma).expr()
+            (&spring.stretch - last).over(&spring.gamma)
         };
-        let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+        let slack = spring.stretch.over(&spring.gamma);
         let (t, s) = (self.value(&turn), self.value(&slack));
         let goes_slack = !spring.rigid && s * t > 0.0 && s.abs() < t.abs();
         Ok(if goes_slack { (slack, true) } else { (turn, false) })
     }
 
     /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
-    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<(f64, SymbolId), DerivationStop> {
+    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<SymbolId, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
@@ -1217,7 +1530,7 @@ impl<'d, 'a> Account<'d, 'a> {
         match self.friction_per_tension(body, spring.tie) {
             Ok(rate) => {
                 let less = &spring.stiffness * &stretch - spring.tension;
-                self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
+                self.step(symbol, now + rate.by(&less));
             }
             Err(_) => {
                 // From all equations together, with the pull of the spring there.
@@ -1234,7 +1547,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.step(symbol, symbol.into());
             }
         }
-        Ok((self.value(&stretch), symbol))
+        Ok(symbol)
     }
 
     /// By how much the friction on a body grows with the tension of a cord: from its closed form.
@@ -1242,7 +1555,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Unfound) };
         let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
         let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
-        Ok(over.per(&closed.under).expr())
+        Ok(over.over(&closed.under))
     }
 
     /// The friction of a single rolling body as the sum of its forces, each with its factor: `F (c^2 + j) = sum S (c p - j e)`,
@@ -1272,32 +1585,24 @@ impl<'d, 'a> Account<'d, 'a> {
         Some(ClosedFriction { terms, under: c.squared().plus(&j) })
     }
 
-    fn time(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn time(&mut self) -> Result<Expr, DerivationStop> {
         if let End::Time(_, t) = self.scene.end {
-            let t = self.number(t, "t", "s");
-            return Ok(self.new_found(label, &["t", "t_2"], "s", t));
+            return Ok(self.number(t, "t", "s"));
         }
         if self.value(&self.s) == 0.0 {
-            return Ok(self.new_found(label, &["t", "t_2"], "s", ZERO));
+            return Ok(ZERO);
         }
         if self.spring.is_some() {
-            return self.time_on_spring(label);
+            return self.time_on_spring();
         }
         let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        let from = if self.value(&a.into()) == 0.0 {
+        Ok(if self.value(&a.into()) == 0.0 {
             &self.s / &self.v0
         } else if self.v0 == ZERO {
             number(2) * self.distance() / &self.v
         } else {
             (in_sense(self.v.clone(), self.sense) - &self.v0) / a
-        };
-        Ok(self.new_found(label, &["t", "t_2"], "s", from))
-    }
-
-    fn several_pulls(&self) -> bool {
-        let pulled =
-            |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
-        self.scene.ties.iter().filter(pulled).count() > 1
+        })
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
@@ -1305,13 +1610,18 @@ impl<'d, 'a> Account<'d, 'a> {
         self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
     }
 
-    /// Travel of a cord's end in the sense of the pull, from the travels of the centre and of the turn.
-    fn pulled_way(&mut self, action: &Action) -> Result<Expr, DerivationStop> {
+    /// Travel or speed of a cord's end in the sense of the pull, from those of the centre and of the turn.
+    fn pulled(&mut self, action: &Action, travel: bool) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
-            if !share.is_zero() {
-                all.push(Factors::of(&self.signed_travel(c)?).times(share).expr());
+            if share.is_zero() {
+                continue;
             }
+            let rate = match travel {
+                true => self.signed_travel(c)?,
+                false => in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)),
+            };
+            all.push(rate.by(share));
         }
         Ok(positive_first(all))
     }
@@ -1321,49 +1631,28 @@ impl<'d, 'a> Account<'d, 'a> {
         !self.m.one || self.m.parts[body].slips
     }
 
-    fn cord_travel(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        let (t, action) = self.cord_of(label)?;
-        let tag = if self.several_pulls() { (t + 1).to_string() } else { String::new() };
-        let from = if self.loose(action.body) {
-            let way = self.pulled_way(&action)?;
-            let way = in_sense(way.clone(), self.value(&way));
-            positive_first(vec![way])
-        } else {
-            Factors::of(&self.distance()).times(&self.magnitude(&self.point(&action))).expr()
-        };
-        Ok(self.new_found(label, &[&tagged(r"\ell", &tag), &tagged("L", &tag)], "m", from))
+    fn cord_travel(&mut self, label: Label) -> Result<Expr, DerivationStop> {
+        let (_, action) = self.cord_of(label)?;
+        if self.loose(action.body) {
+            let way = self.pulled(&action, true)?;
+            return Ok(self.positive(&way));
+        }
+        Ok(self.distance().by(self.magnitude(&self.point(&action))))
     }
 
-    fn pull(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn pull(&mut self, label: Label) -> Result<Expr, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let work = label.quantity == Quantity::WorkPull;
-        let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
-        let name = if work { "W" } else { r"\dot{W}" };
-        let rate = match (work, self.loose(action.body)) {
-            (true, false) => {
+        let rate = match (self.loose(action.body), work) {
+            (true, work) => self.pulled(&action, work)?,
+            (false, true) => {
                 let travel = self.get(of_tie(Quantity::CordTravel, t))?;
                 let helps = self.value(&self.point(&action).expr()) * self.value(&self.s);
                 in_sense(travel.into(), helps)
             }
-            (true, true) => self.pulled_way(&action)?,
-            (false, false) => {
-                let point = self.point(&action).signed(sign(self.sense));
-                Factors::of(&self.v).times(&point).expr()
-            }
-            (false, true) => {
-                let mut all = Vec::new();
-                for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
-                    if !share.is_zero() {
-                        let speed = self.get(speed_of(c))?;
-                        let speed = in_sense(speed.into(), self.velocity_sense(c));
-                        all.push(Factors::of(&speed).times(share).expr());
-                    }
-                }
-                positive_first(all)
-            }
+            (false, false) => self.v.by(self.point(&action).signed(sign(self.sense))),
         };
-        let from = Factors::of(&action.force).times(&Factors::of(&rate)).expr();
-        Ok(self.new_found(label, &[&tagged(name, &tag)], if work { "J" } else { "W" }, from))
+        Ok(action.force.by(&rate))
     }
 
     /// Kinetic energy: each mass and moment of inertia with its own speed.
@@ -1375,16 +1664,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let v = self.get(speed_of(c))?;
-            all.extend(
-                inertia
-                    .iter()
-                    .map(|i| i.times(&Factors::of(&square(v))).times(&Factors::of(&ratio(1, 2))).expr()),
-            );
+            all.extend(inertia.iter().map(|i| i.times(square(v)).by(ratio(1, 2))));
         }
         Ok(sum(all))
     }
 
-    fn rotational(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn rotational(&mut self) -> Result<Expr, DerivationStop> {
         let mut turning = Vec::new();
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for body in 0..self.m.parts.len() {
@@ -1394,18 +1679,17 @@ impl<'d, 'a> Account<'d, 'a> {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     turning.push(ratio(1, 2) * i.expr() * square(omega));
                 } else {
-                    turning.push(i.times(&self.m.ratio(c).squared()).expr());
+                    turning.push(i.by(self.m.ratio(c).squared()));
                 }
             }
         }
         // The speed cancels in the share.
         let whole =
             if slips { self.get(of_scene(Quantity::KineticEnergy))?.into() } else { self.effective.clone() };
-        let from = Factors::of(&sum(turning)).per(&Factors::of(&whole)).expr();
-        Ok(self.new_found(label, &[r"\eta", r"\beta"], "1", from))
+        Ok(sum(turning).over(&whole))
     }
 
-    fn slip_distance(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn slip_distance(&mut self, body: usize) -> Result<Expr, DerivationStop> {
         let radius = self.scene.ties.iter().find_map(|tie| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
@@ -1415,11 +1699,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let way = self.signed_travel(along(body))?;
         let from = way - in_sense(c * phi, self.velocity_sense(turn(body)));
-        let from = positive_first(vec![in_sense(from.clone(), self.value(&from))]);
-        Ok(self.new_found(label, &[r"\delta", r"\Delta"], "m", from))
+        Ok(self.positive(&from))
     }
 
-    fn heat(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn heat(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for tie in &self.scene.ties {
             let (body, way) = match tie {
@@ -1428,14 +1711,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => continue,
             };
             let f = self.get(of_body(Quantity::Friction, body))?;
-            let size = self.size(f.into());
-            all.push(size * way);
+            all.push(self.size(f.into()) * way);
         }
-        Ok(self.new_found(label, &["Q", r"Q_{\mathrm{th}}"], "J", sum(all)))
+        Ok(sum(all))
     }
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`.
-    fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn bound_of_gyration(&mut self, body: usize) -> Result<Expr, DerivationStop> {
         let c = self.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
@@ -1451,62 +1733,51 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
             return beyond(Beyond::Unfound);
         }
-        Ok(self.new_found(label, &["k_{0}"], "m", root(c * moment / force)))
+        Ok(root(c * moment / force))
     }
 
     /// The greatest speed of a motion, and where it is.
-    fn fastest(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn fastest(&mut self, quantity: Quantity) -> Result<Expr, DerivationStop> {
         let body = self.lead().body;
         let (at, top) = (of_body(Quantity::DAtVMax, body), of_body(Quantity::VMax, body));
-        let Some(spring) = self.spring.clone() else {
+        let first = in_sense(self.v0.clone(), self.sense);
+        let (size, way) = match self.spring.clone() {
             // Thrown against a constant force: fastest at the start.
-            if self.value(&self.drive) * self.sense > 0.0 {
-                return beyond(Beyond::Unfound);
+            None if self.value(&self.drive) * self.sense > 0.0 => return beyond(Beyond::Unfound),
+            None => (first, ZERO),
+            Some(spring) => {
+                let x_eq: Expr = self.middle(&spring)?.into();
+                let gap = &spring.stretch - &x_eq;
+                let per = self.magnitude(&spring.gamma);
+                let ahead = self.value(&gap) * -self.stretching(&spring);
+                let gap = self.positive(&gap);
+                if ahead < 0.0 && self.v0 != ZERO {
+                    // It goes away from the place of rest, so it was fastest at the start.
+                    (first, ZERO)
+                } else if !spring.rigid && self.value(&x_eq) < 0.0 {
+                    return beyond(Beyond::Unfound);
+                } else if self.v0 == ZERO {
+                    (&gap * root(&spring.stiffness / &self.effective), gap.over(&per))
+                } else {
+                    let [frequency, _, amplitude] = self.swing(&spring)?;
+                    ((amplitude * frequency).over(&per), gap.over(&per))
+                }
             }
-            let size = in_sense(self.v0.clone(), self.sense);
-            self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
-            self.new_found(at, &["D_{v}"], "m", ZERO);
-            return self.get(label);
         };
-        let x_eq: Expr = self.middle(&spring)?.into();
-        let gap = &spring.stretch - &x_eq;
-        let per = self.magnitude(&spring.gamma);
-        let ahead = self.value(&gap) * -self.stretching(&spring);
-        if ahead < 0.0 && self.v0 != ZERO {
-            // It goes away from the place of rest, so it was fastest at the start.
-            let size = in_sense(self.v0.clone(), self.sense);
-            self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
-            self.new_found(at, &["D_{v}"], "m", ZERO);
-            return self.get(label);
-        }
-        if !spring.rigid && self.value(&x_eq) < 0.0 {
-            return beyond(Beyond::Unfound);
-        }
-        let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
-        self.new_found(at, &["D_{v}"], "m", Factors::of(&gap).per(&per).expr());
-        let from = if self.v0 == ZERO {
-            gap * root(&spring.stiffness / &self.effective)
-        } else {
-            let [frequency, _, amplitude] = self.swing(&spring)?;
-            Factors::of(&(amplitude * frequency)).per(&per).expr()
-        };
-        self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);
-        self.get(label)
+        self.new_found(at, way.clone());
+        self.new_found(top, size.clone());
+        Ok(if quantity == Quantity::VMax { size } else { way })
     }
 
-    fn turning(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        let names = [r"D_{\mathrm{t}}"];
-        let against = in_sense(self.drive.clone(), self.value(&self.drive));
-        let Some(spring) = self.spring.clone() else {
-            if self.value(&self.drive) * self.sense >= 0.0 {
-                return beyond(Beyond::Unfound);
-            }
-            let over = &self.effective * square(&self.v0);
-            return Ok(self.new_found(label, &names, "m", over / (number(2) * against)));
-        };
-        let far = self.turning_point(&spring)?;
-        let from = in_sense(far.clone(), self.value(&far));
-        Ok(self.new_found(label, &names, "m", from))
+    fn turning(&mut self) -> Result<Expr, DerivationStop> {
+        if let Some(spring) = self.spring.clone() {
+            let far = self.turning_point(&spring)?;
+            return Ok(self.positive(&far));
+        }
+        if self.value(&self.drive) * self.sense >= 0.0 {
+            return beyond(Beyond::Unfound);
+        }
+        Ok(&self.effective * square(&self.v0) / (number(2) * self.positive(&self.drive)))
     }
 
     /// Displacement of the lead to its turning point, on the spring or, once its cord is slack, without it.
@@ -1519,7 +1790,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return beyond(Beyond::Unfound);
         }
         let stored = &spring.stiffness * square(&spring.stretch);
-        let moving = if self.v0 == ZERO { ZERO } else { &self.effective * square(&self.v0) };
+        let moving = &self.effective * square(&self.v0);
         Ok(-((stored + moving) / (number(2) * &self.drive)))
     }
 }
@@ -1539,10 +1810,10 @@ impl ClosedFriction {
         let over = |(a, lever): &(Action, Factors)| Factors::of(&a.force).times(lever);
         match self.under.expr() {
             Expr::Sum(_) => {
-                let terms = self.terms.iter().map(|t| over(t).expr()).collect();
+                let terms = self.terms.iter().map(|t| over(t).expr());
                 positive_first(terms) / self.under.expr()
             }
-            _ => positive_first(self.terms.iter().map(|t| over(t).per(&self.under).expr()).collect()),
+            _ => positive_first(self.terms.iter().map(|t| over(t).over(&self.under))),
         }
     }
 }
@@ -1586,7 +1857,7 @@ fn negative(of: &Factors) -> bool {
 fn rank(action: &Action) -> u8 {
     match (action.source, action.kind) {
         (ForceSource::Tie(_), ForceKind::Given) => 0,
-        (ForceSource::Tie(_), ForceKind::Spring) => 1,
+        (_, ForceKind::Spring) | (ForceSource::Spring(_), _) => 1,
         (ForceSource::Couple(_), _) => 2,
         (ForceSource::Tie(_), _) if !action.contact => 3,
         (ForceSource::Tie(_), _) => 4,

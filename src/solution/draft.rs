@@ -254,6 +254,12 @@ impl<'a> Draft<'a> {
         self.symbols.unknown(tex, &tex_of(unit))
     }
 
+    /// The same, by the first of these symbols that is free.
+    pub fn named(&mut self, names: &[&str], unit: &str) -> SymbolId {
+        let tex = self.free(names);
+        self.unknown(&tex, unit)
+    }
+
     /// Pi, which is its own number.
     pub fn pi(&mut self) -> SymbolId {
         self.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false)
@@ -322,21 +328,11 @@ impl<'a> Draft<'a> {
             A, Alpha, Direction, Friction, FrictionIfRolled, MuRequired, Normal, PowerCouple, PowerPull,
             Rolls, Tension, Value,
         };
-        let forced = [
-            A,
-            Alpha,
-            Direction,
-            Friction,
-            FrictionIfRolled,
-            MuRequired,
-            Normal,
-            PowerCouple,
-            PowerPull,
-            Rolls,
-            Tension,
-            Value,
-        ];
-        asked::needed(self.scene, self.problem).iter().any(|label| forced.contains(&label.quantity))
+        let kinetic = |q| matches!(q, A | Alpha | Direction | PowerCouple | PowerPull | Rolls | Value);
+        let forced =
+            |q| kinetic(q) || matches!(q, Friction | FrictionIfRolled | MuRequired | Normal | Tension);
+        let pinned = self.scene.pinned().is_some();
+        pinned || asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
     }
 
     /// Is this label asked?

@@ -102,12 +102,13 @@ pub fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
     if negative { minus(whole) } else { whole }
 }
 
-fn reduced(over: i64, under: i64) -> (i64, i64) {
+/// A fraction in lowest terms, its denominator > 0.
+pub fn reduced(over: i64, under: i64) -> (i64, i64) {
     let (mut a, mut b) = (over, under);
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    let divisor = a.abs().max(1);
+    let divisor = a.abs().max(1) * under.signum();
     (over / divisor, under / divisor)
 }
 
@@ -135,7 +136,7 @@ fn quotient(over: Expr, under: Expr) -> Expr {
         (Expr::Number(0, _), _) => ZERO,
         (over, Expr::Number(1, 1)) => over,
         (Expr::Number(a, b), Expr::Number(c, d)) if c != 0 => {
-            let (over, under) = reduced(a * d * c.signum(), b * c.abs());
+            let (over, under) = reduced(a * d, b * c);
             Expr::Number(over, under)
         }
         (Expr::Minus(over), under) => minus(quotient(*over, under)),
@@ -166,7 +167,7 @@ pub fn in_sense(of: Expr, sense: f64) -> Expr {
 }
 
 /// A sum that begins with what is added.
-pub fn positive_first(terms: Vec<Expr>) -> Expr {
+pub fn positive_first(terms: impl IntoIterator<Item = Expr>) -> Expr {
     let (minus, plus): (Vec<Expr>, Vec<Expr>) = terms
         .into_iter()
         .flat_map(|t| match t {
@@ -269,28 +270,47 @@ macro_rules! operators {
 operators! { Expr &Expr SymbolId }
 
 impl Expr {
+    /// With another expression in the place of a symbol.
+    pub fn put(&self, symbol: SymbolId, other: &Self) -> Self {
+        let put = |e: &Self| e.put(symbol, other);
+        match self {
+            Self::Symbol(s) if *s == symbol => other.clone(),
+            Self::Number(..) | Self::Symbol(_) => self.clone(),
+            Self::Minus(inner) => minus(put(inner)),
+            Self::Sum(terms) => sum(terms.iter().map(put)),
+            Self::Product(factors) => product(factors.iter().map(put)),
+            Self::Quotient(over, under) => quotient(put(over), put(under)),
+            Self::Power(base, n) => power(put(base), *n),
+            Self::Root(inner) => root(put(inner)),
+            Self::Of(Function::Sine, inner) => sine(put(inner)),
+            Self::Of(Function::Cosine, inner) => cosine(put(inner)),
+            Self::Of(function, inner) => Self::Of(*function, Box::new(put(inner))),
+        }
+    }
+
+    /// The expressions that it is made of.
+    pub fn parts(&self) -> Vec<&Self> {
+        match self {
+            Self::Number(..) | Self::Symbol(_) => Vec::new(),
+            Self::Minus(inner) | Self::Power(inner, _) | Self::Root(inner) | Self::Of(_, inner) => {
+                vec![inner]
+            }
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().collect(),
+            Self::Quotient(over, under) => vec![over, under],
+        }
+    }
+
     /// The symbols in it, each once, in order.
     pub fn uses(&self) -> Vec<SymbolId> {
-        fn collect(expr: &Expr, found: &mut Vec<SymbolId>) {
-            match expr {
-                Expr::Number(..) => {}
-                Expr::Symbol(s) => {
-                    if !found.contains(s) {
-                        found.push(*s);
-                    }
-                }
-                Expr::Minus(inner) | Expr::Power(inner, _) | Expr::Root(inner) | Expr::Of(_, inner) => {
-                    collect(inner, found);
-                }
-                Expr::Sum(parts) | Expr::Product(parts) => parts.iter().for_each(|p| collect(p, found)),
-                Expr::Quotient(over, under) => {
-                    collect(over, found);
-                    collect(under, found);
-                }
+        let mut found = match self {
+            Self::Symbol(s) => vec![*s],
+            _ => Vec::new(),
+        };
+        for symbol in self.parts().into_iter().flat_map(Self::uses) {
+            if !found.contains(&symbol) {
+                found.push(symbol);
             }
         }
-        let mut found = Vec::new();
-        collect(self, &mut found);
         found
     }
 }

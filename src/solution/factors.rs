@@ -1,5 +1,5 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
-use crate::solution::expr::{Expr, ZERO, minus, power, product};
+use crate::solution::expr::{Expr, SymbolId, ZERO, minus, power, product, reduced};
 use crate::solution::symbols::Symbols;
 
 /// `constant * over / under`; factors that occur above and below are gone.
@@ -8,15 +8,6 @@ pub struct Factors {
     constant: (i64, i64),
     over: Vec<Expr>,
     under: Vec<Expr>,
-}
-
-fn divisor(a: i64, b: i64) -> i64 {
-    if b == 0 { a.abs().max(1) } else { divisor(b, a % b) }
-}
-
-fn reduced(over: i64, under: i64) -> (i64, i64) {
-    let common = divisor(over, under);
-    (over / common * under.signum(), under.abs() / common)
 }
 
 /// What of `from` is not in `taken`, each as often as it stands there more.
@@ -48,9 +39,9 @@ impl Factors {
         match expr {
             Expr::Number(a, b) => Self { constant: (*a, *b), ..Self::one() },
             Expr::Minus(inner) => Self::of(inner).opposite(),
-            Expr::Product(factors) => factors.iter().fold(Self::one(), |all, f| all.times(&Self::of(f))),
-            Expr::Quotient(over, under) => Self::of(over).per(&Self::of(under)),
-            Expr::Power(base, n) => (0..*n).fold(Self::one(), |all, _| all.times(&Self::of(base))),
+            Expr::Product(factors) => factors.iter().fold(Self::one(), |all, f| all.times(Self::of(f))),
+            Expr::Quotient(over, under) => Self::of(over).per(Self::of(under)),
+            Expr::Power(base, n) => (0..*n).fold(Self::one(), |all, _| all.times(Self::of(base))),
             other => Self { over: vec![other.clone()], ..Self::one() },
         }
     }
@@ -101,7 +92,8 @@ impl Factors {
     }
     /// The product.
     #[must_use]
-    pub fn times(&self, other: &Self) -> Self {
+    pub fn times(&self, other: impl Into<Self>) -> Self {
+        let other = other.into();
         let (a, b) = (self.constant, other.constant);
         if self.is_zero() || other.is_zero() {
             return Self::zero();
@@ -116,13 +108,14 @@ impl Factors {
     }
     /// The quotient; `other` is not 0.
     #[must_use]
-    pub fn per(&self, other: &Self) -> Self {
+    pub fn per(&self, other: impl Into<Self>) -> Self {
+        let other = other.into();
         let turned = Self {
             constant: reduced(other.constant.1, if other.is_zero() { 1 } else { other.constant.0 }),
             over: other.under.clone(),
             under: other.over.clone(),
         };
-        self.times(&turned)
+        self.times(turned)
     }
     /// The square.
     #[must_use]
@@ -157,15 +150,13 @@ impl Factors {
             return outside.times(&Self { constant, ..first });
         }
         let both = if first.constant.0 < 0 && second.constant.0 < 0 {
-            return outside
-                .times(&Self::of(&(first.opposite().expr() + second.opposite().expr())))
-                .opposite();
+            return outside.times(Self::of(&(first.opposite().expr() + second.opposite().expr()))).opposite();
         } else if first.constant.0 < 0 {
             second.expr() - first.opposite().expr()
         } else {
             first.expr() + second.expr()
         };
-        outside.times(&Self::of(&both))
+        outside.times(Self::of(&both))
     }
     /// As an expression: powers collected.
     pub fn expr(&self) -> Expr {
@@ -192,6 +183,50 @@ impl Factors {
             (over, under) => Expr::Number(over, under) * collected(&self.over),
         };
         if self.constant.0 < 0 { -size } else { size }
+    }
+}
+
+impl<E: Into<Expr>> From<E> for Factors {
+    fn from(expr: E) -> Self {
+        Self::of(&expr.into())
+    }
+}
+
+impl From<&Self> for Factors {
+    fn from(factors: &Self) -> Self {
+        factors.clone()
+    }
+}
+
+/// Products and quotients in which equal factors above and below are gone.
+pub trait Cancel {
+    /// Its factors.
+    fn factors(&self) -> Factors;
+    /// The product.
+    fn by(&self, other: impl Into<Factors>) -> Expr {
+        self.factors().times(other).expr()
+    }
+    /// The quotient; `other` is not 0.
+    fn over(&self, other: impl Into<Factors>) -> Expr {
+        self.factors().per(other).expr()
+    }
+}
+
+impl Cancel for Expr {
+    fn factors(&self) -> Factors {
+        Factors::of(self)
+    }
+}
+
+impl Cancel for SymbolId {
+    fn factors(&self) -> Factors {
+        (*self).into()
+    }
+}
+
+impl Cancel for Factors {
+    fn factors(&self) -> Factors {
+        self.clone()
     }
 }
 

@@ -1,10 +1,9 @@
 //! Worked solutions: two pages that go the short way, show the long one, and say why the first is shorter. A solution whose numbers
 //! are not those of the key is never printed, a short page stands in its place.
 //!
-//! The terms of a scene (each action with its point, velocity ratios, inertias) are read in [`terms`]; [`account`] derives each
-//! quantity from them, [`narrate`] words them; what a question asks by a formula is answered from these in [`asked`]; a pinned
-//! body ([`pinned`]), one thrown with slip ([`thrown`]) and particles ([`lamina`]) bring terms of their own and use the same
-//! [`page::Page`]. The sections, by id, in the order of the text, each where there is something to say:
+//! The terms of a scene (each action with its point, velocity ratios, inertias; of a body on a pin at any angle) are read in
+//! [`terms`]; [`account`] derives each quantity from them, [`narrate`] words them; what a question asks by a formula is answered
+//! from these in [`asked`]. The sections, by id, in the order of the text, each where there is something to say:
 //! - `answers` in a box, `given`: the data; `idea`, `sketch`;
 //! - `unknown`: what no sheet gives; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
 //! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas;
@@ -18,15 +17,12 @@ pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
-pub mod lamina;
 pub mod narrate;
 pub mod page;
-pub mod pinned;
 pub mod stop;
 pub mod symbols;
 pub mod terms;
 pub mod text;
-pub mod thrown;
 pub mod valued;
 pub mod written;
 
@@ -37,7 +33,7 @@ use crate::num::shown;
 use crate::picture::Picture;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{End, Owner, Scene, Slope};
+use crate::scene::{Owner, Scene, Slope};
 use crate::sheet::document::Document;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft};
 use crate::solution::stop::{Beyond, DerivationStop};
@@ -132,13 +128,11 @@ fn made(
         }
     }
     // What is not given comes before the first formula, a question to go on with at the end.
-    if let Some(at) = sections.iter().position(|s| s.id == "unknown") {
-        let early = sections.remove(at);
-        sections.insert(2, early);
-    }
-    if let Some(at) = sections.iter().position(|s| s.id == "onward") {
-        let last = sections.remove(at);
-        sections.push(last);
+    for (id, place) in [("unknown", 2), ("onward", sections.len() - 1)] {
+        if let Some(at) = sections.iter().position(|s| s.id == id) {
+            let moved = sections.remove(at);
+            sections.insert(place, moved);
+        }
     }
 
     let pictures = if beyond.is_none() { pictures(&draft) } else { Vec::new() };
@@ -196,26 +190,12 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     if !draft.scene.growths.is_empty() {
         return Err(Beyond::GrowingForce.into());
     }
-    scene(draft)?;
-    asked::not_given(draft);
-    asked::answer(draft)
-}
-
-/// The derivation that the scene needs.
-fn scene(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return lamina::sections(draft);
-    }
     if draft.scene.lead().is_some() {
         return Err(Beyond::JoinedBodies.into());
     }
-    if draft.scene.pinned().is_some() {
-        return pinned::sections(draft);
-    }
-    if draft.scene.thrown().is_some() && draft.scene.end != End::AtOnce {
-        return thrown::sections(draft);
-    }
-    narrate::sections(draft)
+    narrate::sections(draft)?;
+    asked::not_given(draft);
+    asked::answer(draft)
 }
 
 /// Is every question answered, and every number that of the key?

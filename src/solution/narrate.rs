@@ -2,23 +2,29 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::num::shown;
-use crate::scene::{AsIf, Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
-use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
+use crate::scene::{
+    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Slope, Span,
+    Thrown, Tie,
+};
+use crate::solution::account::{Account, Eliminated, LOOK, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, root, sine, square, sum,
 };
-use crate::solution::factors::Factors;
-use crate::solution::page::{PACKED, WITHIN, aligned, packed};
+use crate::solution::factors::{Cancel, Factors};
+use crate::solution::page::{Page, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
-use crate::solution::terms::{Action, ForceKind, ForceSource};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, Pivot};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
 use std::ops::{Deref, DerefMut};
+
+/// What drives the lead or holds it back.
+const DRIVING: [ForceKind; 3] = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
 
 /// Which way comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,13 +41,26 @@ enum Short {
     Instant,
 }
 
+/// Velocity, spin, displacement and angle of a thrown body at the end of a leg.
+#[derive(Debug, Clone, Copy)]
+struct LegEnd {
+    v: SymbolId,
+    w: SymbolId,
+    x: SymbolId,
+    phi: SymbolId,
+}
+
 /// Writes the sections of a scene of lines and axles.
 ///
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let ties = &draft.scene.ties;
-    let slips: Vec<usize> = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. })).collect();
+    if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        return particles(draft);
+    }
+    let (ties, thrown) = (&draft.scene.ties, draft.scene.thrown().is_some());
+    let slips = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. }) && !thrown);
+    let slips: Vec<usize> = slips.collect();
     let alone = draft.scene.bodies.len() == 1 && slips.len() == 1;
     let mut rolled = Vec::new();
     for tie in slips {
@@ -55,6 +74,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let end = account.scene.end;
     let short = match end {
         End::AtOnce => Short::Instant,
+        _ if account.slip.is_some() => Short::Neither,
         _ if stays || !account.m.one => Short::Together,
         _ if !rolled.is_empty() && alone => Short::Neither,
         _ if !rolled.is_empty() => Short::Together,
@@ -62,7 +82,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ => Short::Energy,
     };
     let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
-    let mut n = Narrator { t: account, short, rows: Vec::new(), gone: Vec::new(), ratios_told: false };
+    let mut n = Narrator::new(account, short);
     n.idea();
     n.sketch();
     n.end();
@@ -103,6 +123,126 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
+/// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
+const NOTHING: f64 = 1e-13;
+
+/// Words particles that move as one body: the mass centre and the rotation about it, then the sum over the particles. About any
+/// other point there is a cross term, which is shown for the particle whose velocity is known.
+fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
+    let (1, Some(p)) = (draft.scene.bodies.len(), Particles::new(draft)) else {
+        return Err(Beyond::Unfound.into());
+    };
+    let mut page = Page::new(draft);
+    let known = format!("${}$", p.names[p.known]);
+    let each = |of: &dyn Fn(usize) -> Expr| sum((0..p.names.len()).map(of));
+    page.begin("idea");
+    page.say("lamina.idea", &[]);
+    page.begin("sketch");
+    page.out.blocks = vec![Block::Picture("scene".to_owned())];
+    page.begin_as("short", "short_lamina");
+    page.say("lamina.centre", &[]);
+    let total = |page: &mut Page, tex: &str, unit: &str, all: Expr| {
+        let symbol = page.unknown(tex, unit);
+        page.symbols.settle_by(symbol, &all);
+        symbol
+    };
+    let mass = total(&mut page, r"\sum m_i", "kg", each(&|i| p.m[i].clone()));
+    let mx = total(&mut page, r"\sum m_i\,x_i", "kg m", each(&|i| &p.m[i] * &p.x[i]));
+    let my = total(&mut page, r"\sum m_i\,y_i", "kg m", each(&|i| &p.m[i] * &p.y[i]));
+    let mass = page.find(&["m", "M"], "kg", mass);
+    let (x, y) = (page.find(&["x_G"], "m", mx / mass), page.find(&["y_G"], "m", my / mass));
+    let arm = |i: usize| square(&p.x[i] - x) + square(&p.y[i] - y);
+    let head = [
+        r"m_i\ (\mathrm{kg})",
+        r"x_i\ (\mathrm{m})",
+        r"y_i\ (\mathrm{m})",
+        r"m_i\,x_i\ (\mathrm{kg}\,\mathrm{m})",
+        r"m_i\,y_i\ (\mathrm{kg}\,\mathrm{m})",
+        r"\rho_i\ (\mathrm{m})",
+        r"m_i\,\rho_i^{2}\ (\mathrm{kg}\,\mathrm{m}^{2})",
+    ];
+    table(&mut page, &p, &head, &|i| {
+        let (m, x, y) = (&p.m[i], &p.x[i], &p.y[i]);
+        vec![m.clone(), x.clone(), y.clone(), m * x, m * y, root(arm(i)), m * arm(i)]
+    });
+    page.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}".to_owned());
+    let own = total(&mut page, r"\sum m_i\,\rho_i^{2}", "kg m^2", each(&|i| &p.m[i] * arm(i)));
+    let own = page.find(&["I_G"], "kg m^2", own);
+    for symbol in [mass, x, y, own] {
+        let from = page.from(symbol);
+        page.display(symbol, &from, "");
+    }
+    for (quantity, symbol) in [(Quantity::XG, x), (Quantity::YG, y), (Quantity::IG, own)] {
+        page.answer(of_body(quantity, 0), DerivedAnswer::Value(symbol));
+    }
+    page.say("lamina.velocity", &[("known", &known)]);
+    let [vx, vy] = p.velocity(&x.into(), &y.into());
+    let (vx, vy) = (page.find(&["v_{Gx}"], "m/s", vx), page.find(&["v_{Gy}"], "m/s", vy));
+    page.tell_new();
+    page.say("lamina.split", &[]);
+    let half = ratio(1, 2);
+    let both = &half * mass * (square(vx) + square(vy)) + &half * own * square(&p.spin);
+    let energy = page.find(&["T", "E"], "J", both);
+    page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
+    page.tell_new();
+    page.begin_as("long", "long_lamina");
+    page.say("lamina.velocities", &[("known", &known)]);
+    let [ux, uy, spin, xk, yk] =
+        [&p.velocity[0], &p.velocity[1], &p.spin, &p.x[p.known], &p.y[p.known]].map(|e| page.tex(e));
+    page.formula(format!(r"v_{{x,i}} = {ux} - {spin}\,\left(y_i - {yk}\right)"));
+    page.formula(format!(r"v_{{y,i}} = {uy} + {spin}\,\left(x_i - {xk}\right)"));
+    let speed = |i: usize| sum(p.velocity(&p.x[i], &p.y[i]).map(square));
+    let share = |i: usize| &half * &p.m[i] * speed(i);
+    let head = [
+        r"v_{x,i}\ (\mathrm{m}/\mathrm{s})",
+        r"v_{y,i}\ (\mathrm{m}/\mathrm{s})",
+        r"v_i\ (\mathrm{m}/\mathrm{s})",
+        r"\tfrac{1}{2}\,m_i\,v_i^{2}\ (\mathrm{J})",
+    ];
+    table(&mut page, &p, &head, &|i| {
+        let [ux, uy] = p.velocity(&p.x[i], &p.y[i]);
+        vec![ux, uy, root(speed(i)), share(i)]
+    });
+    page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}".to_owned());
+    let all = total(&mut page, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", each(&share));
+    let again = page.find(&["T", "E"], "J", all);
+    page.display(again, &all.into(), "");
+    page.begin_as("why", "which");
+    let (n, count) = (p.names.len().to_string(), (2 * p.names.len()).to_string());
+    page.say("lamina.why", &[("n", &n), ("count", &count)]);
+    page.say("lamina.cross", &[("known", &known)]);
+    let [ux, uy] = &p.velocity;
+    let cross = uy * (x - &p.x[p.known]) - ux * (y - &p.y[p.known]);
+    page.find(&[r"T_{\times}", r"E_{\times}"], "J", mass * &p.spin * cross);
+    page.tell_new();
+    for (id, name) in [("limits", "lamina.limits"), ("onward", "lamina.onward")] {
+        page.begin(id);
+        page.say(name, &[]);
+    }
+    page.end();
+    Ok(())
+}
+
+/// A table with a row for each particle: its name and these cells, data as they are printed.
+fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) -> Vec<Expr>) {
+    let mut rows = vec![["i"].iter().chain(head).map(|c| format!("${c}$")).collect()];
+    for (i, name) in p.names.iter().enumerate() {
+        let cells = cells(i).into_iter().map(|e| match e {
+            Expr::Symbol(s) => {
+                let shown = page.symbols.shown(s);
+                format!("${}$", shown.split(r"\ ").next().unwrap_or_default())
+            }
+            e => {
+                let value = page.value(&e);
+                let value = if value.abs() < NOTHING { 0.0 } else { value };
+                format!("${}$", tex_digits(&shown::significant(value, FIGURES), page.words))
+            }
+        });
+        rows.push(std::iter::once(format!("${name}$")).chain(cells).collect());
+    }
+    page.table(rows);
+}
+
 /// Quantities of the scene as if its contacts were others: the equations of motion, solved again.
 ///
 /// # Errors
@@ -114,21 +254,15 @@ pub fn as_if(
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
     let mut account = Account::new(draft, None)?;
     account.arrive()?;
-    let mut n = Narrator {
-        t: account,
-        short: Short::Instant,
-        rows: Vec::new(),
-        gone: Vec::new(),
-        ratios_told: false,
-    };
+    let mut n = Narrator::new(account, Short::Instant);
     n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
     n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
     n.write_rows();
     n.tell_ratios();
     let a = n.acceleration();
     if n.m.one {
-        let right = Factors::of(&n.effective).times(&Factors::of(&a.into())).expr();
-        let line = format!("{} = {}", n.tex(&n.all_shares()), n.tex(&right));
+        let right = n.effective.by(a);
+        let line = n.equation(&n.share_sum(&DRIVING), &right);
         n.say("asked.together", &[]);
         n.formula(line);
     }
@@ -137,14 +271,18 @@ pub fn as_if(
     for label in labels {
         found.push((*label, n.get(*label)?));
     }
-    let mut wanted = vec![Some(a)];
-    wanted
-        .extend(n.steps.iter().filter(|s| found.iter().any(|(_, f)| *f == s.symbol)).map(|s| Some(s.symbol)));
-    wanted.extend(n.kinetic_frictions().into_iter().map(Some));
-    n.forget(&wanted);
-    n.tell_new();
+    let mut wanted = vec![a];
+    wanted.extend(found.iter().map(|(_, symbol)| *symbol));
+    wanted.extend(n.kinetic_frictions());
+    n.tell(wanted);
     n.end();
     Ok(found)
+}
+
+/// Is there a difference in it, which may have either sign?
+fn subtracts(e: &Expr) -> bool {
+    let less = |t: &&Expr| matches!(t, Expr::Minus(_));
+    matches!(e, Expr::Sum(_)) && e.parts().iter().any(less) || e.parts().into_iter().any(subtracts)
 }
 
 /// What friction rolling would need on a contact that is said to slip.
@@ -156,13 +294,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
         return Ok(None);
     }
     let account = Account::new(draft, Some(tie))?;
-    let mut n = Narrator {
-        t: account,
-        short: Short::Neither,
-        rows: Vec::new(),
-        gone: Vec::new(),
-        ratios_told: false,
-    };
+    let mut n = Narrator::new(account, Short::Neither);
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
     let closed = if n.m.one { n.t.closed_friction(body) } else { None };
@@ -202,6 +334,8 @@ struct Narrator<'d, 'a> {
     /// The rows as they are numbered.
     rows: Vec<(Coordinate, usize)>,
     gone: Vec<Eliminated>,
+    /// Does a thrown body still slip at the time that is asked?
+    still_slips: bool,
     /// Are the ratios of displacements on the page?
     ratios_told: bool,
 }
@@ -220,6 +354,22 @@ impl DerefMut for Narrator<'_, '_> {
 }
 
 impl<'d, 'a> Narrator<'d, 'a> {
+    fn new(t: Account<'d, 'a>, short: Short) -> Self {
+        Self { t, short, rows: Vec::new(), gone: Vec::new(), still_slips: false, ratios_told: false }
+    }
+    // As those of the account and the page; named here so that what they are given may look at the narrator.
+    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        self.t.page.say(name, pieces);
+    }
+    fn formula(&mut self, tex: String) {
+        self.t.page.formula(tex);
+    }
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.get(label)
+    }
+    fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
+        self.t.page.tell(symbols);
+    }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
         name.map_or_else(String::new, |w| self.words.get(w).to_owned())
@@ -294,8 +444,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let symbol = of(self, c)?;
                 let ratio = self.m.ratio(c);
                 let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
-                let right = Factors::of(&by.into()).times(&ratio).expr();
-                Some(format!("${} = {}$", self.symbols.tex(symbol), self.tex(&right)))
+                let right = by.by(&ratio);
+                Some(self.stated(symbol, &right))
             })
             .collect()
     }
@@ -305,10 +455,16 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn idea(&mut self) {
         self.begin("idea");
         let spring = self.spring.is_some();
+        let pinned = self.m.pivot.is_some();
         let name = match (self.short, self.scene.end) {
+            (Short::Instant, _) if pinned => "pinned.idea_instant",
+            (_, End::Angle(..)) => "pinned.idea",
+            (_, End::Speed(..) | End::TurningPoint(_)) if pinned => "pinned.idea_speed",
             (Short::Instant, _) => "idea.instant",
             (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
+            (Short::Neither, End::Rolling(_)) => "thrown.idea",
+            (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
             (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
@@ -316,30 +472,26 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (Short::Energy, _) => "idea.speed",
         };
         self.say(name, &[]);
+        if pinned && self.short == Short::Energy {
+            self.say("pinned.idea_pin", &[]);
+        }
         if matches!(self.short, Short::Energy | Short::Motion) {
-            if let Some((t, body)) = self.rolling().first().copied() {
-                let body = self.body(body);
-                self.say("idea.rolls", &[("body", &body)]);
-                let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
-                if self.short == Short::Energy {
-                    self.say("idea.idle_roll", &[("force", &f)]);
-                }
-            }
-            if let Some((t, body)) = self.held() {
-                let body = self.body(body);
-                let f = self.m.force_of(t).map_or_else(String::new, |f| self.names(&[f]));
-                self.say("idea.held", &[("body", &body)]);
-                if self.short == Short::Energy {
-                    self.say("idea.idle_held", &[("force", &f)]);
-                }
-            }
             let cords = self.cords();
+            let ties =
+                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
+            for (found, name, idle) in ties {
+                let Some((t, body)) = found else { continue };
+                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
+                if self.short == Short::Energy {
+                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
+                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
+                }
+            }
             if !cords.is_empty() {
-                let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                let forces = self.names(&forces);
                 self.say("idea.cords", &[]);
                 if self.short == Short::Energy {
-                    self.say("idea.idle_cords", &[("forces", &forces)]);
+                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
+                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
                 }
             }
         }
@@ -358,20 +510,21 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin_as("short", "short_energy");
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
-        if self.asks(Quantity::Direction) {
-            self.tell_direction();
+        let pivot = self.m.pivot.clone();
+        match &pivot {
+            Some(pivot) => self.before_the_balance(pivot),
+            None if self.asks(Quantity::Direction) => self.tell_direction(),
+            None => {}
         }
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-        let (lead, d) = (self.lead(), self.distance());
-        let against = self.value(&self.s) < 0.0;
-        if place && against {
-            let body = self.body(lead.body);
+        let place = pivot.is_some() || matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let lead = self.lead();
+        if place && pivot.is_none() && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
-            self.say("energy.against", &[("body", &body), ("way", &sense)]);
+            self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.t.speed_at_end().ok();
+        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega)).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
             let kept = self.steps.split_off(at.unwrap_or(0));
@@ -383,59 +536,103 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
-        let balance = self.balance(&d);
         let links = self.links(false, |n, c| n.m.speed(c));
-        self.formula(balance);
+        self.formula(self.balance(&self.distance()));
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
         }
         if !self.kinetic_frictions().is_empty() {
             self.tell_frictions();
         }
+        // The speed, or the way, with the acceleration put in.
         let target = if place { v } else { self.steps.last().map(|s| s.symbol) };
-        let step = self.steps.iter().find(|s| Some(s.symbol) == target).cloned();
-        if let Some(step) = step {
-            if !place {
-                // The way, with the acceleration put in.
-                let symbol = step.symbol;
-                let from = self.way_by_energy();
-                let line = self.chain(symbol, &from).concat();
-                self.tagged_formula(line);
-            } else {
-                let line = self.chain(step.symbol, &step.from).concat();
-                self.tagged_formula(line);
-            }
+        if let Some(symbol) = target {
+            let from = if place { self.from(symbol) } else { self.way_by_energy() };
+            self.display(symbol, &from, r" \quad (\mathrm{E})");
         }
-        self.tell_groups();
+        match pivot {
+            None => self.tell_groups(),
+            Some(_) if self.sense < 0.0 => {
+                self.say("pinned.magnitude", &[("omega", &self.names(&[self.speed()]))]);
+            }
+            Some(_) => {}
+        }
         // Speeds that are asked.
         self.skip_new();
         if !place {
-            self.forget(&[v]);
+            self.forget(v);
         }
-        let asked = asked::needed(self.scene, self.problem);
-        for label in asked {
+        for label in asked::needed(self.scene, self.problem) {
             if matches!(label.quantity, Quantity::V | Quantity::Omega) {
                 let _ = self.get(label);
             }
         }
         self.tell_new();
-        for quantity in [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax] {
-            if self.asks(quantity) && self.spring.is_some() {
-                self.tell_fastest();
-                break;
-            }
+        let fastest = [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax];
+        if spring.is_some() && fastest.iter().any(|q| self.asks(*q)) {
+            self.tell_fastest();
         }
     }
 
-    fn tagged_formula(&mut self, line: String) {
-        let line = if line.contains('&') { aligned(&line) } else { format!(r"{line} \quad (\mathrm{{E}})") };
-        self.formula(line);
+    /// Moment of inertia about the pin.
+    fn tell_inertia(&mut self, pivot: &Pivot) {
+        let own = &pivot.own;
+        self.say(if *own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
+        let mass = &self.m.parts[self.lead().body].mass;
+        let short = own.factors().plus(&mass.times(square(&pivot.h))).expr();
+        let whole = own + mass.expr() * square(&pivot.h);
+        let line = self.chain(pivot.about, &whole);
+        let gathered = short != whole && !matches!(short, Expr::Sum(_)) && *own != ZERO;
+        if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
+            self.formula(line.replacen(" = ", &format!(" = {} = ", self.tex(&short)), 1));
+        } else {
+            self.display(pivot.about, &whole, "");
+        }
+    }
+
+    /// What the balance of a body on a pin takes: where it ends, the angle turned, the lengths of the spring.
+    fn before_the_balance(&mut self, pivot: &Pivot) {
+        self.tell_inertia(pivot);
+        let of = |n: &Self, names: [&str; 2]| n.symbols.named(&names);
+        let stretched = of(self, ["l_0", "l_n"]).filter(|l| self.steps.iter().any(|s| s.symbol == *l));
+        let first = of(self, ["s_0", "d_0"]);
+        if stretched.is_some() {
+            self.say("pinned.natural", &[]);
+            self.tell(first.into_iter().chain(stretched));
+        }
+        let name = match self.scene.end {
+            End::TurningPoint(_) => Some("pinned.angle_turning"),
+            End::Speed(..) => Some("pinned.angle_speed"),
+            _ => None,
+        };
+        if let Some(name) = name {
+            self.say(name, &[("angle", &self.angle(&self.last))]);
+        }
+        let turned = self.symbols.named(&[&format!(r"\Delta {}", self.symbols.tex(pivot.angle))]);
+        if turned.is_some() {
+            self.say("pinned.radians", &[]);
+            self.tell(turned);
+        }
+        if pivot.spring.is_some() {
+            self.say("pinned.lengths", &[]);
+            let rest =
+                [["s_1", "d_1"], [r"\delta_0", "e_0"], [r"\delta_1", "e_1"]].map(|names| of(self, names));
+            self.tell(first.filter(|_| stretched.is_none()).into_iter().chain(rest.into_iter().flatten()));
+        }
+    }
+
+    /// An angle of a body on a pin, with its value.
+    fn angle(&self, angle: &Expr) -> String {
+        match (angle, &self.m.pivot) {
+            (Expr::Symbol(s), _) => self.shown(*s),
+            (_, Some(pivot)) => format!("${} = 0$", self.symbols.tex(pivot.angle)),
+            _ => String::new(),
+        }
     }
 
     /// `s = m_e (v^2 - v0^2)/(2 F)`
     fn way_by_energy(&self) -> Expr {
         let squares = square(&self.v) - square(&self.v0);
-        let squares = if self.v == ZERO { -square(&self.v0) } else { squares };
         &self.effective * squares / (Expr::Number(2, 1) * &self.drive)
     }
 
@@ -447,36 +644,26 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let gammas = self.gammas.clone();
         for (tie, gamma, is) in gammas {
             let Some(action) = self.m.action_of(tie).cloned() else { continue };
-            let contact = self.contact_of(action.body).and_then(|t| self.m.action_of(t)).cloned();
-            let Some(contact) = contact else {
+            let Some(c) = self.radius_of(action.body) else {
                 self.display(gamma, &is, "");
                 continue;
             };
-            let c = self.magnitude(&contact.arm);
-            let away = c.times(&Factors::of(&is)).expr();
+            let away = c.by(&is);
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
             let name = if spring { "energy.ratio_spring" } else { "energy.ratio" };
             self.say(name, &[("centre", &c), ("point", &away)]);
-            let line = self.chain(gamma, &is).concat();
+            let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
             let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-            let tail = if given && !spring && self.s != ZERO && self.asks_label(travel) {
-                self.get(travel).ok().map(|l| {
-                    let from = self.steps.last().map_or(ZERO, |s| s.from.clone());
-                    self.chain(l, &from).concat()
-                })
-            } else {
-                None
-            };
-            let line = if line.contains('&') { aligned(&line) } else { line };
+            let told = given && !spring && self.s != ZERO && self.asks_label(travel);
+            let tail = if told { self.get(travel).ok() } else { None }.map(|l| self.step_of(l));
             match tail {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
                 _ => self.formula(line),
             }
             if self.symbols.value(gamma) > 1.0 && !spring {
-                let gamma = self.names(&[gamma]);
-                self.say("energy.ratio_check", &[("gamma", &gamma)]);
+                self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
             }
         }
     }
@@ -487,36 +674,24 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
         if let Some(s) = &self.spring {
-            let squares = match &self.last {
-                &ZERO => square(&s.stretch),
-                x1 => square(&s.stretch) - square(x1),
-            };
-            works.push(ratio(1, 2) * &s.stiffness * squares);
+            works.push(ratio(1, 2) * &s.stiffness * (square(&s.stretch) - square(&self.last)));
         }
-        for (_, share) in self.shares(&[ForceKind::Given, ForceKind::Kinetic]) {
-            works.push(in_sense(Factors::of(&share).times(&Factors::of(d)).expr(), sense));
+        if self.m.pivot.is_some() {
+            works.clone_from(&self.works);
+        } else {
+            let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
+            works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
         }
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
-            let mut all = Vec::new();
-            for c in self.coordinates() {
-                let Some(v) = self.m.speed(c) else { continue };
-                for i in self.m.inertia(c) {
-                    all.push(i.times(&Factors::of(&square(v))).times(&half).expr());
-                }
-            }
-            sum(all)
+            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.speed(c)?)));
+            let inertias = speeds.flat_map(|(c, v)| self.m.inertia(c).into_iter().map(move |i| (i, v)));
+            sum(inertias.map(|(i, v)| i.times(square(v)).by(&half)))
         } else {
-            let gain = square(self.v.clone()) - square(&self.v0);
-            let gain = if self.v == ZERO { -square(&self.v0) } else { gain };
-            ratio(1, 2) * &self.effective * gain
+            ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
         };
-        let one = format!("{} = {}", self.tex(&left), self.tex(&right));
-        if width(&one) <= LINE {
-            one
-        } else {
-            aligned(&format!(r"{} &= {}", self.tex(&left), self.tex(&right)).replacen(" &= ", r" \\ &= ", 1))
-        }
+        let one = self.equation(&left, &right);
+        if width(&one) <= LINE { one } else { format!(r"{} \\ &= {}", self.tex(&left), self.tex(&right)) }
     }
 
     /// The sums in the formula of the speed, in numbers.
@@ -542,22 +717,18 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Sliding friction, with the normal forces that it hangs on.
     fn tell_frictions(&mut self) {
-        let of = |n: &Self, s: SymbolId| {
-            n.steps.iter().find(|step| step.symbol == s).map(|step| step.from.clone())
-        };
         for f in self.kinetic_frictions() {
-            let Some(from) = of(self, f) else { continue };
+            let from = self.from(f);
             let normals: Vec<SymbolId> =
                 self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
             if self.detail == Detail::Full {
                 for symbol in normals.into_iter().chain([f]) {
-                    let from = of(self, symbol).unwrap_or(ZERO);
+                    let from = self.from(symbol);
                     self.display(symbol, &from, "");
                 }
             } else {
                 let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
-                let chain = self.chained(f);
-                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &chain)]);
+                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &self.chained(f))]);
             }
         }
     }
@@ -568,7 +739,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
-            let _ = self.t.top_speed();
+            let _ = self.get(of_body(Quantity::VMax, self.lead().body));
             self.say("energy.fastest", &[]);
             self.tell_new();
         }
@@ -576,17 +747,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     fn tell_direction(&mut self) {
         let lead = self.lead();
-        let part = &self.m.parts[lead.body];
-        let up = self.sense * f64::from(part.up) > 0.0;
-        let sense = self.way(lead.body, if up { 1.0 } else { -1.0 });
+        let sense = self.way(lead.body, self.sense * f64::from(self.m.parts[lead.body].up));
         match self.spring.clone() {
             Some(s) => {
-                let pull = Factors::of(&s.stiffness).times(&s.gamma).times(&Factors::of(&s.stretch)).expr();
-                let pull = self.valued(&pull, "N");
+                let pull = s.stiffness.by(&s.gamma).by(&s.stretch);
                 let drive = self.drive.clone();
-                let against = self.valued(&in_sense(drive.clone(), self.value(&drive)), "N");
+                let against = self.valued(&self.positive(&drive), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
-                self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
+                self.say(name, &[("pull", &self.valued(&pull, "N")), ("against", &against), ("way", &sense)]);
             }
             None => {
                 let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
@@ -595,7 +763,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let size = |n: &Self, all: Vec<Expr>| {
                     let whole = sum(all);
                     let unit = if n.straight() { "N" } else { "N m" };
-                    n.valued(&in_sense(whole.clone(), n.value(&whole)), unit)
+                    n.valued(&n.positive(&whole), unit)
                 };
                 let free = against.is_empty();
                 let (pull, against) = (size(self, with), size(self, against));
@@ -614,9 +782,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
             _ => "short_motion",
         };
         self.begin_as(id, title);
+        if let Some(pivot) = self.m.pivot.clone() {
+            return self.motion_on(&pivot);
+        }
         let first = self.short == Short::Instant
             || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
         self.tell_ratios();
+        if let Some(slip) = self.slip {
+            self.slip_at_start(slip)?;
+        }
         self.say_senses();
         self.write_rows();
         if first || self.short == Short::Together && self.m.one {
@@ -625,27 +799,26 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
             && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
         {
-            let pull = self.chained(pull);
-            self.say("motion.spring_there", &[("pull", &pull)]);
+            self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
         }
         let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
         if let Some(s) = self.spring.clone() {
             // One place on the way, not that at the end.
-            let names = if self.symbols.named("s").is_some() { ["s_{x}"] } else { ["s"] };
+            let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
-            let stretch = &s.stretch - s.gamma.times(&Factors::of(&s_now.into())).expr();
-            let law = &s.stiffness * stretch;
-            let still = self.t.still();
-            let law = format!("${} = {}$", self.symbols.tex(s.tension), self.tex(&law));
-            if !still {
-                self.say("motion.spring", &[("law", &law)]);
+            let law = &s.stiffness * (&s.stretch - s.gamma.by(s_now));
+            if !self.t.still() {
+                self.say("motion.spring", &[("law", &self.stated(s.tension, &law))]);
             }
         }
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
         }
         if self.short == Short::Neither {
-            return self.two_freedoms();
+            return match (self.scene.thrown(), self.slip) {
+                (Some(thrown), Some(slip)) => self.legs(&thrown, slip),
+                _ => self.two_freedoms(),
+            };
         }
         let gone = if self.m.one { self.elimination().ok() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
@@ -654,8 +827,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             .iter()
             .map(|g| {
                 let n = self.number_of(g.row);
-                let is = format!("${} = {}$", self.symbols.tex(g.force), self.tex(&g.is));
-                self.phrase("motion.from", &[("n", &n), ("is", &is)])
+                self.phrase("motion.from", &[("n", &n), ("is", &self.stated(g.force, &g.is))])
             })
             .collect();
         let n = self.number_of(last);
@@ -663,17 +835,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !from.is_empty() {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
-        let sum_of = self.all_shares();
-        let right = Factors::of(&self.effective).times(&Factors::of(&a.into())).expr();
-        let line = format!("{} = {}", self.tex(&sum_of), self.tex(&right));
-        let value = self.symbols.shown(a);
-        let tex = self.symbols.tex(a).to_owned();
+        let line = self.equation(&self.share_sum(&DRIVING), &self.effective.by(a));
         if self.spring.is_none() {
-            let whole = format!(r"{line}, \qquad {tex} = {value}");
+            let value = format!("{} = {}", self.symbols.tex(a), self.symbols.shown(a));
+            let whole = format!(r"{line}, \qquad {value}");
             if !from.is_empty() || width(&whole) > WITHIN {
                 self.formula(whole);
             } else {
-                self.add(format!("${line}$, ${tex} = {value}$."));
+                self.add(format!("${line}$, ${value}$."));
             }
         } else {
             self.formula(line);
@@ -682,12 +851,37 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
+    /// The equations of motion of a body on a pin, at any angle.
+    fn motion_on(&mut self, pivot: &Pivot) -> Result<(), DerivationStop> {
+        if self.short == Short::Instant {
+            self.tell_inertia(pivot);
+            let v = self.speed();
+            self.tell([v]);
+        }
+        let [radial, across, phi] =
+            [pivot.radial, pivot.across, pivot.angle].map(|s| self.symbols.tex(s).to_owned());
+        let [a, v] = [self.acceleration(), self.speed()].map(|s| self.symbols.tex(s).to_owned());
+        let [inline_radial, inline_across, inline_phi] = [&radial, &across, &phi].map(|s| format!("${s}$"));
+        let pieces = [("radial", &*inline_radial), ("across", &*inline_across), ("phi", &*inline_phi)];
+        self.say(if pivot.up { "pinned.from_upright" } else { "pinned.from_hanging" }, &pieces);
+        self.write_rows();
+        if pivot.spring.is_some() {
+            self.say("pinned.spring_rows", &[]);
+        }
+        if self.short != Short::Instant {
+            let pieces =
+                [("alpha", &*a), ("omega", &*v), ("phi", &*phi), ("radial", &*radial), ("across", &*across)];
+            self.say("pinned.integral", &pieces);
+        }
+        Ok(())
+    }
+
     /// What the ties demand of the accelerations.
     fn demands(&self) -> Vec<String> {
         let each = |(tie, _): (usize, SymbolId)| {
             let terms = self.tied(tie).into_iter().filter_map(|(c, share)| {
                 let a = self.m.acceleration(c)?;
-                Some(share.times(&Factors::of(&a.into())).expr())
+                Some(share.by(a))
             });
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
@@ -707,19 +901,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.tell_frictions();
         self.say("motion.together", &[]);
-        let all = [self.accelerations(), self.hidden()].concat();
-        let settled: Vec<Option<SymbolId>> =
-            all.into_iter().filter(|s| !self.symbols.value(*s).is_nan()).map(Some).collect();
+        let mut settled = [self.accelerations(), self.hidden()].concat();
+        settled.retain(|s| !self.symbols.value(*s).is_nan());
         let later: Vec<SymbolId> = self.steps.iter().map(|s| s.symbol).collect();
-        self.skip_new();
-        self.forget(&settled);
-        self.tell_new();
+        self.tell(settled.clone());
         if self.short == Short::Together && !self.stays() {
-            self.tell_as_known(later.into_iter().filter(|s| settled.contains(&Some(*s))).collect());
-            let normals = [self.normals(), self.kinetic_frictions()].concat();
-            for symbol in normals {
-                self.told(symbol);
-            }
+            let rubs = [self.normals(), self.kinetic_frictions()].concat();
+            let later = later.into_iter().filter(|s| settled.contains(s)).chain(rubs);
+            self.tell_as_known(later.collect());
             let time = matches!(self.scene.end, End::Time(..));
             self.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
             self.tell_new();
@@ -732,9 +921,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Energy is one balance for the unknown speeds of several freedoms.
     fn why_together(&mut self) {
         self.begin_as("why", "which");
-        let speeds = self.speeds();
-        let speeds = self.names(&speeds);
-        self.say("why.together", &[("unknown", &speeds)]);
+        self.say("why.together", &[("unknown", &self.names(&self.speeds()))]);
         self.say("why.ask", &[]);
     }
 
@@ -753,24 +940,20 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
+        if self.m.pivot.is_some() {
+            return self.motion("short");
+        }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
             let _ = self.get(speed_of(c));
         }
-        let speeds: Vec<Option<SymbolId>> = self.speeds().into_iter().map(Some).collect();
-        self.skip_new();
-        self.forget(&speeds);
+        let speeds = self.speeds();
         self.say("instant.speeds", &[]);
-        self.tell_new();
+        self.tell(speeds);
         self.get(of_scene(Quantity::KineticEnergy))?;
         self.say("instant.energy", &[]);
         self.tell_new();
         if self.forces_asked() { self.motion("long") } else { Ok(()) }
-    }
-
-    fn all_shares(&self) -> Expr {
-        let kinds = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
-        positive_first(self.shares(&kinds).into_iter().map(|(_, e)| e).collect())
     }
 
     fn say_senses(&mut self) {
@@ -788,33 +971,16 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mut firsts: Vec<(usize, usize, usize)> = Vec::new();
         for body in 0..self.m.parts.len() {
             let before = n;
-            for degree in [Degree::Along, Degree::Turn] {
-                let c = Coordinate { body, degree };
-                let inertia = self.m.inertia(c);
-                let shares: Vec<Expr> = self.row(c).into_iter().map(|(_, e)| e).collect();
-                if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || !shares.is_empty())
-                {
-                    n += 1;
-                    let by = Factors::of(&a.into());
-                    let right = sum(inertia.iter().map(|i| i.times(&by).expr()));
-                    let left = positive_first(shares);
-                    rows.push(format!(r"{} = {} \quad ({n})", self.tex(&left), self.tex(&right)));
-                    self.rows.push((c, n));
-                }
-                let across = self.m.parts[body].normal.clone().filter(|_| degree == Degree::Along);
-                if let Some((normal, is)) = across {
-                    n += 1;
-                    let left = Expr::from(normal) - is;
-                    rows.push(format!(r"{} = 0 \quad ({n})", self.tex(&left)));
-                }
+            for (c, left, right) in self.equations(body) {
+                n += 1;
+                rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
+                self.rows.extend(c.map(|c| (c, n)));
             }
             if n > before {
                 firsts.push((body, before + 1, n));
             }
         }
-        for line in packed(rows) {
-            self.formula(line);
-        }
+        self.formulas(rows);
         if self.m.parts.len() > 1 {
             let of: Vec<String> = firsts
                 .iter()
@@ -862,6 +1028,248 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
     }
 
+    /// Friction of a slipping body, and the acceleration and the angular acceleration, each from its own equation.
+    fn tell_own(&mut self, body: usize) -> Result<(SymbolId, SymbolId), DerivationStop> {
+        self.tell_frictions();
+        let rates = (self.get(of_body(Quantity::A, body))?, self.get(of_body(Quantity::Alpha, body))?);
+        self.say("motion.own", &[]);
+        let lines = [rates.0, rates.1].map(|s| self.step_of(s));
+        self.formulas(lines);
+        Ok(rates)
+    }
+
+    /// How the contact of a body slips that is thrown.
+    fn slip_at_start(&mut self, slip: SymbolId) -> Result<(), DerivationStop> {
+        let (body, value) =
+            (self.lead().body, self.symbols.value(slip) * f64::from(self.m.parts[self.lead().body].up));
+        if value == 0.0 {
+            return Err(Beyond::Unfound.into());
+        }
+        self.say("thrown.slip", &[]);
+        self.tell([slip]);
+        let size = self.sized(slip);
+        self.ends_as(of_body(Quantity::SlipSpeed, body), size);
+        let (slides, points) = (self.way(body, value), self.way(body, -value));
+        self.say("thrown.sense", &[("slides", &slides), ("points", &points)]);
+        Ok(())
+    }
+
+    /// A body thrown with slip: when the slip ends, where it is then or at the time asked, and the heat.
+    fn legs(&mut self, thrown: &Thrown, slip: SymbolId) -> Result<(), DerivationStop> {
+        let body = thrown.body;
+        let (a, alpha) = self.tell_own(body)?;
+        self.skip_new();
+        let (c, w0) =
+            (self.number(thrown.radius_m, "R", "m"), self.number(thrown.spin_rad_s, r"\omega_0", "rad/s"));
+        let (v0, sense) = (self.v0.clone(), self.symbols.value(slip).signum());
+        let tex = self.free(&["u", "w"]);
+        let rate = self.find(&[&format!(r"\dot{{{tex}}}")], "m/s^2", a - &c * alpha);
+        let closes = self.symbols.value(rate) * sense < 0.0;
+        self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[]);
+        let asked = match self.scene.end {
+            End::Time(_, t) => Some(self.number(t, "t_1", "s")),
+            _ => None,
+        };
+        let names = if asked.is_some() { ["t_r", "t_e"] } else { ["t", "t_r"] };
+        let event = closes.then(|| self.find(&names, "s", -(slip / rate)));
+        self.tell_new();
+        // Would it roll on?
+        let normal = self.get(of_body(Quantity::Normal, body))?;
+        let (fall, j) = (self.share_sum(&[ForceKind::Given]), self.inertia_of(body).per(square(&c)));
+        let rolling = fall.over(self.m.parts[body].mass.plus(&j));
+        let grip = self.number(thrown.mu_s, r"\mu_s", "1") * normal;
+        let holds = self.value(&j.by(&rolling)).abs() <= self.value(&grip);
+        let rolls = matches!((&asked, event), (Some(t), Some(e)) if self.value(t) > self.symbols.value(e));
+        let slid = match (&asked, event) {
+            (Some(t), _) if !rolls => t.clone(),
+            (_, Some(event)) if holds => event.into(),
+            _ => return Err(Beyond::Unfound.into()),
+        };
+        if let (Some(t), Some(event)) = (&asked, event) {
+            let pieces = [("asked", &*self.inline(t)), ("event", &*self.names(&[event]))];
+            self.say(if rolls { "thrown.by_then" } else { "thrown.not_yet" }, &pieces);
+        }
+        self.still_slips = asked.is_some() && !rolls;
+        self.say("thrown.state", &[("t", &self.inline(&slid))]);
+        let way = |start: &Expr, rate: SymbolId| start * &slid + ratio(1, 2) * (rate * square(&slid));
+        let spins = self.still_slips.then(|| &w0 + alpha * &slid);
+        let mark = if rolls { r"\mathrm{r}" } else { "1" };
+        let mark = if asked.is_some() { mark } else { "" };
+        let phi = way(&w0, alpha);
+        let first = self.leg(mark, [&v0 + a * &slid, way(&v0, a)], spins.clone(), &c, &|_| phi.clone());
+        if self.value(&v0) * self.symbols.value(first.v) < 0.0 {
+            self.say("thrown.turns_back", &[]);
+        }
+        let left = spins.map_or(ZERO, |_| self.find(&["u_1", "w_1"], "m/s", slip + rate * &slid).into());
+        let mean = in_sense(slip + left, sense);
+        self.say("thrown.heat", &[]);
+        let distance = self.find(&["l", r"\ell", r"\lambda"], "m", mean.by(&slid).by(ratio(1, 2)));
+        let mu_k = self.number(thrown.mu_k, r"\mu_k", "1");
+        let heat = self.find(&["Q", "Q_f"], "J", mu_k * normal * distance);
+        self.tell_new();
+        let mut end = first;
+        let mut rates = [a, alpha];
+        let of_rolling = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
+        if rolls || of_rolling.iter().any(|q| self.asks(*q)) {
+            let [a_r, f_r] = self.once_rolling(rolling, &j)?;
+            if let (true, Some(t), Some(event)) = (rolls, &asked, event) {
+                self.say("thrown.leg", &[]);
+                let left = self.find(&[r"\Delta t"], "s", t - event);
+                let x = first.x + first.v * left + ratio(1, 2) * (a_r * square(left));
+                let phi = |x: SymbolId| first.phi + (x - first.x) / &c;
+                end = self.leg("1", [first.v + a_r * left, x], None, &c, &phi);
+                let tex = marked(self.symbols.tex(alpha), r"\mathrm{r}");
+                rates = [a_r, self.find(&[&tex], "rad/s^2", a_r / &c)];
+                if self.asks(Quantity::Alpha) {
+                    self.tell_new();
+                }
+                self.skip_new();
+                self.ends_as(of_body(Quantity::Friction, body), f_r);
+            }
+        }
+        if self.asks(Quantity::Distance) {
+            self.there_and_back([v0.clone(), first.v.into(), end.v.into()], [a, rates[0]], [first.x, end.x]);
+        }
+        let sized = [end.v, end.w, end.phi].map(|s| self.sized(s));
+        let of = |q| of_body(q, body);
+        let ends = [(Quantity::V, sized[0]), (Quantity::Omega, sized[1]), (Quantity::Phi, sized[2])];
+        let more = [(Quantity::Displacement, end.x), (Quantity::A, rates[0]), (Quantity::Alpha, rates[1])];
+        for (quantity, symbol) in ends.into_iter().chain(more).chain([(Quantity::SlipDistance, distance)]) {
+            self.ends_as(of(quantity), symbol);
+        }
+        self.ends_as(of_scene(Quantity::Heat), heat);
+        if let (Some(Expr::Symbol(t)), _) | (None, Some(t)) = (&asked, event.as_ref()) {
+            self.ends_as(of_scene(Quantity::T), *t);
+        }
+        (self.s, self.v, self.sense) = (end.x.into(), sized[0].into(), self.symbols.value(end.v).signum());
+        self.word(of(Quantity::Rolls), if holds { Word::Yes } else { Word::No });
+        self.by_balances([&v0, &w0, &c, &slid], slip, first, heat, rolls);
+        Ok(())
+    }
+
+    /// Acceleration and friction of a thrown body once it rolls.
+    fn once_rolling(&mut self, rolling: Expr, j: &Factors) -> Result<[SymbolId; 2], DerivationStop> {
+        let body = self.lead().body;
+        let level = rolling == ZERO;
+        self.say(if level { "thrown.roll_level" } else { "thrown.roll" }, &[]);
+        let f = self.get(of_body(Quantity::Friction, body))?;
+        let [a_tex, f_tex] = [self.acceleration(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
+        let a = self.find(&[&a_tex], "m/s^2", rolling);
+        let back = -f64::from(self.m.parts[body].up);
+        let f = self.find(&[&f_tex], "N", if level { ZERO } else { in_sense(j.by(a), back) });
+        self.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(f));
+        self.ends_as(of_body(Quantity::ARolling, body), a);
+        self.tell_new();
+        Ok([a, f])
+    }
+
+    /// How far a thrown body goes in all: from one leg to the next it has these speeds and places, on each an acceleration.
+    fn there_and_back(&mut self, v: [Expr; 3], a: [SymbolId; 2], x: [SymbolId; 2]) {
+        let turn = (0..2).find(|i| self.value(&v[*i]) * self.value(&v[i + 1]) < 0.0);
+        let way = match turn {
+            Some(leg) => {
+                let more = -(square(&v[leg]) / (Expr::Number(2, 1) * a[leg]));
+                let turn = self.find(&["x_t"], "m", if leg == 0 { more } else { x[0] + more });
+                magnitude(turn) + magnitude(x[1] - turn)
+            }
+            None => self.positive(&x[1].into()),
+        };
+        let d = self.find(&["d", "d_G"], "m", way);
+        let body = self.lead().body;
+        self.ends_as(of_body(Quantity::Distance, body), d);
+    }
+
+    /// Moment of inertia of a body as one term.
+    fn inertia_of(&self, body: usize) -> Factors {
+        self.m.parts[body].inertia.iter().fold(Factors::zero(), |all, i| all.plus(i))
+    }
+
+    /// Where a thrown body is at the end of a leg; it rolls where no spin is given.
+    fn leg(
+        &mut self,
+        mark: &str,
+        [v, x]: [Expr; 2],
+        spin: Option<Expr>,
+        c: &Expr,
+        phi: &dyn Fn(SymbolId) -> Expr,
+    ) -> LegEnd {
+        let name = |n: &Self, names: &[&str]| {
+            let tex = n.free(names);
+            if mark.is_empty() { tex } else { marked(&tex, mark) }
+        };
+        let (tex, spin_tex) = (name(self, &["v", "v_G"]), name(self, &[r"\omega", r"\Omega"]));
+        let v = self.find(&[&tex], "m/s", v);
+        let w = self.find(&[&spin_tex], "rad/s", spin.unwrap_or_else(|| v / c));
+        let tex = name(self, &["x", "x_G"]);
+        let x = self.find(&[&tex], "m", x);
+        self.tell_new();
+        let tex = name(self, &[r"\phi", r"\varphi", r"\psi"]);
+        let phi = self.find(&[&tex], "rad", phi(x));
+        if self.asks(Quantity::Phi) {
+            self.tell_new();
+        }
+        self.skip_new();
+        LegEnd { v, w, x, phi }
+    }
+
+    /// Angular momentum about the contact, and the balance of energies: what they give, and what not.
+    fn by_balances(
+        &mut self,
+        [v0, w0, c, t]: [&Expr; 4],
+        slip: SymbolId,
+        end: LegEnd,
+        heat: SymbolId,
+        rolls: bool,
+    ) {
+        let body = self.lead().body;
+        let (fall, mass, own) =
+            (self.share_sum(&[ForceKind::Given]), self.m.parts[body].mass.clone(), self.inertia_of(body));
+        let level = fall == ZERO;
+        self.begin_as("long", "slip_energy");
+        self.say(if level { "thrown.momentum_level" } else { "thrown.momentum" }, &[]);
+        let spun = |w: &Expr, v: &Expr| own.by(w) + mass.times(c).by(v);
+        let half = ratio(1, 2);
+        let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
+        let (w, v) = (Expr::from(end.w), Expr::from(end.v));
+        self.formula(self.equation(&(spun(w0, v0) + fall.by(c).by(t)), &spun(&w, &v)));
+        self.say("thrown.balance", &[]);
+        self.formula(self.equation(&(kinetic(w0, v0) - heat + fall.by(end.x)), &kinetic(&w, &v)));
+        if level && (rolls || !matches!(self.scene.end, End::Time(..))) {
+            // The speed at which rolling begins, and the heat, without the friction.
+            let carried = mass.plus(&own.per(square(c)));
+            let speed = (mass.by(v0) + own.by(w0).over(c)).over(&carried);
+            let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
+            let lost = mass.times(&own).times(square(slip)).over(&whole);
+            self.say("thrown.by_momentum", &[]);
+            let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| self.chain(symbol, &from));
+            self.formulas(lines);
+        }
+        self.begin_as("why", "which");
+        self.say(if level { "thrown.why_level" } else { "thrown.why" }, &[]);
+        self.say("why.ask_slip", &[]);
+    }
+
+    /// Can a thrown body roll on?
+    fn rolls_on(&mut self, body: usize, mu_s: Num) -> Result<(), DerivationStop> {
+        let normal = self.get(of_body(Quantity::Normal, body))?;
+        self.say("thrown.presses", &[("n", &self.shown(normal))]);
+        let fall = self.share_sum(&[ForceKind::Given]);
+        if self.still_slips {
+            return Ok(());
+        }
+        if fall == ZERO {
+            self.say("thrown.rolls_on_level", &[]);
+            return Ok(());
+        }
+        let c = self.radius_of(body).unwrap_or_else(Factors::one);
+        let j = self.inertia_of(body).per(c.squared());
+        let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
+        let needed = self.valued(&self.positive(&needed), "N");
+        let limit = self.number(mu_s, r"\mu_s", "1") * normal;
+        self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &self.valued(&limit, "N"))]);
+        Ok(())
+    }
+
     /// A slipping wheel: each freedom has its own equation.
     fn two_freedoms(&mut self) -> Result<(), DerivationStop> {
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else {
@@ -870,47 +1278,20 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.m.parts.len() > 1 {
             return Err(Beyond::Unfound.into());
         }
-        self.tell_frictions();
-        let a = self.get(of_body(Quantity::A, body))?;
-        let from = self.steps.iter().find(|s| s.symbol == a).map_or(ZERO, |s| s.from.clone());
-        let line = self.chain(a, &from).concat();
-        let alpha = self.get(of_body(Quantity::Alpha, body))?;
-        let from = self.steps.iter().find(|s| s.symbol == alpha).map_or(ZERO, |s| s.from.clone());
-        let other = self.chain(alpha, &from).concat();
-        self.say("motion.own", &[]);
-        if self.detail == Detail::Full || width(&line) + width(&other) > PACKED {
-            for l in [line, other] {
-                let l = if l.contains('&') { aligned(&l) } else { l };
-                self.formula(l);
-            }
-        } else {
-            self.formula(format!(r"{line}, \qquad {other}"));
-        }
-        let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| self.magnitude(&x.arm));
-        if let Some(c) = c {
-            let share = c.times(&Factors::of(&alpha.into())).per(&Factors::of(&a.into())).expr();
-            let share = self.valued(&share, "1");
-            self.say("motion.share", &[("share", &share)]);
+        let (a, alpha) = self.tell_own(body)?;
+        if let Some(c) = self.radius_of(body) {
+            self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
         }
         self.skip_new();
-        let v = self.t.speed_at_end()?;
-        if let Some(step) = self.steps.iter().find(|s| s.symbol == v).cloned() {
-            if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
-                // v^2 = 2 a d, with the acceleration as it was found.
-                let by = in_sense(a.into(), self.value(&a.into()));
-                let from = root(Expr::Number(2, 1) * by * self.distance());
-                self.say("motion.speed_of_slip", &[]);
-                let tex = self.chain(v, &from).concat();
-                let tex = if tex.contains('&') { aligned(&tex) } else { tex };
-                self.formula(tex);
-            } else {
-                let displacement = match self.s {
-                    Expr::Symbol(s) => Some(s),
-                    _ => None,
-                };
-                self.forget(&[Some(step.symbol), displacement]);
-                self.tell_new();
-            }
+        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega))?;
+        if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
+            // v^2 = 2 a d, with the acceleration as it was found.
+            let by = self.positive(&a.into());
+            let from = root(Expr::Number(2, 1) * by * self.distance());
+            self.say("motion.speed_of_slip", &[]);
+            self.formula(self.chain(v, &from));
+        } else {
+            self.tell([v].into_iter().chain(self.s.uses()));
         }
         for quantity in [Quantity::Omega, Quantity::Phi, Quantity::SlipDistance] {
             self.get(of_body(quantity, body))?;
@@ -922,6 +1303,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Energy for a slipping wheel: one equation for two unknowns, and the theorem of the mass centre beside it.
     fn energy_of_slip(&mut self) -> Result<(), DerivationStop> {
+        if self.slip.is_some() {
+            return Ok(());
+        }
         self.begin_as("long", "slip_energy");
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else { return Ok(()) };
         let phi = self.get(of_body(Quantity::Phi, body))?;
@@ -929,45 +1313,25 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (Some(v), Some(w)) = (part.v, part.omega) else { return Ok(()) };
         let half = ratio(1, 2);
         let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
-        let turn = if self.value(
-            &self
-                .t
-                .page
-                .steps
-                .iter()
-                .find(|s| Some(s.symbol) == part.alpha)
-                .map_or(ZERO, |s| s.symbol.into()),
-        ) < 0.0
-        {
-            -1.0
-        } else {
-            1.0
-        };
-        let row = |n: &Self, degree| {
-            let row = n.row(Coordinate { body, degree });
-            positive_first(row.into_iter().map(|(_, e)| e).collect())
-        };
-        let (forces, moments) = (row(self, Degree::Along), row(self, Degree::Turn));
-        let wrapped = |n: &Self, e: Expr, sense: f64, by: Expr| n.tex(&(in_sense(e, sense) * by));
-        let centre = format!(
-            "{} = {}",
-            wrapped(self, forces, place, d),
-            self.tex(&(&half * part.mass.expr() * square(v)))
-        );
+        let alpha = self.get(of_body(Quantity::Alpha, body))?;
+        let turn = self.symbols.value(alpha);
+        let [forces, moments] =
+            [Degree::Along, Degree::Turn].map(|degree| self.row_sum(Coordinate { body, degree }));
+        let (work, gain) = (in_sense(forces, place) * d, &half * part.mass.expr() * square(v));
         let spin = sum(part.inertia.iter().map(|i| &half * i.expr() * square(w)));
-        let rotation = format!("{} = {}", wrapped(self, moments, turn, phi.into()), self.tex(&spin));
+        let centre = self.equation(&work, &gain);
+        let rotation = self.equation(&(in_sense(moments, turn) * phi), &spin);
         let f = self.kinetic_frictions();
         let f = self.names(&f);
         self.say("slip.centre", &[("friction", &f)]);
         self.formula(format!(r"{centre}, \qquad {rotation}"));
-        let names = self.names(&[v, w]);
-        self.say("slip.neither", &[("unknown", &names), ("friction", &f)]);
+        self.say("slip.neither", &[("unknown", &self.names(&[v, w])), ("friction", &f)]);
         Ok(())
     }
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        let even = self.hidden().is_empty() && self.spring.is_none();
+        let even = self.hidden().is_empty() && self.spring.is_none() && self.m.pivot.is_none();
         self.begin_as("why", if even { "which" } else { "why" });
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, speeds) = (self.accelerations(), self.speeds());
@@ -978,7 +1342,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (many, few) = (self.names(&newton), self.names(&energy));
         let (n, k) = (newton.len().to_string(), energy.len().to_string());
         let pieces = [("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)];
-        if even {
+        if let Some(pivot) = &self.m.pivot {
+            let pin = self.names(&[pivot.radial, pivot.across]);
+            let alpha = self.names(&[self.acceleration()]);
+            self.say("pinned.why", &[&pieces[..], &[("pin", &*pin), ("alpha", &*alpha)]].concat());
+        } else if even {
             self.say("why.neither", &pieces);
         } else {
             let hidden = self.names(&reactions);
@@ -989,8 +1357,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 (false, false) => "none",
             };
             let ties = self.phrase(&format!("why.ties_{ties}"), &[]);
-            let with = [&pieces[..], &[("ties", ties.trim_end())]].concat();
-            self.say("why.newton", &with);
+            self.say("why.newton", &[&pieces[..], &[("ties", ties.trim_end())]].concat());
             if self.gone.is_empty() {
                 self.say("why.no_reaction", &[]);
             } else {
@@ -1000,8 +1367,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
-                let silent = self.names(&silent);
-                self.say("why.price", &[("forces", &silent)]);
+                self.say("why.price", &[("forces", &self.names(&silent))]);
             }
             if self.asks(Quantity::T) {
                 self.say("why.price_time", &[]);
@@ -1013,9 +1379,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn why_not_energy(&mut self) {
         self.begin("why");
         let v = self.speed();
-        let s = self.inline(&self.s.clone());
-        let v = self.names(&[v]);
-        self.say("why.not_energy", &[("v", &v), ("s", &s)]);
+        self.say("why.not_energy", &[("v", &self.names(&[v])), ("s", &self.inline(&self.s.clone()))]);
         self.say("why.ask", &[]);
     }
 
@@ -1028,41 +1392,139 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
             self.get(*label)?;
         }
-        let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
+        let wanted = |q: Quantity| {
+            use Quantity::{
+                Friction, Normal, PinAngle, PinForce, PinRadial, PinTangential, PinX, PinY, SpringForce,
+                Tension,
+            };
+            matches!(q, Friction | Tension | Normal | SpringForce | PinRadial | PinTangential)
+                || matches!(q, PinForce | PinX | PinY | PinAngle)
+        };
+        if self.m.pivot.is_some()
+            && asked.iter().any(|l| wanted(l.quantity) && l.quantity != Quantity::SpringForce)
+        {
+            let body = self.lead().body;
+            for quantity in [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential] {
+                self.get(of_body(quantity, body))?;
+            }
+        }
         for label in asked.iter().filter(|l| wanted(l.quantity)) {
             self.get(*label)?;
         }
         for (_, body) in &rolling {
             let _ = self.get(of_body(Quantity::Friction, *body));
         }
-        let kinds = [ForceKind::Spring];
-        let sprung = !self.shares(&kinds).is_empty();
-        if sprung {
-            let at_end = [self.spring.as_ref().map(|s| s.tension), Some(self.acceleration())];
-            self.forget(&at_end);
+        let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
+        if self.m.pivot.is_some() {
+            if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
+                self.say("pinned.forces", &[("angle", &self.angle(&self.last))]);
+            }
+        } else if sprung {
+            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
+            self.forget(at_end.collect::<Vec<_>>());
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.acceleration();
-            let name = if self.short == Short::Energy && self.v0 == ZERO && self.straight() {
-                "forces.back"
-            } else {
-                "forces.rows"
-            };
-            let v = self.speed();
-            let by = square(v) / (Expr::Number(2, 1) * self.distance());
-            let place = matches!(self.scene.end, End::Travel(..));
-            let name = if place { name } else { "forces.rows" };
-            let by = format!("${} = {}$", self.symbols.tex(a), self.tex(&in_sense(by, self.sense)));
-            self.say(name, &[("a", &by)]);
+            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
+            let back = place && self.short == Short::Energy && self.v0 == ZERO;
+            let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
+            let by = self.stated(a, &in_sense(by, self.sense));
+            self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
         }
-        let normals: Vec<Option<SymbolId>> = self.normals().into_iter().map(Some).collect();
         if !rolling.is_empty() {
-            self.forget(&normals);
+            let normals = self.normals();
+            self.forget(normals);
         }
         self.tell_new();
         for (t, body) in rolling {
             self.read_friction(t, body)?;
         }
+        if let Some(pivot) = self.m.pivot.clone() {
+            let signs = [
+                (pivot.radial, ["radial", "pinned.pin_toward", "pinned.pin_outward"]),
+                (pivot.across, ["across", "pinned.pin_with", "pinned.pin_against"]),
+            ];
+            for (symbol, [piece, plus, minus]) in signs {
+                let (value, name) = (self.symbols.value(symbol), self.names(&[symbol]));
+                if value != 0.0 && !value.is_nan() {
+                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
+                }
+            }
+            self.swings_on(&pivot)?;
+        }
+        Ok(())
+    }
+
+    /// Periods and the greatest speed of a pendulum.
+    fn swings_on(&mut self, pivot: &Pivot) -> Result<(), DerivationStop> {
+        let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
+        let [whole, _, _, fastest] = all.map(|q| self.asks(q));
+        if !self.scene.is_pendulum() || !all.iter().any(|q| self.asks(*q)) {
+            return Ok(());
+        }
+        let body = self.lead().body;
+        self.begin("swings");
+        self.skip_new();
+        if fastest {
+            self.get(of_body(Quantity::OmegaMax, body))?;
+            self.say("pinned.fastest", &[]);
+            self.tell_new();
+        }
+        let frequency = self.get(of_body(Quantity::OmegaSmall, body))?;
+        if self.asks(Quantity::PeriodSmall) {
+            self.get(of_body(Quantity::PeriodSmall, body))?;
+        }
+        self.say("pinned.small", &[]);
+        self.tell_new();
+        if whole { self.period(pivot, frequency) } else { Ok(()) }
+    }
+
+    /// The real period, by the arithmetic-geometric mean.
+    fn period(&mut self, pivot: &Pivot, frequency: SymbolId) -> Result<(), DerivationStop> {
+        let half = match pivot.up {
+            true => {
+                (self.symbols.given(r"180^\circ", 180.0, "180", "", true) - &pivot.first) / Expr::Number(2, 1)
+            }
+            false => &pivot.first / Expr::Number(2, 1),
+        };
+        let started = self.v0 != ZERO;
+        let amplitude = if started {
+            root(square(sine(&half)) + square(&self.v0 / (Expr::Number(2, 1) * frequency)))
+        } else {
+            self.size(sine(&half))
+        };
+        let over = self.value(&amplitude) > 1.0;
+        self.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
+        let (names, pi) = ([r"\kappa_c", r"\lambda_c"], self.draft.pi());
+        let (mut a, rest, turns) = if over {
+            let kappa = self.find(&[r"\kappa", r"\lambda"], "1", amplitude);
+            (self.symbols.value(kappa), root(square(kappa) - ONE), Expr::from(pi))
+        } else {
+            let rest = if started { root(ONE - square(&amplitude)) } else { self.size(cosine(half)) };
+            (1.0, rest, Expr::Number(2, 1) * pi)
+        };
+        let rest = self.find(&names, "1", rest);
+        let mut b = self.symbols.value(rest);
+        self.tell_new();
+        let mut pairs = Vec::new();
+        for _ in 0..40 {
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+            if pairs.len() < 3 {
+                let [a, b] = [a, b].map(|x| tex_digits(&shown::significant(x, 6), self.words));
+                pairs.push(format!("${a}$ {} ${b}$", self.words.get("solution.pinned.and")));
+            }
+            if (a - b).abs() <= 1e-15 * a {
+                break;
+            }
+        }
+        self.say("pinned.means", &[("pairs", &pairs.join("; "))]);
+        let name = self.free(&[r"\mu", r"\nu"]);
+        let mean = self.symbols.found(&name, a, "");
+        self.say("pinned.mean_found", &[("mean", &self.shown(mean))]);
+        let period = self.named(&[r"\tau", r"\tau_1"], "s");
+        let label = of_body(Quantity::Period, self.lead().body);
+        self.found(label, period, turns / (frequency * mean));
+        self.tell_new();
         Ok(())
     }
 
@@ -1087,15 +1549,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let sense = self.way(body, value);
         if value != 0.0 {
-            let symbol = self.names(&[f]);
-            self.say("friction.points", &[("f", &symbol), ("way", &sense)]);
+            self.say("friction.points", &[("f", &self.names(&[f])), ("way", &sense)]);
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
             let most = self.valued(&(mu * n), "N");
-            let symbol = self.names(&[f]);
-            self.say("friction.not_mu", &[("f", &symbol), ("most", &most)]);
+            self.say("friction.not_mu", &[("f", &self.names(&[f])), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {
             self.skip_new();
@@ -1108,8 +1568,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 && self.symbols.value(k0) >= self.datum(r)
             {
                 let r = self.number(r, "R", "m");
-                let r = self.inline(&r);
-                self.say("friction.any_wheel", &[("r", &r), ("way", &up)]);
+                self.say("friction.any_wheel", &[("r", &self.inline(&r)), ("way", &up)]);
             }
         }
         Ok(())
@@ -1119,26 +1578,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn read_signs(&mut self, body: usize, terms: &[(Action, Factors)]) {
         for (action, lever) in terms {
             let whole = lever.expr();
-            let name = match action.source {
-                ForceSource::Weight(_) => "friction.weight".to_owned(),
-                _ => "friction.force".to_owned(),
-            };
             let force = self.inline(&action.force);
-            let mixed = match &whole {
-                Expr::Sum(parts) => parts.iter().any(|p| matches!(p, Expr::Minus(_))),
-                Expr::Product(parts) => parts.iter().any(
-                    |p| matches!(p, Expr::Sum(terms) if terms.iter().any(|t| matches!(t, Expr::Minus(_)))),
-                ),
-                _ => false,
+            let name = match action.source {
+                _ if subtracts(&whole) => "friction.changes",
+                ForceSource::Weight(_) => "friction.weight",
+                _ => "friction.force",
             };
-            let positive = self.value(&(whole.clone() * self.size(action.force.clone()))) > 0.0;
-            let sense = self.way(body, if positive { 1.0 } else { -1.0 });
-            if mixed {
-                let factor = self.inline(&whole);
-                self.say("friction.changes", &[("force", &force), ("factor", &factor), ("way", &sense)]);
-            } else {
-                self.say(&name, &[("force", &force), ("way", &sense)]);
-            }
+            let sense = self.way(body, self.value(&(whole.clone() * self.size(action.force.clone()))));
+            let factor = self.inline(&whole);
+            self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
     }
 
@@ -1155,6 +1603,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
             if label.quantity.is_word() || skip {
                 continue;
             }
+            if label.quantity == Quantity::T && self.m.pivot.is_some() {
+                self.tell_new();
+                self.say("pinned.time", &[]);
+            }
             let symbol = self.get(*label)?;
             self.draft.answer(*label, DerivedAnswer::Value(symbol));
         }
@@ -1167,7 +1619,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin("holds");
         let lead = self.lead();
         let part = &self.m.parts[lead.body];
-        let sloped = matches!(part.path, "incline" | "vertical");
+        let line = self.scene.bodies[lead.body].line;
+        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
         let up = self.sense * f64::from(part.up) > 0.0;
         let word = match (sloped, up) {
             _ if self.stays() => Word::Stays,
@@ -1176,7 +1629,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (false, true) => Word::Forward,
             (false, false) => Word::Back,
         };
-        self.word(Label { quantity: Quantity::Direction, of: Owner::Body(lead.body) }, word);
+        self.word(of_body(Quantity::Direction, lead.body), word);
         self.torn_loose()?;
         let mut taut: Vec<String> = Vec::new();
         for tie in 0..self.scene.ties.len() {
@@ -1184,6 +1637,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
                     self.grips(body, mu_s)?;
                 }
+                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
                 Tie::Slip { body, .. } => self.slides_against(body)?,
                 Tie::Cord(c) => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
@@ -1220,10 +1674,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             }
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
-            let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
-            let push = positive_first(vec![in_sense(sum(given), self.sense)]);
-            let ratio = self.magnitude(self.m.ratio(along));
-            let hold = (mu * n) * ratio.expr();
+            let push = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
+            let hold = (mu * n) * self.magnitude(self.m.ratio(along)).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
         }
@@ -1231,18 +1683,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     /// What slides as soon as it moves, and stays.
-    fn held_by_friction(&mut self, body: usize, mu: crate::scene::Num) -> Result<(), DerivationStop> {
+    fn held_by_friction(&mut self, body: usize, mu: Num) -> Result<(), DerivationStop> {
         let mu = self.number(mu, r"\mu_s", "1");
         let n = self.get(of_body(Quantity::Normal, body))?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let (name, most) = (self.body(body), self.valued(&(mu * n), "N"));
-        let f = self.shown(f);
-        self.say("holds.held", &[("body", &name), ("f", &f), ("most", &most)]);
+        self.say("holds.held", &[("body", &name), ("f", &self.shown(f)), ("most", &most)]);
         Ok(())
     }
 
     /// `|F| <= mu_s N` as far as the scene looks.
-    fn grips(&mut self, body: usize, mu_s: Option<crate::scene::Num>) -> Result<(), DerivationStop> {
+    fn grips(&mut self, body: usize, mu_s: Option<Num>) -> Result<(), DerivationStop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let normal = self.shown(n);
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
@@ -1257,9 +1708,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.skip_new();
         if self.spring.is_some() {
             let ends = self.extremes(body)?;
-            let [a, b] = ends.map(|(_, f)| self.symbols.value(f).abs());
-            largest = if a >= b { ends[0].1 } else { ends[1].1 };
-            let both: Vec<String> = ends.iter().map(|(_, f)| self.shown(*f)).collect();
+            let [a, b] = ends.map(|f| self.symbols.value(f).abs());
+            largest = if a >= b { ends[0] } else { ends[1] };
+            let both = ends.map(|f| self.shown(f));
             let far = match self.scene.span {
                 Span::ToEnd => "end",
                 Span::ToTurningPoint => "turn",
@@ -1270,20 +1721,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
-        let mu = self.valued_plain(&mu);
-        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &mu)]);
-        if value > most {
-            return Ok(());
+        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &self.valued(&mu, "1"))]);
+        if value <= most {
+            self.word(of_body(Quantity::Rolls, body), Word::Yes);
         }
-        self.word(of_body(Quantity::Rolls, body), Word::Yes);
         Ok(())
-    }
-
-    fn valued_plain(&self, e: &Expr) -> String {
-        match e {
-            Expr::Symbol(s) => self.shown(*s),
-            e => self.inline(e),
-        }
     }
 
     /// The contact slides against the friction that was assumed.
@@ -1291,10 +1733,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let a = self.get(of_body(Quantity::A, body))?;
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
         let friction = self.get(of_body(Quantity::Friction, body))?;
-        let arm = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| x.arm.clone());
-        let Some(arm) = arm else { return Err(Beyond::Unfound.into()) };
-        let c = self.magnitude(&arm).expr();
-        let contact = a - c * alpha;
+        let Some(c) = self.radius_of(body) else { return Err(Beyond::Unfound.into()) };
+        let contact = a - c.expr() * alpha;
         let up = f64::from(self.m.parts[body].up);
         let value = self.value(&contact) * up;
         let friction = self.symbols.value(friction);
@@ -1337,16 +1777,54 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.scene.span == Span::ToTurningPoint
             && let Ok((slack, true)) = self.t.turning_or_slack()
         {
-            let size = in_sense(slack.clone(), self.value(&slack));
-            let slack = self.valued(&size, "m");
-            self.say("holds.goes_slack", &[("s", &slack)]);
+            self.say("holds.goes_slack", &[("s", &self.valued(&self.positive(&slack), "m"))]);
         }
         Ok(())
+    }
+
+    /// Which way a body on a pin goes, and that it gets there.
+    fn swings_there(&mut self, pivot: &Pivot) {
+        let (first, last) = (self.value(&pivot.first), self.value(&self.last));
+        let (start, end) = (self.angle(&pivot.first), self.angle(&self.last));
+        let growing = if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" };
+        let sense = self.phrase(growing, &[]);
+        let rough = |n: &Self, value: f64, unit: &str| {
+            format!(r"${}\ {}$", tex_digits(&shown::significant(value, FIGURES), n.words), tex_of(unit))
+        };
+        let (drive, square) = (self.drive.clone(), self.square.clone());
+        if self.v0 == ZERO {
+            let moment = self.t.along_way(&drive, first);
+            let moment = rough(self, moment, "N m");
+            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
+        } else {
+            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
+        }
+        // How often the moment changes its sense on the way.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
+        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
+        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
+        let drives: Vec<f64> = (0..=steps).map(|i| self.t.along_way(&drive, at(i)) * self.t.sense).collect();
+        let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+        let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+        let angle = [("angle", end.as_str())];
+        if matches!(self.scene.end, End::TurningPoint(_)) {
+            self.say("pinned.turns_there", &angle);
+        } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
+            self.say("pinned.only_faster", &angle);
+        } else if turns <= 1 && drives[0] >= 0.0 && self.t.along_way(&square, last) > 0.0 {
+            self.say("pinned.brakes_late", &angle);
+        } else {
+            let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
+            self.say("pinned.never_rests", &[angle[0], ("least", &rough(self, least, "rad^2/s^2"))]);
+        }
     }
 
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
+        if let (Some(pivot), true) = (self.m.pivot.clone(), self.short != Short::Instant) {
+            self.swings_there(&pivot);
+        }
         if !matches!(self.scene.end, End::Travel(..) | End::Position(..)) || !self.straight() {
             return Ok(());
         }
@@ -1371,10 +1849,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// A limit or two, and where the energy went.
     fn limits(&mut self) -> Result<(), DerivationStop> {
         self.begin("limits");
+        if let Some(pivot) = self.m.pivot.clone() {
+            self.limits_on(&pivot);
+            return Ok(());
+        }
+        if self.slip.is_some() {
+            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
+            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
+            return Ok(());
+        }
         if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
             self.massless_limit();
-        }
-        if self.spring.is_none() && self.v0 == ZERO && self.short == Short::Energy {
             self.balance_limit();
         }
         if self.v0 == ZERO && self.short != Short::Motion {
@@ -1391,31 +1876,41 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
+    /// A particle in the place of a body on a pin, and what its mass does.
+    fn limits_on(&mut self, pivot: &Pivot) {
+        let end = self.value(&self.v);
+        if self.short == Short::Instant || pivot.own == ZERO || end == 0.0 {
+            return;
+        }
+        let percent = shown::significant(100.0 * self.value(&pivot.own.over(pivot.about)), 2);
+        let faster = end >= self.value(&self.v0).abs();
+        let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
+        self.say(name, &[("percent", &tex_digits(&percent, self.words))]);
+        let given = self.scene.bodies.iter().any(|b| matches!(b.inertia, Some(RotaryInertia::Moment(_))));
+        if self.scene.is_pendulum() && !given {
+            self.say("pinned.no_mass", &[]);
+        }
+    }
+
     /// Without rotary inertia: the closed form of the speed that is left.
     fn massless_limit(&mut self) {
-        let turning: Vec<Coordinate> = self
-            .coordinates()
-            .into_iter()
-            .filter(|c| c.degree == Degree::Turn && !self.m.inertia(*c).is_empty())
-            .collect();
         let v = self.speed();
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
         let masses: Vec<Expr> = lines
             .flat_map(|c| {
                 let by = self.m.ratio(c).squared();
-                self.m.inertia(c).into_iter().map(move |i| i.times(&by).expr())
+                self.m.inertia(c).into_iter().map(move |i| i.by(&by))
             })
             .filter(|e| *e != ZERO)
             .collect();
-        if turning.is_empty() || masses.is_empty() || !self.straight() {
+        if !self.spins() || masses.is_empty() || !self.straight() {
             return;
         }
-        let drive = positive_first(vec![in_sense(self.drive.clone(), self.sense)]);
+        let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
         let light = Expr::Number(2, 1) * self.distance() * drive;
-        let light = Factors::of(&light).per(&Factors::of(&sum(masses))).expr();
+        let light = light.over(sum(masses));
         let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
-        let v = self.shown(v);
-        self.say("limits.massless", &[("v", &v), ("fast", &fast)]);
+        self.say("limits.massless", &[("v", &self.shown(v)), ("fast", &fast)]);
     }
 
     /// Where the driving force just balances: nothing happens.
@@ -1424,42 +1919,35 @@ impl<'d, 'a> Narrator<'d, 'a> {
             matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
         });
         let Some((action, share)) = pull else { return };
-        let others: Vec<Expr> = self
-            .t
-            .shares(&[ForceKind::Given])
-            .into_iter()
-            .filter(|(a, _)| a.source != action.source)
-            .map(|(_, e)| -e)
-            .collect();
-        let per = Factors::of(&share).per(&Factors::of(&action.force));
-        let needed = Factors::of(&positive_first(others.clone())).per(&per).expr();
+        let others = self.shares(&[ForceKind::Given]).into_iter();
+        let others: Vec<Expr> = others.filter(|(a, _)| a.source != action.source).map(|(_, e)| -e).collect();
+        let per = Factors::of(&share).per(&action.force);
+        let needed = positive_first(others.clone()).over(&per);
         if others.is_empty() || self.value(&needed) <= 0.0 {
             return;
         }
         let force = self.tex(&action.force);
         let digits = tex_digits(&shown::significant(self.value(&needed), FIGURES), self.words);
-        let text = format!(r"${force} = {} = {digits}\ {}$", self.tex(&needed), tex_of("N")).replace(
-            &format!("${force} ="),
-            &format!("${} =", marked(&force, r"\mathrm{0}").replace(r"\mathrm{0}", "0")),
-        );
-        let force = self.inline(&action.force);
-        self.say("limits.balance", &[("force", &force), ("is", &text)]);
+        let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
+        self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
+    }
+
+    /// Has anything that turns a moment of inertia?
+    fn spins(&self) -> bool {
+        self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty())
     }
 
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
-        let turning =
-            self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty());
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
-        if !turning || !moving || self.value(&self.v) == 0.0 {
+        if !self.spins() || !moving || self.value(&self.v) == 0.0 {
             return Ok(());
         }
         self.skip_new();
         let share = self.get(of_scene(Quantity::RotationalFraction))?;
         let percent = shown::significant(100.0 * self.symbols.value(share), 2);
         self.skip_new();
-        let percent = tex_digits(&percent, self.words);
-        self.say("limits.spin", &[("percent", &percent)]);
+        self.say("limits.spin", &[("percent", &tex_digits(&percent, self.words))]);
         Ok(())
     }
 
@@ -1471,7 +1959,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
         let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
+        let stretch = |names| self.symbols.named(names).map_or(0.0, |s| self.symbols.value(s).abs());
+        // A spring that is stretched further holds it back.
+        let braked = stretch(&[r"\delta_1", "e_1"]) > stretch(&[r"\delta_0", "e_0"]);
         let name = match () {
+            () if self.m.pivot.is_some() && braked => "pinned.onward_spring",
+            () if self.m.pivot.is_some() => "pinned.onward",
+            () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
+            () if self.slip.is_some() => "thrown.onward",
             () if self.short == Short::Neither => "onward.slips",
             () if self.spring.is_some() => "onward.spring",
             () if wheel && pulled => "onward.pulled",

@@ -2,7 +2,7 @@
 //! sentences, wide ones on lines of their own.
 use crate::num::shown;
 use crate::solution::draft::{Detail, Draft, tex_of};
-use crate::solution::expr::{Expr, SymbolId};
+use crate::solution::expr::{Expr, SymbolId, in_sense, positive_first};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
@@ -11,7 +11,7 @@ use std::ops::{Deref, DerefMut};
 /// Widest formula that stands within a sentence.
 pub const WITHIN: f64 = 34.0;
 /// Widest line of several formulas: the gaps between them do not shrink.
-pub const PACKED: f64 = LINE - 8.0;
+const PACKED: f64 = LINE - 8.0;
 /// So many formulas may stand within a sentence.
 const FEW: usize = 2;
 
@@ -61,6 +61,14 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn value(&self, e: &Expr) -> f64 {
         e.value(&self.symbols)
     }
+    /// The magnitude of an expression, what is added in front.
+    pub fn positive(&self, e: &Expr) -> Expr {
+        positive_first([in_sense(e.clone(), self.value(e))])
+    }
+    /// `left = right`
+    pub fn equation(&self, left: &Expr, right: &Expr) -> String {
+        format!("{} = {}", self.tex(left), self.tex(right))
+    }
     /// Notes what a quantity is equal to.
     pub fn step(&mut self, symbol: SymbolId, from: Expr) -> SymbolId {
         self.settle(symbol, &from);
@@ -69,8 +77,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// A new quantity, the first of these names that is free, and what it is equal to. The unit is ASCII.
     pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
-        let tex = self.free(names);
-        let symbol = self.unknown(&tex, unit);
+        let symbol = self.named(names, unit);
         self.step(symbol, from.into())
     }
     /// Has it been told?
@@ -92,15 +99,23 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// A displayed formula `v = ... = 4.94 m/s`, with this behind it.
     pub fn display(&mut self, symbol: SymbolId, from: &Expr, behind: &str) {
-        let line = self.chain(symbol, from).concat();
+        let line = self.chain(symbol, from);
         self.told.push(symbol);
-        self.formula(if line.contains('&') { aligned(&line) } else { format!("{line}{behind}") });
+        self.formula(if line.contains('&') { line } else { format!("{line}{behind}") });
     }
     /// `$v = ... = 4.94 m/s$`
     pub fn chained(&self, symbol: SymbolId) -> String {
-        let from = self.steps.iter().find(|s| s.symbol == symbol).map(|s| s.from.clone());
-        let line = from.map_or_else(Vec::new, |from| self.chain(symbol, &from)).concat();
-        if line.is_empty() || line.contains('&') { self.shown(symbol) } else { format!("${line}$") }
+        let line = self.step_of(symbol);
+        if line.contains('&') { self.shown(symbol) } else { format!("${line}$") }
+    }
+    /// What a quantity is equal to: itself where it was not derived.
+    pub fn from(&self, symbol: SymbolId) -> Expr {
+        let step = self.steps.iter().find(|s| s.symbol == symbol);
+        step.map_or_else(|| symbol.into(), |s| s.from.clone())
+    }
+    /// The chain of a quantity as it was found.
+    pub fn step_of(&self, symbol: SymbolId) -> String {
+        self.chain(symbol, &self.from(symbol))
     }
     /// Begins a section; its title is the phrase of its id.
     pub fn begin(&mut self, id: &'static str) {
@@ -137,10 +152,16 @@ impl<'d, 'a> Page<'d, 'a> {
         let text = self.phrase(name, pieces);
         self.open.push(text);
     }
-    /// A displayed formula.
+    /// A displayed formula; lines with an `&` stand under each other.
     pub fn formula(&mut self, tex: String) {
         self.stop();
-        self.out.blocks.push(Block::Formula(tex));
+        self.out.blocks.push(Block::Formula(if tex.contains('&') { aligned(&tex) } else { tex }));
+    }
+    /// Formulas, as many to a line as it holds.
+    pub fn formulas(&mut self, all: impl IntoIterator<Item = String>) {
+        for line in packed(all) {
+            self.formula(line);
+        }
     }
     /// An expression in symbols.
     pub fn tex(&self, e: &Expr) -> String {
@@ -149,6 +170,10 @@ impl<'d, 'a> Page<'d, 'a> {
     /// In a sentence.
     pub fn inline(&self, e: &Expr) -> String {
         format!("${}$", self.tex(e))
+    }
+    /// `$symbol = e$`
+    pub fn stated(&self, symbol: SymbolId, e: &Expr) -> String {
+        format!("${}$", self.equation(&symbol.into(), e))
     }
     /// Several symbols.
     pub fn names(&self, all: &[SymbolId]) -> String {
@@ -174,18 +199,17 @@ impl<'d, 'a> Page<'d, 'a> {
         format!("${} = {}$", self.symbols.tex(s), self.symbols.shown(s))
     }
     /// `v = ... = 4.94 m/s`, with the numbers put in where every detail is wanted.
-    pub fn chain(&self, symbol: SymbolId, from: &Expr) -> Vec<String> {
+    pub fn chain(&self, symbol: SymbolId, from: &Expr) -> String {
         let symbols = &self.symbols;
         let (name, letters, value) = (symbols.tex(symbol), from.symbols(symbols), symbols.shown(symbol));
         if from.uses().is_empty() || letters == name {
-            return vec![format!("{name} = {value}")];
+            return format!("{name} = {value}");
         }
-        let mut lines = vec![format!("{name} = {letters} = {value}")];
         if self.detail == Detail::Full && from.numbers(symbols) != value {
             let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
-            lines[0] = format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
+            return format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
         }
-        lines
+        format!("{name} = {letters} = {value}")
     }
     /// Tells what was found since: a few short formulas within the sentence, more of them, or wide ones, displayed, as many on a
     /// line as fit.
@@ -193,7 +217,7 @@ impl<'d, 'a> Page<'d, 'a> {
         let new = |s: &&Step| !self.told.contains(&s.symbol);
         let steps: Vec<Step> = self.steps.iter().filter(new).cloned().collect();
         self.skip_new();
-        let chains: Vec<String> = steps.iter().map(|s| self.chain(s.symbol, &s.from).concat()).collect();
+        let chains: Vec<String> = steps.iter().map(|s| self.chain(s.symbol, &s.from)).collect();
         let short = chains.iter().all(|c| width(c) <= WITHIN && !c.contains('&'));
         if short && chains.len() <= FEW {
             if !chains.is_empty() {
@@ -202,9 +226,7 @@ impl<'d, 'a> Page<'d, 'a> {
             }
             return;
         }
-        for line in packed(chains) {
-            self.formula(if line.contains('&') { aligned(&line) } else { line });
-        }
+        self.formulas(chains);
     }
     /// Takes all steps as told.
     pub fn skip_new(&mut self) {
@@ -214,19 +236,26 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn told(&mut self, symbol: SymbolId) {
         self.told.push(symbol);
     }
+    /// Tells these alone, in the order in which they were found; all else counts as told.
+    pub fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
+        self.skip_new();
+        self.forget(symbols);
+        self.tell_new();
+    }
     /// Takes these as not told yet.
-    pub fn forget(&mut self, steps: &[Option<SymbolId>]) {
-        self.told.retain(|s| !steps.contains(&Some(*s)));
+    pub fn forget(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
+        let symbols: Vec<SymbolId> = symbols.into_iter().collect();
+        self.told.retain(|s| !symbols.contains(s));
     }
 }
 
 /// Lines that stand under each other at their `&`.
-pub fn aligned(lines: &str) -> String {
+fn aligned(lines: &str) -> String {
     format!(r"\begin{{aligned}} {lines} \end{{aligned}}")
 }
 
 /// Formulas side by side, as many to a line as it holds; one of several lines (`&`) stands alone.
-pub fn packed(formulas: impl IntoIterator<Item = String>) -> Vec<String> {
+fn packed(formulas: impl IntoIterator<Item = String>) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for formula in formulas {
         match lines.last_mut() {

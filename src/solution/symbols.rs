@@ -73,15 +73,23 @@ impl<'w> Symbols<'w> {
         self.given(tex, f64::NAN, &shown::significant(f64::NAN, FIGURES), unit, false)
     }
 
-    /// The quantity that bears this symbol and has a value.
-    pub fn named(&self, tex: &str) -> Option<SymbolId> {
-        self.lines.iter().rposition(|l| l.tex == tex && !l.value.is_nan()).map(SymbolId)
+    /// The quantity that bears one of these symbols and has a value.
+    pub fn named(&self, names: &[&str]) -> Option<SymbolId> {
+        let found = |l: &QuantityLine| names.contains(&l.tex.as_str()) && !l.value.is_nan();
+        self.lines.iter().rposition(found).map(SymbolId)
     }
 
     /// A quantity that is not known yet, of the kind of another.
     pub fn unknown_like(&mut self, tex: &str, other: SymbolId) -> SymbolId {
         let unit = self.lines.get(other.0).map_or_else(String::new, |l| l.unit.clone());
         self.unknown(tex, &unit)
+    }
+
+    /// Puts a variable at a value, unrounded, where something is looked for along the way.
+    pub fn place(&mut self, symbol: SymbolId, value: f64) {
+        if let Some(line) = self.lines.get_mut(symbol.0) {
+            line.value = value;
+        }
     }
 
     /// Gives an unknown its value, which may be off by `doubt` before it is written down.

@@ -4,13 +4,15 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia,
-    Shape, Slope, Tie,
+    Arm, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Pin,
+    Quantity, Rest, RotaryInertia, Shape, Slope, Start, Tie, Zero,
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
-use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
-use crate::solution::factors::Factors;
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, cosine, number, product, root, signed, sine, square, sum,
+};
+use crate::solution::factors::{Cancel, Factors};
 use crate::solve::outcome::Entry;
 
 /// What brings a force or couple.
@@ -18,6 +20,8 @@ use crate::solve::outcome::Entry;
 pub enum ForceSource {
     /// The weight of this body.
     Weight(usize),
+    /// The spring on this pinned body.
+    Spring(usize),
     /// A couple, by index.
     Couple(usize),
     /// A tie, by index.
@@ -83,10 +87,76 @@ pub struct BodyTerms {
     pub turn: Factors,
     /// 1 if forward is up (or right), else -1: the sense in which friction counts as positive.
     pub up: i8,
-    /// Line it moves on, for words: `incline`, `vertical`, `level`; `axle` where it only turns.
-    pub path: &'static str,
     /// Slips: its spin is a freedom of its own.
     pub slips: bool,
+}
+
+/// What holds a body on a pin: its moments vary with the angle, so they are written for any angle.
+#[derive(Debug, Clone)]
+pub struct Pivot {
+    /// Does the angle count from upright?
+    pub up: bool,
+    /// Any angle on the way.
+    pub angle: SymbolId,
+    /// The angle at the start.
+    pub first: Expr,
+    /// Distance from the pin to the mass centre.
+    pub h: Expr,
+    /// Moment of inertia about the mass centre, as the sum that it is.
+    pub own: Expr,
+    /// Moment of inertia about the pin.
+    pub about: SymbolId,
+    /// Component of the force of the pin along the line to the mass centre, positive toward the pin.
+    pub radial: SymbolId,
+    /// The other component, positive with growing angle.
+    pub across: SymbolId,
+    /// The spring.
+    pub spring: Option<PivotSpring>,
+}
+
+/// A spring between a fixed anchor and a point of a pinned body.
+#[derive(Debug, Clone)]
+pub struct PivotSpring {
+    /// Distance from the pin to its point of the body.
+    pub b: Expr,
+    /// Its anchor, as seen from the pin.
+    pub anchor: [Expr; 2],
+    /// Stiffness.
+    pub stiffness: Expr,
+    /// Natural length, or the stretch at the start where that is given.
+    pub rest: Expr,
+    /// Its force, positive if it pulls, and the components of its direction, outward and across.
+    pub force: [SymbolId; 3],
+}
+
+impl Pivot {
+    /// What sets the heights apart of the mass centre at two angles, over the distance from the pin: `cos a - cos b` from upright.
+    pub fn sinking(&self, from: &Expr, to: &Expr) -> Expr {
+        if self.up { cosine(from) - cosine(to) } else { cosine(to) - cosine(from) }
+    }
+}
+
+impl PivotSpring {
+    /// Anchor as seen from the pin at an angle, along the body outward.
+    fn along(&self, up: bool, angle: &Expr) -> Expr {
+        let [x, y] = &self.anchor;
+        x * sine(angle) + signed(y * cosine(angle), up)
+    }
+
+    /// Its length at an angle, by the law of cosines.
+    pub fn length(&self, up: bool, angle: &Expr) -> Expr {
+        let [x, y] = &self.anchor;
+        let twice = product([number(2), self.b.clone(), self.along(up, angle)]);
+        root(square(x) + square(y) + square(&self.b) - twice)
+    }
+
+    /// What force and direction are at an angle and a length.
+    pub fn law(&self, up: bool, angle: &Expr, length: &Expr) -> [Expr; 3] {
+        let [x, y] = &self.anchor;
+        let side = x * cosine(angle) - signed(y * sine(angle), up);
+        let out = self.along(up, angle) - &self.b;
+        [&self.stiffness * (length - &self.rest), out / length, side / length]
+    }
 }
 
 /// The terms of a scene.
@@ -104,6 +174,8 @@ pub struct Terms {
     pub tied: bool,
     /// And does it move? Not where a contact holds by friction.
     pub one: bool,
+    /// The pin of a pinned body.
+    pub pivot: Option<Pivot>,
 }
 
 /// Friction or tension of a tie as a symbol.
@@ -120,8 +192,11 @@ impl Terms {
         let lead = draft.scene.ending_coordinate();
         let g = gravity(draft);
         let parts = parts(draft, rolled);
-        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true };
+        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true, pivot: None };
         this.act(draft, rolled);
+        if let Some((body, pin)) = draft.scene.pinned() {
+            this.hang(draft, body, pin);
+        }
         this.tied = this.ratios(draft, rolled).is_some();
         if !this.tied {
             for part in &mut this.parts {
@@ -145,18 +220,23 @@ impl Terms {
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
-                Tie::Roll { body, .. } | Tie::Slip { body, .. } => {
-                    let rolls = rolled == Some(t) || matches!(tie, Tie::Roll { .. });
-                    let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
+                    let held = match tie {
+                        Tie::Slide { .. } => stays(draft, *body),
+                        Tie::Roll { .. } => true,
+                        _ => rolled == Some(t),
+                    };
+                    let kind = if held { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(draft, tag, rolled));
-                    self.rub(draft, t, kind, force);
-                }
-                Tie::Slide { body, .. } => {
-                    let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(draft, tag, rolled));
-                    let kind = if stays(draft, *body) { ForceKind::Reaction } else { ForceKind::Kinetic };
-                    self.rub(draft, t, kind, force);
+                    let tag = below(draft, tag, rolled);
+                    let force =
+                        draft.named(&[&tagged("F", &tag), &tagged("R", &tag), &tagged("H", &tag)], "N");
+                    // Friction is positive up.
+                    for action in tie.actions() {
+                        let up = self.parts[action.body].up;
+                        let levers = levers(draft, &action).map(|l| l.signed(up));
+                        self.push(ForceSource::Tie(t), kind, true, action.body, force.into(), levers);
+                    }
                 }
                 Tie::Cord(cord) => {
                     let (kind, force) = match &cord.to {
@@ -165,83 +245,105 @@ impl Terms {
                             cords += 1;
                             let tag = if tensed > 1 { cords.to_string() } else { String::new() };
                             let tag = below(draft, &tag, rolled);
-                            let tex = draft.free(&[&tagged("T", &tag), &tagged("S", &tag)]);
+                            let force = draft.named(&[&tagged("T", &tag), &tagged("S", &tag)], "N");
                             let spring = matches!(other, Far::Spring { .. });
                             let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
-                            (kind, draft.unknown(&tex, "N").into())
+                            (kind, force.into())
                         }
                     };
                     for end in tie.actions() {
-                        let (along, arm) = levers(draft, &end);
+                        let [along, arm] = levers(draft, &end);
                         let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
                         let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
-                        self.actions.push(Action {
-                            contact: false,
-                            source: ForceSource::Tie(t),
-                            kind,
-                            body: end.body,
-                            force: force.clone(),
-                            along,
-                            arm,
-                        });
+                        let levers = [along, arm];
+                        self.push(ForceSource::Tie(t), kind, false, end.body, force.clone(), levers);
                     }
                 }
             }
         }
         for (i, c) in scene.couples.iter().enumerate() {
             let force = draft.number(c.moment_n_m, "M", "N m");
-            self.actions.push(Action {
-                contact: false,
-                source: ForceSource::Couple(i),
-                kind: ForceKind::Given,
-                body: c.body,
-                force,
-                along: Factors::zero(),
-                arm: Factors::one().signed(if c.forward { 1 } else { -1 }),
-            });
+            let levers = [Factors::zero(), Factors::one().signed(if c.forward { 1 } else { -1 })];
+            self.push(ForceSource::Couple(i), ForceKind::Given, false, c.body, force, levers);
         }
         self.weigh(draft);
     }
 
-    /// The friction of a contact, positive up.
-    fn rub(&mut self, draft: &mut Draft, tie: usize, kind: ForceKind, force: SymbolId) {
-        for action in draft.scene.ties[tie].actions() {
-            let up = self.parts[action.body].up;
-            let (along, arm) = levers(draft, &action);
-            self.actions.push(Action {
-                contact: true,
-                source: ForceSource::Tie(tie),
-                kind,
-                body: action.body,
-                force: force.into(),
-                along: along.signed(up),
-                arm: arm.signed(up),
-            });
+    /// The pin of a body, its weight and its spring at any angle.
+    fn hang(&mut self, draft: &mut Draft, body: usize, pin: &Pin) {
+        let tex = draft.free(&[r"\phi", r"\varphi", r"\theta", r"\beta"]);
+        let first = draft.number(pin.start_deg, &format!("{tex}_0"), "deg");
+        let angle = draft.symbols.given(&tex, f64::NAN, "", "", true);
+        let h = match pin.arm {
+            Arm::Distance(h) => draft.number(h, "h", "m"),
+            Arm::HalfOf(l) => draft.number(l, "L", "m") / number(2),
+        };
+        let about = draft.named(&["I_O", "J_O"], "kg m^2");
+        let (radial, across) = (draft.named(&["R", "O_r"], "N"), draft.named(&["S", "O_t"], "N"));
+        let up = pin.from == Zero::Upright;
+        let arm = Factors::of(&sine(angle)).signed(if up { 1 } else { -1 });
+        let part = &mut self.parts[body];
+        let own = sum(part.inertia.iter().map(Factors::expr));
+        part.inertia = vec![about.factors()];
+        let weight = part.mass.by(&self.g);
+        let levers = [Factors::zero(), arm.times(&h)];
+        self.push(ForceSource::Weight(body), ForceKind::Given, false, body, weight, levers);
+        let spring = pin.spring.map(|s| {
+            let force = [(["F_s", r"F_{\mathrm{s}}"], "N"), (["n_r", "c_r"], "1"), (["n_t", "c_t"], "1")];
+            let force = force.map(|(names, unit)| draft.named(&names, unit));
+            let b = draft.number(s.at_m, "b", "m");
+            let levers = [Factors::zero(), b.factors().times(force[2])];
+            self.push(ForceSource::Spring(body), ForceKind::Spring, false, body, force[0].into(), levers);
+            PivotSpring {
+                b,
+                anchor: [draft.number(s.x_m, "x_A", "m"), draft.number(s.y_m, "y_A", "m")],
+                stiffness: draft.number(s.stiffness_n_m, "k_s", "N/m"),
+                rest: match s.rest {
+                    Rest::Length(l) => draft.number(l, "l_0", "m"),
+                    Rest::Stretch(stretch) => draft.number(stretch, r"\delta_0", "m"),
+                },
+                force,
+            }
+        });
+        self.pivot = Some(Pivot { up, angle, first, h, own, about, radial, across, spring });
+    }
+
+    /// The forces on a pinned body but the pin's own, toward the pin and across, with growing angle.
+    pub fn beside_the_pin(&self, pivot: &Pivot) -> [Expr; 2] {
+        let weight = self.parts[self.lead.body].mass.by(&self.g);
+        let [toward, across] =
+            [cosine(pivot.angle), sine(pivot.angle)].map(|w| signed(weight.by(w), pivot.up));
+        match &pivot.spring {
+            Some(PivotSpring { force: [pull, out, side], .. }) => {
+                [toward - *pull * *out, across + *pull * *side]
+            }
+            None => [toward, across],
         }
+    }
+
+    fn push(
+        &mut self,
+        source: ForceSource,
+        kind: ForceKind,
+        contact: bool,
+        body: usize,
+        force: Expr,
+        [along, arm]: [Factors; 2],
+    ) {
+        self.actions.push(Action { source, kind, contact, body, force, along, arm });
     }
 
     /// The weights of the bodies on slopes.
     fn weigh(&mut self, draft: &mut Draft) {
         let scene = draft.scene;
         for (i, body) in scene.bodies.iter().enumerate() {
-            let climb = match body.line.map(|l| l.slope) {
-                None | Some(Slope::Level) => continue,
-                Some(Slope::Vertical) => ONE,
-                Some(Slope::Degrees(angle)) => sine(draft.number(angle, r"\theta", "deg")),
-            };
-            if climb == ZERO {
-                continue;
+            let [climb, _] = slope(draft, body);
+            if climb != ZERO {
+                let part = &self.parts[i];
+                let levers = [climb.factors().signed(-part.up), Factors::zero()];
+                let weight = part.mass.expr() * &self.g;
+                self.push(ForceSource::Weight(i), ForceKind::Given, false, i, weight, levers);
             }
-            let part = &self.parts[i];
-            self.actions.push(Action {
-                contact: false,
-                source: ForceSource::Weight(i),
-                kind: ForceKind::Given,
-                body: i,
-                force: part.mass.expr() * &self.g,
-                along: Factors::of(&climb).signed(-part.up),
-                arm: Factors::zero(),
-            });
         }
     }
 
@@ -259,7 +361,7 @@ impl Terms {
                 }
                 Tie::Cord(cord) if cord.to == Far::Fixed => {
                     let part = &self.parts[cord.from.body];
-                    let (along, arm) = lever(draft, &cord.from);
+                    let [along, arm] = lever(draft, &cord.from);
                     let loose = part.a.is_none() || part.alpha.is_none() || part.slips;
                     if loose || arm.is_zero() || inner[cord.from.body].is_some() {
                         return None;
@@ -303,7 +405,7 @@ impl Terms {
             });
             let (one, two) = next?;
             let given = self.point_of(draft, one);
-            let (along, arm) = lever(draft, two);
+            let [along, arm] = lever(draft, two);
             let part = &self.parts[two.body];
             if part.slips && !arm.is_zero() {
                 return None;
@@ -335,7 +437,7 @@ impl Terms {
 
     /// Velocity of a cord's end along the cord, away from the body, per unit velocity of the lead.
     fn point_of(&self, draft: &mut Draft, end: &CordEnd) -> Factors {
-        let (along, arm) = lever(draft, end);
+        let [along, arm] = lever(draft, end);
         let part = &self.parts[end.body];
         part.along.times(&along).plus(&part.turn.times(&arm))
     }
@@ -406,6 +508,56 @@ impl Terms {
     }
 }
 
+/// Particles that move as one body.
+#[derive(Debug, Clone)]
+pub struct Particles {
+    /// Names of the particles.
+    pub names: Vec<String>,
+    /// Index of the particle whose velocity is known.
+    pub known: usize,
+    /// Masses.
+    pub m: Vec<Expr>,
+    /// Places.
+    pub x: Vec<Expr>,
+    /// Places.
+    pub y: Vec<Expr>,
+    /// Velocity of the particle that is known.
+    pub velocity: [Expr; 2],
+    /// Angular velocity.
+    pub spin: Expr,
+}
+
+impl Particles {
+    /// Those of the scene.
+    pub fn new(draft: &mut Draft) -> Option<Self> {
+        let scene = draft.scene;
+        let (body, known, numbers) = scene.start.iter().find_map(|s| match s {
+            Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
+                Some((*body, *particle, [*vx_m_s, *vy_m_s, *spin_rad_s]))
+            }
+            Start::Speed(..) => None,
+        })?;
+        let particles = &scene.bodies[body].particles;
+        let mut column = |of: fn(&Particle) -> Num, letter: &str, unit: &str| -> Vec<Expr> {
+            let number = |p: &Particle| draft.number(of(p), &format!("{letter}_{{{}}}", p.name), unit);
+            particles.iter().map(number).collect()
+        };
+        let (m, x) = (column(|p| p.mass_kg, "m", "kg"), column(|p| p.x_m, "x", "m"));
+        let y = column(|p| p.y_m, "y", "m");
+        let velocity = [draft.number(numbers[0], "v_x", "m/s"), draft.number(numbers[1], "v_y", "m/s")];
+        let spin = draft.number(numbers[2], r"\omega", "rad/s");
+        let names = particles.iter().map(|p| p.name.clone()).collect();
+        Some(Self { names, known, m, x, y, velocity, spin })
+    }
+
+    /// Velocity of a point: that of the known particle and that of the rotation about it.
+    pub fn velocity(&self, x: &Expr, y: &Expr) -> [Expr; 2] {
+        let [vx, vy] = &self.velocity;
+        let k = self.known;
+        [vx - &self.spin * (y - &self.y[k]), vy + &self.spin * (x - &self.x[k])]
+    }
+}
+
 /// Does friction hold this body where it slides as soon as it moves? As the key has it.
 fn stays(draft: &Draft, body: usize) -> bool {
     let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
@@ -425,33 +577,25 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
     let surfaces = count(&|b| b.line.is_some_and(|l| l.surface));
     for (i, body) in scene.bodies.iter().enumerate() {
         let tag = tags[i].clone();
-        let mass = mass(draft, body, &g, &tag);
-        let inertia = inertia(draft, body, &mass, &g, &tag);
+        let own = if scene.bodies.len() > 1 { tag.as_str() } else { "" };
+        let mass = mass(draft, body, &g, own);
+        let inertia = inertia(draft, body, &mass, &g, own);
         let named = |draft: &mut Draft, names: &[&str], several: bool, unit: &str| {
             let tag = below(draft, if several { &tag } else { "" }, rolled);
             let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            let tex = draft.free(&names);
-            draft.unknown(&tex, unit)
+            draft.named(&names, unit)
         };
         let moves = body.line.is_some();
         let a = moves.then(|| named(draft, &["a", "a_G"], lines > 1, "m/s^2"));
         let v = moves.then(|| named(draft, &["v", "v_2"], lines > 1, "m/s"));
         let alpha = body.turns.then(|| named(draft, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
         let omega = body.turns.then(|| named(draft, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
-        let level = level(draft, body);
+        let [_, level] = slope(draft, body);
         let normal = body.line.is_some_and(|l| l.surface).then(|| {
-            let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
-            let tex = draft.free(&[&tex, "N_s"]);
-            let n = draft.unknown(&tex, "N");
+            let n = draft.named(&[&tagged("N", if surfaces > 1 { &tag } else { "" }), "N_s"], "N");
             (n, mass.expr() * &g * level)
         });
-        let path = match body.line.map(|l| l.slope) {
-            None => "axle",
-            Some(Slope::Level) => "level",
-            Some(Slope::Vertical) => "vertical",
-            Some(Slope::Degrees(_)) => "incline",
-        };
         parts.push(BodyTerms {
             label: names::body(draft.words, draft.scene, i),
             tag,
@@ -465,7 +609,6 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
             along: Factors::zero(),
             turn: Factors::zero(),
             up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
-            path,
             slips: (0..scene.ties.len())
                 .any(|t| rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)),
         });
@@ -474,17 +617,17 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
 }
 
 /// `along` and `arm` of a force: its share along the line, its arm about the mass centre.
-fn levers(draft: &mut Draft, action: &crate::scene::Action) -> (Factors, Factors) {
+fn levers(draft: &mut Draft, action: &crate::scene::Action) -> [Factors; 2] {
     let sign = |x: f64| if x < 0.0 { -1 } else { 1 };
     let arm = match action.arm {
         None => Factors::zero(),
         Some((radius, sense)) => Factors::of(&draft.number(radius, "R", "m")).signed(sign(sense)),
     };
-    (Factors::one().signed(sign(action.along)), arm)
+    [Factors::one().signed(sign(action.along)), arm]
 }
 
 /// The same of a cord's end.
-pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
+fn lever(draft: &mut Draft, end: &CordEnd) -> [Factors; 2] {
     levers(draft, &end.action())
 }
 
@@ -506,16 +649,16 @@ pub fn mark_of(draft: &Draft, rolled: Option<usize>) -> &'static str {
     }
 }
 
-fn friction(draft: &mut Draft, tag: &str) -> SymbolId {
-    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag), &tagged("H", tag)]);
-    draft.unknown(&tex, "N")
-}
-
-fn level(draft: &mut Draft, body: &Body) -> Expr {
+/// Components of the weight along the line of a body and across, over the weight.
+fn slope(draft: &mut Draft, body: &Body) -> [Expr; 2] {
     match body.line.map(|l| l.slope) {
-        None | Some(Slope::Vertical) => ZERO,
-        Some(Slope::Level) => ONE,
-        Some(Slope::Degrees(angle)) => cosine(draft.number(angle, r"\theta", "deg")),
+        None => [ZERO, ZERO],
+        Some(Slope::Level) => [ZERO, ONE],
+        Some(Slope::Vertical) => [ONE, ZERO],
+        Some(Slope::Degrees(angle)) => {
+            let angle = draft.number(angle, r"\theta", "deg");
+            [sine(&angle), cosine(angle)]
+        }
     }
 }
 
@@ -555,12 +698,12 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
     }
     let shape = |draft: &mut Draft, mass: Factors, shape: Shape, radius: Num| {
         let radius = Factors::of(&draft.number(radius, "R", "m"));
-        Factors::of(&beta(shape)).times(&mass).times(&radius.squared())
+        Factors::of(&beta(shape)).times(&mass).times(radius.squared())
     };
     let all = match &body.inertia {
         None => Vec::new(),
         Some(RotaryInertia::Gyration(k)) => {
-            vec![mass.times(&Factors::of(&draft.number(*k, &tagged("k", tag), "m")).squared())]
+            vec![mass.times(square(draft.number(*k, &tagged("k", tag), "m")))]
         }
         Some(RotaryInertia::Moment(i)) => vec![Factors::of(&draft.number(*i, &tagged("I", tag), "kg m^2"))],
         Some(RotaryInertia::Shape(s, r)) => vec![shape(draft, mass.clone(), *s, *r)],

@@ -88,13 +88,8 @@ impl Expr {
     /// Does it hold an angle that the quantities keeps in degrees?
     fn in_degrees(&self, symbols: &Symbols) -> bool {
         match self {
-            Self::Number(..) => false,
             Self::Symbol(s) => symbols.is_degrees(*s),
-            Self::Minus(inner) | Self::Power(inner, _) | Self::Root(inner) | Self::Of(_, inner) => {
-                inner.in_degrees(symbols)
-            }
-            Self::Sum(terms) | Self::Product(terms) => terms.iter().any(|t| t.in_degrees(symbols)),
-            Self::Quotient(over, under) => over.in_degrees(symbols) || under.in_degrees(symbols),
+            _ => self.parts().into_iter().any(|part| part.in_degrees(symbols)),
         }
     }
 }

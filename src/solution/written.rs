@@ -47,19 +47,7 @@ impl Expr {
             return vec![whole];
         }
         let mut lines: Vec<String> = Vec::new();
-        for (i, term) in terms.iter().enumerate() {
-            let mut piece = String::new();
-            match term {
-                term if i == 0 => term.write(symbols, Notation::Numbers, Surroundings::Term, &mut piece),
-                Self::Minus(inner) => {
-                    piece.push_str("- ");
-                    inner.write(symbols, Notation::Numbers, Surroundings::Later, &mut piece);
-                }
-                term => {
-                    piece.push_str("+ ");
-                    term.write(symbols, Notation::Numbers, Surroundings::Later, &mut piece);
-                }
-            }
+        for piece in pieces(terms, symbols, Notation::Numbers) {
             match lines.last_mut() {
                 Some(line) if width(line) + width(&piece) <= limit => {
                     line.push(' ');
@@ -105,9 +93,9 @@ impl Expr {
                 out.push('-');
                 inner.write(symbols, form, Surroundings::Later, out);
             }),
-            Self::Sum(terms) => {
-                wrap(place > Surroundings::Term, out, &|out| write_sum(terms, symbols, form, out))
-            }
+            Self::Sum(terms) => wrap(place > Surroundings::Term, out, &|out| {
+                out.push_str(&pieces(terms, symbols, form).join(" "));
+            }),
             Self::Product(factors) => wrap(place > Surroundings::Factor, out, &|out| {
                 write_product(factors, symbols, form, out);
             }),
@@ -170,21 +158,24 @@ fn write_symbol(s: SymbolId, symbols: &Symbols, form: Notation, place: Surroundi
     out.push_str(&format!("{open}{}{close}", symbols.shown(s)));
 }
 
-fn write_sum(terms: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
-    for (i, term) in terms.iter().enumerate() {
+/// The terms of a sum, the later ones with their sign in front.
+fn pieces(terms: &[Expr], symbols: &Symbols, form: Notation) -> Vec<String> {
+    let each = terms.iter().enumerate().map(|(i, term)| {
         let opposite;
         let (sign, term) = match term {
             term if i == 0 => ("", term),
-            Expr::Minus(inner) => (" - ", &**inner),
+            Expr::Minus(inner) => ("- ", &**inner),
             Expr::Number(over, under) if *over < 0 => {
                 opposite = Expr::Number(-over, *under);
-                (" - ", &opposite)
+                ("- ", &opposite)
             }
-            term => (" + ", term),
+            term => ("+ ", term),
         };
-        out.push_str(sign);
-        term.write(symbols, form, if i == 0 { Surroundings::Term } else { Surroundings::Later }, out);
-    }
+        let mut piece = sign.to_owned();
+        term.write(symbols, form, if i == 0 { Surroundings::Term } else { Surroundings::Later }, &mut piece);
+        piece
+    });
+    each.collect()
 }
 
 fn write_product(factors: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
