@@ -99,10 +99,15 @@ impl Plane {
         Some(plane)
     }
 
-    /// The same with a scale at which a body is so many pixels long.
+    /// The same with a scale at which a body is so many pixels long, or as wide as what rolls or slides of it.
     pub fn close_up(&self, view: &SceneView, body: usize, pixels: f64) -> Self {
         let [from, to] = view.scene.planar(body).map_or([0.0; 2], |p| span(view, body, p));
-        let scale = if to > from { pixels / (to - from) } else { self.scale };
+        let round = view.scene.joints.iter().filter_map(|joint| match joint.kind {
+            JointKind::Contact { at, radius_m, .. } if at.body == body => Some(2.0 * view.of(radius_m)),
+            _ => None,
+        });
+        let size = round.fold(to - from, f64::max);
+        let scale = if size > 0.0 { pixels / size } else { self.scale };
         Self { scale, ..self.clone() }
     }
     /// The bodies at the end, also where only the solver knows where that is; `None` where nothing moves.
@@ -538,9 +543,9 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
         }
         // No arrow ends on the mass centre of a single body.
         let tip = corner + Vec2::at_angle(zero.angle_of() + sense * degrees.to_radians()) * radius;
-        if view.scene.bodies.len() == 1 && (plane.centre(view, &plane.start, lead) - tip).norm() < 2.0 * APART
-        {
-            radius -= 2.0 * APART;
+        let centre = plane.centre(view, &plane.start, lead);
+        if view.scene.bodies.len() == 1 && (centre - tip).norm() < 2.0 * APART {
+            radius = ((centre - corner).norm() - 2.0 * APART).max(2.0 * APART);
         }
         // Broken where the mass centre of a single body has its dot.
         let off = plane.centre(view, &plane.start, lead) - corner;

@@ -214,8 +214,11 @@ fn pictures_stand_in_the_text() {
         sorted.1.sort_unstable();
         assert_eq!(sorted.0, sorted.1, "{}", problem.id);
         assert!(names.contains(&"scene"), "{}: {names:?}", problem.id);
-        let bodies = &problem.cases[variant.case].scene.bodies;
-        assert!(bodies.iter().all(|b| names.contains(&format!("forces-{}", b.name).as_str())), "{names:?}");
+        // Free bodies are not drawn with a datum that has to be found first.
+        let scene = &problem.cases[variant.case].scene;
+        let bodies = scene.bodies.iter().filter(|_| scene.formulas.found.is_none());
+        let shown = bodies.map(|b| format!("forces-{}", b.name));
+        assert!(shown.into_iter().all(|name| names.contains(&name.as_str())), "{}: {names:?}", problem.id);
     });
 }
 
