@@ -50,7 +50,7 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("cut-cord", "3d803d4d4a568dae", "44331acf326b1c9b", "e3b0c44298fc1c14"),
     ("four-bar-linkage", "9f0af24b0ed7875a", "f02d4897292c9c8c", "1df1b2df6bee0833"),
     ("rough-ladder", "d18fd9a97c8c6bec", "e3b48995a18ad2c5", "e3b0c44298fc1c14"),
-    ("off-a-cylinder", "413ccfc7193d542d", "f72e3156e6a9d913", "e3b0c44298fc1c14"),
+    ("off-a-cylinder", "6ff90d0a4163ef6e", "579cda3db202db73", "e3b0c44298fc1c14"),
     ("gear-on-a-rack", "aacbf37f43b837c1", "9e6649ed469e7526", "e3b0c44298fc1c14"),
     ("thrown-ball", "26af46574cdccf6f", "975bd4fde3adfacb", "fb6461d9fa7bca76"),
     ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676", "70b39b1e3959782e"),
