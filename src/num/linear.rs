@@ -14,13 +14,14 @@ const SCALINGS: usize = 6;
 /// Residuals of a good elimination are below this many times the rounding of one operation.
 const OPERATIONS: f64 = 8.0;
 
-/// Equations in the making: a sum of terms for each row, and right-hand sides.
+/// Equations in the making: a row of coefficients and right-hand sides for each.
 #[derive(Debug, Clone)]
 pub struct Linear<T> {
     unknowns: usize,
     columns: usize,
-    terms: SmallVec<[(usize, usize, T); 14]>,
-    right: SmallVec<[(usize, usize, T); 6]>,
+    cells: SmallVec<[T; 30]>,
+    /// For each row and right-hand side: sum of the magnitudes of its terms.
+    given: SmallVec<[f64; 8]>,
 }
 
 /// The solution: one value for each unknown and right-hand side.
@@ -60,22 +61,30 @@ enum Hard<T> {
     Residual(SmallVec<[T; 8]>),
 }
 
+fn add<T: Real>(cell: &mut T, v: T) {
+    *cell = if cell.is_zero() { v } else { *cell + v };
+}
+
 impl<T: Real> Linear<T> {
     /// No equations yet, in `unknowns` unknowns with `columns` right-hand sides.
     pub fn new(unknowns: usize, columns: usize) -> Self {
-        Self { unknowns, columns, terms: SmallVec::new(), right: SmallVec::new() }
+        let cells = smallvec![T::zero(); unknowns * (unknowns + columns)];
+        Self { unknowns, columns, cells, given: smallvec![0.0; unknowns * columns] }
     }
     /// Adds `value * x[col]` to the left of a row.
     pub fn term(&mut self, row: usize, col: usize, value: T) {
-        if !value.is_zero() {
-            self.terms.push((row, col, value));
-        }
+        add(&mut self.cells[row * (self.unknowns + self.columns) + col], value);
     }
     /// Adds `value` to right-hand side `column` of a row.
     pub fn right(&mut self, row: usize, column: usize, value: T) {
-        if !value.is_zero() {
-            self.right.push((row, column, value));
-        }
+        add(&mut self.cells[row * (self.unknowns + self.columns) + self.unknowns + column], value);
+        self.given[row * self.columns + column] += value.size();
+    }
+    /// Each row: its coefficients, right-hand side `k` and the size of that.
+    fn rows(&self, k: usize) -> impl Iterator<Item = (&[T], T, f64)> {
+        let given = self.given.chunks_exact(self.columns).map(move |sizes| sizes[k]);
+        let rows = self.cells.chunks_exact(self.unknowns + self.columns);
+        rows.zip(given).map(move |(row, given)| (&row[..self.unknowns], row[self.unknowns + k], given))
     }
 
     /// Solves for all right-hand sides. Where equations repeat each other, the unknowns that have only one value all the same.
@@ -119,17 +128,10 @@ impl<T: Real> Linear<T> {
         let mut open: SmallVec<[bool; 8]> = smallvec![false; n];
         for k in 0..self.columns {
             let mut equations = Equations::new(n);
-            for r in 0..n {
-                let mut size = 0.0;
+            for (coefficients, right, size) in self.rows(k) {
                 let row: &mut [T] = equations.row();
-                for (_, c, v) in self.terms.iter().filter(|(row, ..)| *row == r) {
-                    row[*c] = row[*c] + *v;
-                }
-                for (_, _, v) in self.right.iter().filter(|(row, column, _)| *row == r && *column == k) {
-                    row[n] = row[n] + *v;
-                    size += v.size();
-                }
-                row[n] = row[n].cleared(size);
+                row[..n].copy_from_slice(coefficients);
+                row[n] = right.cleared(size);
                 equations.sized(size);
             }
             let reduced = equations.reduce(&[]);
@@ -148,60 +150,48 @@ impl<T: Real> Linear<T> {
     /// Gaussian elimination with scaled partial pivoting, unknown `i` being about `scales[i]` in size. Nothing is allocated up to
     /// 5 unknowns and one right-hand side.
     fn eliminated(&self, wanted: Range<usize>, scales: &[f64]) -> Result<SmallVec<[T; 8]>, Hard<T>> {
-        let (n, m, first) = (self.unknowns, wanted.len(), wanted.start);
-        let width = n + m;
-        let mut cells: SmallVec<[T; 30]> = smallvec![T::zero(); n * width];
-        let mut largest: SmallVec<[f64; 6]> = smallvec![0.0; n];
-        // As slices: a small vector asks at each access where it lies.
-        let (cells, largest) = (&mut cells[..], &mut largest[..]);
-        let add = |cell: &mut T, v: T| *cell = if cell.is_zero() { v } else { *cell + v };
-        for (r, c, v) in &self.terms {
-            let cell = &mut cells[r * width + c];
-            add(cell, *v);
-            largest[*r] = largest[*r].max(cell.size() * scales[*c]);
+        let (n, width) = (self.unknowns, self.unknowns + self.columns);
+        let mut cells: SmallVec<[T; 30]> = SmallVec::from_slice(&self.cells);
+        // As slices: a small vector asks at each access where it lies. First the rows that are used, then the others.
+        let mut rows: SmallVec<[(&mut [T], f64); 6]> = SmallVec::new();
+        for row in cells.chunks_exact_mut(width) {
+            let sizes = row[..n].iter().zip(scales).map(|(cell, scale)| cell.size() * scale);
+            let largest = sizes.fold(0.0, f64::max);
+            rows.push((row, largest));
         }
-        for (r, k, v) in self.right.iter().filter(|(_, k, _)| wanted.contains(k)) {
-            add(&mut cells[r * width + n + k - first], *v);
-        }
-        // Row in which each unknown is the pivot; then the rows not used yet.
-        let mut order: SmallVec<[usize; 6]> = smallvec![0; n];
-        let order = &mut order[..];
-        order.iter_mut().enumerate().for_each(|(place, r)| *r = place);
+        let rows = &mut rows[..];
         for col in 0..n {
             let mut best: Option<(usize, f64)> = None;
-            for (place, r) in order.iter().enumerate().skip(col) {
-                let cell = cells[r * width + col];
-                if !cell.is_zero() {
-                    let share = cell.size() * scales[col] / largest[*r];
+            for (place, (row, largest)) in rows.iter().enumerate().skip(col) {
+                if !row[col].is_zero() {
+                    let share = row[col].size() * scales[col] / largest;
                     if best.is_none_or(|(_, s)| share > s) {
                         best = Some((place, share));
                     }
                 }
             }
-            order.swap(col, best.ok_or(Hard::Repeats)?.0);
-            let pivot = order[col];
-            for r in &order[col + 1..] {
-                let rows = [*r, pivot].map(|r| r * width + col..(r + 1) * width);
-                let Ok([row, pivot]) = cells.get_disjoint_mut(rows) else { continue };
+            rows.swap(col, best.ok_or(Hard::Repeats)?.0);
+            let (used, rest) = rows.split_at_mut(col + 1);
+            let pivot = &used[col].0[col..];
+            for (row, _) in rest {
+                let row = &mut row[col..];
                 if row[0].is_zero() {
                     continue;
                 }
                 let factor = row[0] / pivot[0];
-                for (c, (cell, above)) in (col..).zip(row.iter_mut().zip(pivot)).skip(1) {
+                for (c, (cell, above)) in row.iter_mut().zip(pivot).enumerate().skip(1) {
                     if !above.is_zero() {
                         let less = factor * *above;
                         // A coefficient that is only rounding is no pivot.
-                        *cell = if c < n { cell.balance(-less) } else { *cell - less };
+                        *cell = if col + c < n { cell.balance(-less) } else { *cell - less };
                     }
                 }
             }
         }
-        let mut out: SmallVec<[T; 8]> = smallvec![T::zero(); n * m];
+        let mut out: SmallVec<[T; 8]> = smallvec![T::zero(); n * wanted.len()];
         let mut settled = true;
-        for k in 0..m {
-            let x = &mut out[k * n..(k + 1) * n];
-            for col in (0..n).rev() {
-                let row = &cells[order[col] * width..][..width];
+        for (k, x) in wanted.zip(out.chunks_exact_mut(n.max(1))) {
+            for (col, (row, _)) in rows.iter().enumerate().rev() {
                 let mut sum = row[n + k];
                 for (cell, x) in row[col + 1..n].iter().zip(&x[col + 1..]) {
                     if !cell.is_zero() && !x.is_zero() {
@@ -210,31 +200,35 @@ impl<T: Real> Linear<T> {
                 }
                 x[col] = if sum.is_zero() { sum } else { sum / row[col] };
             }
-            let given = self.right.iter().filter(|(_, column, _)| *column == first + k);
-            if far_apart(x, given.map(|(.., v)| v.size())) {
-                self.vanish(first + k, x);
+            if self.far_apart(k, x) {
+                self.vanish(k, x);
             }
-            settled &= self.settled(first + k, x);
+            settled &= self.settled(k, x);
         }
         if settled { Ok(out) } else { Err(Hard::Residual(out)) }
+    }
+
+    /// Are the unknowns and the right-hand sides of very different sizes?
+    fn far_apart(&self, k: usize, x: &[T]) -> bool {
+        let given = self.rows(k).map(|(.., given)| given);
+        let largest = x.iter().map(|v| v.size()).chain(given).fold(0.0, f64::max);
+        x.iter().any(|v| v.size() > 0.0 && v.size() < APART * largest)
     }
 
     /// Sets to 0 all unknowns together that no equation would miss: beside the other terms of each of its equations such an
     /// unknown is rounding, or all other terms of the equation are such unknowns too.
     fn vanish(&self, k: usize, x: &mut [T]) {
         let mut noise: SmallVec<[bool; 12]> = x.iter().map(|v| !v.is_zero()).collect();
-        let mut others: SmallVec<[f64; 6]> = smallvec![0.0; self.unknowns];
         loop {
-            others.fill(0.0);
-            for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
-                others[*r] += v.size();
-            }
-            for (r, c, v) in self.terms.iter().filter(|(_, c, _)| !noise[*c]) {
-                others[*r] += (*v * x[*c]).size();
-            }
             let before = noise.clone();
-            for (r, c, v) in self.terms.iter().filter(|(r, c, _)| before[*c] && others[*r] > 0.0) {
-                noise[*c] &= (*v * x[*c]).negligible(others[*r]);
+            for (row, _, given) in self.rows(k) {
+                let terms = || row.iter().zip(&*x).map(|(v, x)| *v * *x).zip(&before);
+                let others = terms().filter(|(_, noise)| !**noise).fold(given, |sum, (v, _)| sum + v.size());
+                if others > 0.0 {
+                    for (noise, (term, _)) in noise.iter_mut().zip(terms()) {
+                        *noise &= term.negligible(others);
+                    }
+                }
             }
             if noise == before {
                 break;
@@ -247,28 +241,16 @@ impl<T: Real> Linear<T> {
 
     /// Does each row hold for these unknowns, up to the rounding of its terms?
     fn settled(&self, k: usize, x: &[T]) -> bool {
-        let mut rows: SmallVec<[(T, f64); 6]> = smallvec![(T::zero(), 0.0); self.unknowns];
-        let rows = &mut rows[..];
-        for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
-            rows[*r] = (rows[*r].0 + *v, rows[*r].1 + v.size());
-        }
-        for (r, c, v) in &self.terms {
-            let term = *v * x[*c];
-            rows[*r] = (rows[*r].0 - term, rows[*r].1 + term.size());
-        }
-        rows.iter().all(|(residual, size)| residual.size() <= OPERATIONS * T::SETTLED * size)
+        self.rows(k).all(|(row, right, given)| {
+            let terms = row.iter().zip(x).filter(|(v, _)| !v.is_zero()).map(|(v, x)| *v * *x);
+            let (residual, size) = terms.fold((right, given), |(sum, size), t| (sum - t, size + t.size()));
+            residual.size() <= OPERATIONS * T::SETTLED * size
+        })
     }
 }
 
 /// Share of the largest number below which an unknown may be the rounding of it, 2^-24: units differ, so most are not.
 const APART: f64 = 1.0 / (1u64 << 24) as f64;
-
-/// Are the unknowns and the right-hand sides of very different sizes?
-fn far_apart<T: Real>(x: &[T], given: impl Iterator<Item = f64>) -> bool {
-    let sizes = || x.iter().map(|v| v.size());
-    let largest = sizes().chain(given).fold(0.0, f64::max);
-    sizes().any(|s| s > 0.0 && s < APART * largest)
-}
 
 /// A pivot below this share of its row, 2^-20, would cost more than a few digits.
 const POOR: f64 = 1.0 / (1u64 << 20) as f64;

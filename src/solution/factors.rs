@@ -251,9 +251,9 @@ mod tests {
         assert_eq!(text(&Factors::one().plus(&p.times(&turn).opposite())), r"\frac{c - p}{c}");
         assert_eq!(text(&Factors::one().plus(&c.times(&turn))), "2");
         assert!(Factors::one().plus(&c.times(&turn).opposite()).is_zero());
-        assert_eq!(text(&m.times(&k).times(&k).times(&turn.squared())), r"\frac{m\,k^{2}}{c^{2}}");
+        assert_eq!(text(&m.times(&k).times(&k).times(turn.squared())), r"\frac{m\,k^{2}}{c^{2}}");
         let half = Factors::of(&Expr::Number(1, 2));
-        assert_eq!(text(&half.times(&m).times(&c.squared()).times(&turn.squared())), r"\tfrac{1}{2}\,m");
+        assert_eq!(text(&half.times(&m).times(c.squared()).times(turn.squared())), r"\tfrac{1}{2}\,m");
         assert_eq!(text(&half.times(&m).times(&turn).opposite()), r"-\frac{m}{2\,c}");
         assert!(c.per(&p).times(&p).per(&c).is_one());
         let mut l = Symbols::new(&words);
