@@ -100,6 +100,8 @@
 //! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]
 //! judges it and measures it. A new chart: numbers into [`plot`]; a new kind of element for all pictures:
 //! [`picture`].
+//! A new joint in the plane: a variant in [`scene::planar`], how it places a body in [`scene::pose`], its rows in
+//! `solve/eom/planar.rs` and its virtual motion in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
@@ -109,8 +111,10 @@
 //! [`regrade::changes`]. A new quantity: a line in [`scene::ask`] with what its sign means, and a `say` on each road.
 //!
 //! # Limits
-//! Rigid bodies in a plane, velocity ratios that do not change with position (or one body that swings about a pin), cords without mass that run parallel to the
-//! line of the body they leave; one freedom, or more from rest under constant forces, or one body thrown with slip; one spring.
+//! Rigid bodies in a plane. On lines and axles: velocity ratios that do not change with the position, cords without mass that run
+//! parallel to the line of the body they leave, one spring; one freedom, or more from rest under constant forces, or one body thrown
+//! with slip. About a pin: one body. Joined in the plane by pins, hinges, guides, cords and surfaces: one freedom on the way, any
+//! number at an instant from rest; no worked solution yet.
 pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]
