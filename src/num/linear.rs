@@ -151,7 +151,7 @@ impl<T: Real> Linear<T> {
     /// 5 unknowns and one right-hand side.
     fn eliminated(&self, wanted: Range<usize>, scales: &[f64]) -> Result<SmallVec<[T; 8]>, Hard<T>> {
         let (n, width) = (self.unknowns, self.unknowns + self.columns);
-        let mut cells: SmallVec<[T; 30]> = SmallVec::from_slice(&self.cells);
+        let mut cells: SmallVec<[T; 30]> = self.cells.iter().copied().collect();
         // As slices: a small vector asks at each access where it lies. First the rows that are used, then the others.
         let mut rows: SmallVec<[(&mut [T], f64); 6]> = SmallVec::new();
         for row in cells.chunks_exact_mut(width) {
