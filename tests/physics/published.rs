@@ -37,6 +37,7 @@ const TABLE: &[(&str, usize, &str, &str, f64)] = &[
     ("g1-mk-6-9", 0, "g1-mk-6-9", "omega", 1.0),
     ("g1-mk-6-9", 1, "g1-mk-6-9", "power_pull", 1.0),
     ("g1-schaum-16-8", 0, "g1-schaum-16-8", "t", 1.0),
+    ("g1-schaum-16-12", 0, "g1-schaum-16-12", "a", 1.0),
     ("g1-schaum-16-10F", 0, "g1-schaum-16-10F", "friction", 1.0),
     ("g1-hib-19-3", 0, "g1-hib-19-3", "omega", 1.0),
     ("g2-beer-16-8", 0, "g2-beer-16-8-rolled", "alpha", 1.0),
@@ -91,6 +92,7 @@ const TABLE: &[(&str, usize, &str, &str, f64)] = &[
     ("g6-schaum-16-53", 2, "g6-schaum-16-53", "ropeA.tension", 1.0),
     ("g7-openstax-rod-30", 0, "g7-openstax-rod-30", "omega", 1.0),
     ("g7-hib-18-6", 0, "g7-hib-18-6", "omega", 1.0),
+    ("g7-mk-6-10", 0, "g7-mk-6-10", "omega", 1.0),
     ("g8-hib-18-8", 0, "g8-hib-18-8", "omega", 1.0),
     ("g8-hib-18-2", 0, "g8-hib-18-2", "work", 1.0),
     // They count the other way.
