@@ -609,15 +609,11 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
     }
     for (j, joint) in scene.joints.iter().enumerate() {
         let of = Owner::Joint(j);
+        add(of, joint.kind.forces());
         match joint.kind {
-            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinX, Q::PinY, Q::PinForce]),
-            JointKind::Guide { mu_k: None, .. } | JointKind::Contact { rolls: false, .. } => {
-                add(of, &[Q::Normal]);
-            }
-            JointKind::Guide { mu_k: Some(_), .. } | JointKind::Contact { .. } => {
-                add(of, &[Q::Normal, Q::Friction]);
-            }
-            JointKind::Cord { .. } => add(of, &[Q::Tension]),
+            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce]),
+            JointKind::Guide { mu_k: Some(_), .. } => add(of, &[Q::Friction]),
+            _ => {}
         }
     }
     for s in 0..scene.struts.len() {

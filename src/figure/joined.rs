@@ -444,7 +444,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
                 // A round shape has its radius beside its mass.
                 let told = view.scene.bodies[at.body].inertia.as_ref();
                 if !matches!(told, Some(RotaryInertia::Shape(_, r)) if *r == radius_m) {
-                    radius_line(board, view, place, (radius_m, plane.scale), Vec2::at_degrees(-140.0));
+                    radius_line(board, view, place, radius_m, plane.scale);
                 }
             }
             match surface {
@@ -462,7 +462,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
                 Surface::Arc { centre_m, radius_m, .. } => {
                     let centre = ground(view, centre_m) * plane.scale;
                     board.circle(centre, view.of(radius_m) * plane.scale, Role::Ground);
-                    radius_line(board, view, centre, (radius_m, plane.scale), Vec2::at_degrees(-140.0));
+                    radius_line(board, view, centre, radius_m, plane.scale);
                 }
             }
         }
@@ -653,10 +653,11 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
 }
 
 /// The radius of a circle that is a datum, drawn to its rim.
-fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, (radius_m, scale): (Num, f64), out: Vec2) {
+fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, radius_m: Num, scale: f64) {
     if !matches!(radius_m, Num::Datum(_)) {
         return;
     }
+    let out = Vec2::at_degrees(-140.0);
     let rim = centre + out * (view.of(radius_m) * scale);
     board.arrow(centre, rim, Role::Dimension);
     let (middle, across) = (centre.middle(rim), out.left());

@@ -4,7 +4,7 @@
 //! Places are told in a frame fixed in space, x to the right and y up. A body has an axis, and its points lie on it, each told by
 //! its distance from the origin of the axis. The angle of the axis counts from one of four directions, in either sense; a turn is
 //! positive as that angle grows.
-use crate::scene::Num;
+use crate::scene::{Num, Quantity};
 
 /// How a body lies in the plane and which of its points have names.
 #[derive(Debug, Clone, PartialEq)]
@@ -160,11 +160,13 @@ pub enum Surface {
 }
 
 impl JointKind {
-    /// How many forces it has.
-    pub const fn forces(&self) -> usize {
+    /// The forces that it takes to hold: each has a condition of its own, as the friction of a guide that rubs has not.
+    pub const fn forces(&self) -> &'static [Quantity] {
         match self {
-            Self::Pin { .. } | Self::Hinge { .. } | Self::Contact { rolls: true, .. } => 2,
-            Self::Guide { .. } | Self::Contact { .. } | Self::Cord { .. } => 1,
+            Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
+            Self::Guide { .. } | Self::Contact { rolls: false, .. } => &[Quantity::Normal],
+            Self::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
+            Self::Cord { .. } => &[Quantity::Tension],
         }
     }
     /// Can it only push, so that its point can leave it?

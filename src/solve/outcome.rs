@@ -1,8 +1,11 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
+use crate::num::dd::pow2;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
-use crate::scene::{Coordinate, Degree, End, Label, Owner, Quantities, Quantity, Scales, Scene, Term};
+use crate::scene::{
+    Coordinate, Degree, End, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Term,
+};
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -521,6 +524,14 @@ pub struct Said<T> {
     pub value: T,
     /// Sum of the magnitudes of the terms that make it up, SI.
     pub scale: f64,
+}
+
+impl<T: Real> Said<T> {
+    /// What a road says of a label by a value and the sum of its terms in the units of the solver: both in SI again.
+    pub fn of(n: &Numbers<T>, label: Label, value: T, scale: f64) -> Self {
+        let scale = scale * pow2(n.exponent(label.quantity));
+        Self { label, value: n.publish(label.quantity, value), scale }
+    }
 }
 
 /// How the contacts that are said to slip are taken.

@@ -18,9 +18,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let doubled = balance::inertia(n, &motion, &motion);
     let mut energy = doubled.scale2(-1);
     let mut say = |quantity, of, value: T| {
-        let label = Label { quantity, of };
-        let value = n.publish(quantity, value);
-        road.said.push(Said { label, value, scale: value.f64().abs() });
+        road.said.push(Said::of(n, Label { quantity, of }, value, value.size()));
     };
     for (b, body) in scene.bodies.iter().enumerate() {
         if body.line.is_some() {

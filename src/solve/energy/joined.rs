@@ -802,8 +802,7 @@ impl<'a, T: Real> Account<'a, T> {
     }
 
     fn say(&self, road: &mut Road<T>, quantity: Quantity, of: Owner, value: T) {
-        let value = self.n.publish(quantity, value);
-        road.said.push(Said { label: Label { quantity, of }, value, scale: value.f64().abs() });
+        road.said.push(Said::of(self.n, Label { quantity, of }, value, value.size()));
     }
 
     /// Everything at a place where the leading angle has this rate and this second derivative.
@@ -923,12 +922,7 @@ impl<'a, T: Real> Account<'a, T> {
         self.say(road, Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
-            let quantities: &[Quantity] = match joint.kind {
-                JointKind::Pin { .. } | JointKind::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
-                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &[Quantity::Normal],
-                JointKind::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
-                JointKind::Cord { .. } => &[Quantity::Tension],
-            };
+            let quantities = joint.kind.forces();
             let Some(forces) = self.reaction(poses, j, moves) else {
                 road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
                 continue;

@@ -392,9 +392,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
-        let label = Label { quantity, of };
-        let value = self.n.publish(quantity, value);
-        self.road.said.push(Said { label, value, scale: value.f64().abs() });
+        self.road.said.push(Said::of(&self.n, Label { quantity, of }, value, value.size()));
     }
 
     fn up(&self, body: usize) -> f64 {

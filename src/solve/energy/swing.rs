@@ -160,8 +160,7 @@ struct Book<'a, T: Real> {
 
 impl<T: Real> Book<'_, T> {
     fn say_of(&mut self, quantity: Quantity, of: Owner, value: T) {
-        let value = self.n.publish(quantity, value);
-        self.road.said.push(Said { label: Label { quantity, of }, value, scale: value.f64().abs() });
+        self.road.said.push(Said::of(self.n, Label { quantity, of }, value, value.size()));
     }
     fn say(&mut self, quantity: Quantity, value: T) {
         self.say_of(quantity, Owner::Body(self.body), value);

@@ -160,9 +160,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
 
     let mut road = Road::new(Scope::ALL);
     let mut say = |quantity, of, value: T| {
-        let label = Label { quantity, of };
-        let value = n.publish(quantity, value);
-        road.said.push(Said { label, value, scale: value.f64().abs() });
+        road.said.push(Said::of(n, Label { quantity, of }, value, value.size()));
     };
     let own = Owner::Body(body);
     let up = if scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 };

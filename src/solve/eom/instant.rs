@@ -2,7 +2,6 @@
 //! would set them going from rest. A force that grows from 0 and gives a body a velocity does half the work of its impulse
 //! over that velocity; no velocity ratio of the ties and no kinetic energy of a single body comes in.
 use crate::num::Real;
-use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start};
 use crate::solve::eom::equations::{Setting, respond};
@@ -19,8 +18,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     let mut energy = struck.energy;
     let mut say = |quantity, of, value: T, scale: f64| {
         if asked.quantities.has(quantity) {
-            let (label, scale) = (Label { quantity, of }, scale * pow2(n.exponent(quantity)));
-            road.said.push(Said { label, value: n.publish(quantity, value), scale });
+            road.said.push(Said::of(n, Label { quantity, of }, value, scale));
         }
     };
     for (b, body) in scene.bodies.iter().enumerate() {

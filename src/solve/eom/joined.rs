@@ -4,7 +4,6 @@
 //! `dy/dq = A + 2 B y`, solved with its integrating factor `exp(-2 int B dq)` panel by panel. From rest the angle goes as the
 //! square of the variable, which takes the root singularity out of the time; the last half of a way that ends at rest is summed
 //! as the way back from there.
-use crate::num::dd::pow2;
 use crate::num::gauss::{self, PerNode, Unsettled};
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
@@ -528,12 +527,9 @@ impl<T: Real> Teller<'_, '_, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        if !self.asked.quantities.has(quantity) {
-            return;
+        if self.asked.quantities.has(quantity) {
+            self.road.said.push(Said::of(self.n, Label { quantity, of }, value, scale));
         }
-        let scale = scale * pow2(self.n.exponent(quantity));
-        let value = self.n.publish(quantity, value);
-        self.road.said.push(Said { label: Label { quantity, of }, value, scale });
     }
 
     /// Everything at a place, at this rate of the leading angle.
@@ -590,12 +586,7 @@ impl<T: Real> Teller<'_, '_, T> {
         self.say(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
-            let quantities: &[Quantity] = match joint.kind {
-                JointKind::Pin { .. } | JointKind::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
-                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &[Quantity::Normal],
-                JointKind::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
-                JointKind::Cord { .. } => &[Quantity::Tension],
-            };
+            let quantities = joint.kind.forces();
             let Some(force) = mechanism.reaction(response, j, square) else {
                 self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
                 continue;

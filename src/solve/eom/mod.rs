@@ -11,7 +11,7 @@ pub mod swing;
 pub mod thrown;
 pub mod travel;
 
-use crate::num::dd::{Dd, pow2};
+use crate::num::dd::Dd;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real};
@@ -398,9 +398,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
         if self.asked.quantities.has(quantity) {
-            let label = Label { quantity, of };
-            let scale = scale * pow2(self.n.exponent(quantity));
-            self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
+            self.road.said.push(Said::of(&self.n, Label { quantity, of }, value, scale));
         }
     }
     fn hold(&mut self, held: Held<T>) {

@@ -134,7 +134,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             unknowns - count
         };
         let first = scene.bodies.iter().map(|b| next(if b.turns { 3 } else { 2 })).collect();
-        let held = scene.joints.iter().map(|j| next(j.kind.forces())).collect();
+        let held = scene.joints.iter().map(|j| next(j.kind.forces().len())).collect();
         let layout = Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?;
         let one = T::of(1.0);
         let mobility = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
@@ -587,7 +587,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// normal, or the tension of a cord; `None` where the joints leave it open.
     pub fn reaction(&self, response: &Response<T>, joint: usize, square: T) -> Option<SmallVec<[T; 2]>> {
         let first = self.held[joint];
-        let count = self.scene.joints[joint].kind.forces();
+        let count = self.scene.joints[joint].kind.forces().len();
         (first..first + count).map(|i| response.values[i].map(|_| response.at(i, square))).collect()
     }
     /// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.

@@ -3,7 +3,6 @@
 //! Under its weight alone the time is an elliptic integral, here by Carlson's R_F. With a couple or a spring it is a
 //! quadrature of `d phi / omega`; from rest the angle goes as the square of the variable, which takes the root
 //! singularity away, and so does the last half of a way that ends at rest, which is the way back from there.
-use crate::num::dd::pow2;
 use crate::num::gauss::{PerNode, Unsettled};
 use crate::num::half::Half;
 use crate::num::ode::Count;
@@ -192,9 +191,7 @@ impl<T: Real> Teller<'_, T> {
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
         if self.asked.quantities.has(quantity) {
-            let scale = scale * pow2(self.n.exponent(quantity));
-            let value = self.n.publish(quantity, value);
-            self.road.said.push(Said { label: Label { quantity, of }, value, scale });
+            self.road.said.push(Said::of(self.n, Label { quantity, of }, value, scale));
         }
     }
 

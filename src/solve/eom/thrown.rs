@@ -10,7 +10,6 @@
 //! ```
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
 use crate::num::Real;
-use crate::num::dd::pow2;
 use crate::num::ode::{Count, Formula, Run, Trouble};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
@@ -178,8 +177,7 @@ pub fn road_by<T: Real>(
     let mut road = Road::new(asked);
     let mut say = |quantity, of, value: T, scale: f64| {
         if asked.quantities.has(quantity) {
-            let (label, scale) = (Label { quantity, of }, scale * pow2(n.exponent(quantity)));
-            road.said.push(Said { label, value: n.publish(quantity, value), scale });
+            road.said.push(Said::of(n, Label { quantity, of }, value, scale));
         }
     };
     let own = Owner::Body(body);
