@@ -82,7 +82,12 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
     }
     let by_turn = match &scene.end {
         End::Travel(c, _) | End::Position(c, _) | End::Speed(c, _) | End::Angle(c, _) => turns(c),
-        End::AtOnce | End::Time(..) | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) => false,
+        End::AtOnce
+        | End::Time(..)
+        | End::TurningPoint(_)
+        | End::Rolling(_)
+        | End::Leaves(_)
+        | End::Equilibrium => false,
     };
     if by_turn {
         Err("the motion ends by the turn of the body".to_owned())

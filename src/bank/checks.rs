@@ -198,6 +198,37 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         let hint = "remove `growing by`, or let the bodies move on lines";
         faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);
     }
+    if scene.start_speeds().count() > 1 {
+        let hint = "give one speed or spin: the joints give the others";
+        faults.hint(part(node, "start"), "more than one speed is given at the start of joined bodies", hint);
+    }
+    let rough = |j: &&crate::scene::Joint| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. });
+    if let (true, Some(joint)) = (scene.is_struck(), scene.joints.iter().find(rough)) {
+        let message = told!(
+            "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
+            joint.name
+        );
+        faults.hint(part(node, "joints"), message, "remove `mu_k`");
+    }
+    let driven = |b: &usize| scene.planar(*b).is_some_and(|p| p.driven.is_some());
+    if let Some(b) = (0..scene.bodies.len()).find(driven)
+        && (scene.end != End::AtOnce || scene.is_struck() || scene.lead() != Some(b))
+    {
+        let message = told!("`{}` is driven, and its motion goes on", scene.bodies[b].name);
+        let hint = "only an instant is asked of what is driven: give its angle and spin then, and write `end: at once`";
+        faults.hint(part(node, "start"), message, hint);
+    }
+    if scene.end == End::Equilibrium && scene.is_struck() {
+        faults.hint(
+            part(node, "forces"),
+            "at rest in equilibrium nothing is struck",
+            "take the impulse away",
+        );
+    }
+    if let (End::Equilibrium, Some(joint)) = (scene.end, scene.joints.iter().find(rough)) {
+        let message = told!("`{}` is rough, so that there is no one equilibrium", joint.name);
+        faults.hint(part(node, "joints"), message, "remove `mu_k`");
+    }
     if scene.lead().is_none() {
         let name = scene.bodies.iter().find(|b| b.turns).map_or("rod", |b| b.name.as_str());
         faults.hint(
@@ -416,7 +447,7 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
             | Q::OmegaMax
             | Q::Period
     );
-    if !matches!(scene.end, End::AtOnce) || of_particles || of_pins {
+    if !scene.is_still() || of_particles || of_pins {
         return why(quantity).to_owned();
     }
     let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
@@ -455,6 +486,11 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::PeriodSmall | Q::OmegaSmall => {
             "it needs a pinned body that swings under its weight alone, or a spring and no friction of sliding"
         }
+        Q::Moment => "it needs a weld",
+        Q::Drive => {
+            "it needs a driven body: `start: {crank: {angle: phi, spin: w, alpha: 0 rad/s^2}}` and `end: at once`"
+        }
+        Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
         Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
@@ -474,12 +510,12 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             }
         }
     };
-    let moves = !matches!(scene.end, End::AtOnce);
+    let moves = !scene.is_still();
     let rates = moves || scene.tells_rates();
     let couples = |add: &mut dyn FnMut(Owner, &[Q])| {
         scene.couples.iter().for_each(|c| add(Owner::Body(c.body), &[Q::WorkCouple, Q::PowerCouple]));
     };
-    add(Owner::Scene, &[Q::KineticEnergy]);
+    add(Owner::Scene, if matches!(scene.end, End::Equilibrium) { &[] } else { &[Q::KineticEnergy] });
     if let Some((b, pin)) = scene.pinned() {
         let of = Owner::Body(b);
         add(Owner::Scene, &[Q::RotationalFraction]);
@@ -593,10 +629,23 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
 /// The labels of joined bodies in the plane.
 fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) {
     use Quantity as Q;
+    // Just after a blow only velocities are told, at rest only forces.
+    let still = matches!(scene.end, End::Equilibrium);
+    let forces = moves || !scene.is_struck();
     for (b, body) in scene.bodies.iter().enumerate() {
         let of = Owner::Body(b);
-        add(of, &[Q::V, Q::VX, Q::VY, Q::AX, Q::AY]);
-        add(of, if body.turns { &[Q::Omega, Q::Alpha] } else { &[] });
+        if still {
+            add(of, &[Q::Rise]);
+            add(of, if scene.lead() == Some(b) { &[Q::Phi, Q::OmegaSmall, Q::PeriodSmall] } else { &[] });
+            continue;
+        }
+        add(of, &[Q::V, Q::VX, Q::VY]);
+        add(of, if body.turns { &[Q::Omega] } else { &[] });
+        add(of, if body.planar.as_ref().is_some_and(|p| p.driven.is_some()) { &[Q::Drive] } else { &[] });
+        if forces {
+            add(of, &[Q::AX, Q::AY]);
+            add(of, if body.turns { &[Q::Alpha] } else { &[] });
+        }
         add(of, if moves { &[Q::Rise] } else { &[] });
         let points = body.planar.as_ref().map_or(0, |p| p.points.len());
         for point in 0..points {
@@ -609,6 +658,10 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
     }
     for (j, joint) in scene.joints.iter().enumerate() {
         let of = Owner::Joint(j);
+        add(of, if scene.is_struck() { joint.kind.impulses() } else { &[] });
+        if !forces {
+            continue;
+        }
         add(of, joint.kind.forces());
         match joint.kind {
             JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce]),
@@ -616,7 +669,7 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
             _ => {}
         }
     }
-    for s in 0..scene.struts.len() {
+    for s in 0..if forces { scene.struts.len() } else { 0 } {
         add(Owner::Strut(s), &[Q::SpringForce]);
     }
 }

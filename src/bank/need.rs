@@ -39,6 +39,7 @@ impl Need {
     pub const SLOPE: Self = need("a slope", "deg", UP_TO_VERTICAL, "30 deg");
     pub const FRICTION: Self = need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
     pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
+    pub const IMPULSE: Self = need("an impulse", "N*s", NOT_NEGATIVE, "5 N*s");
     pub const MOMENT: Self = need("a moment", "N*m", NOT_NEGATIVE, "75 N*m");
     pub const FORCE_GROWTH: Self = need("the growth of a force", "N/s", NOT_NEGATIVE, "2 N/s");
     pub const MOMENT_GROWTH: Self = need("the growth of a moment", "N*m/s", NOT_NEGATIVE, "2 N*m/s");
@@ -51,6 +52,7 @@ impl Need {
     pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
     pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");
     pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
+    pub const ANGULAR_ACCELERATION: Self = need("an angular acceleration", "rad/s^2", ANY, "3 rad/s^2");
     pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
     pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
     pub const TERM: Self = need("a part of an expression", "1", ANY, "2*d");

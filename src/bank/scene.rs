@@ -1159,8 +1159,10 @@ impl SceneReader<'_> {
             else {
                 continue;
             };
-            if word == "force" {
-                list.pushes.extend(self.push(value, bodies, list.pushes.len()));
+            if word == "force" || word == "impulse" {
+                let blow = word == "impulse";
+                let count = list.pushes.iter().filter(|p| p.blow == blow).count();
+                list.pushes.extend(self.push(value, bodies, count, blow));
                 continue;
             }
             if word == "spring" && bodies.iter().any(|b| b.planar.is_some()) {
@@ -1172,7 +1174,7 @@ impl SceneReader<'_> {
                 continue;
             }
             if word != "couple" {
-                self.unknown(key, "force", &["couple", "force", "spring"]);
+                self.unknown(key, "force", &["couple", "force", "impulse", "spring"]);
                 continue;
             }
             let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };
@@ -1254,7 +1256,11 @@ impl SceneReader<'_> {
                 let angle = if angled { fields.get("angle") } else { None };
                 let speed = fields.get("speed");
                 let spin = fields.get("spin");
+                let driven = if bodies[body].turns && angled { fields.get("alpha") } else { None };
                 fields.close();
+                if let (Some(n), Some(planar)) = (driven, &mut bodies[body].planar) {
+                    planar.driven = self.number(n, Need::ANGULAR_ACCELERATION);
+                }
                 if let Some(n) = angle {
                     self.angled.set(true);
                     let angle = self.number(n, Need::ANGLE);
@@ -1269,7 +1275,7 @@ impl SceneReader<'_> {
                     f.hint(value, "no speed is given", "write `{speed: v0}` or `{spin: w0}`");
                 }
                 if let Some(n) = speed {
-                    if bodies[body].line.is_none() {
+                    if bodies[body].line.is_none() && bodies[body].planar.is_none() {
                         f.hint(n, told!("`{name}` does not move along a line"), "write `spin:`");
                     } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
@@ -1407,8 +1413,16 @@ impl SceneReader<'_> {
         if node.text().is_some_and(|t| t.trim() == "at once") {
             return Some((End::AtOnce, None));
         }
-        let (word, key, value) =
-            self.one(node, "the end: `at once`, or for example `{travel: {of: wheel, by: d}}`")?;
+        if node.text().is_some_and(|t| t.trim() == "equilibrium") {
+            if !bodies.iter().any(|b| b.planar.is_some()) {
+                let hint = "write `moves: in the plane` with joints; of a spring on a line, ask `period_small` of its motion";
+                f.hint(node, "only joined bodies are looked for in their equilibrium", hint);
+                return None;
+            }
+            return Some((End::Equilibrium, None));
+        }
+        let (word, key, value) = self
+            .one(node, "the end: `at once`, `equilibrium`, or for example `{travel: {of: wheel, by: d}}`")?;
         if word == "turning point" {
             let body = self.body_named(value, bodies)?;
             let degree = if bodies[body].line.is_some() { Degree::Along } else { Degree::Turn };

@@ -303,7 +303,8 @@ fn problem(
     let before = faults.count();
     let mut fields = Fields::open(node, "a problem (title, data, scene, questions)", faults)?;
     let title = fields.need("title", "A wheel pulled up an incline").and_then(|n| text(n, "a title", faults));
-    let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}");
+    // A problem of constants alone has none.
+    let data_node = fields.get("data");
     let data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
         faults.at(n, told!("a problem has at most {MAX_DATA} data, this one {}", data.len()));

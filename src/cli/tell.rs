@@ -8,7 +8,7 @@ use std::io::{BufRead, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How a command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,9 +70,9 @@ impl Write for ResultStream<'_> {
 }
 
 impl Io<'_> {
-    /// A bar that shows itself only where a person watches and the work takes long.
-    pub const fn bar(&self) -> Bar {
-        Bar { watched: self.watched, bar: Mutex::new(None) }
+    /// How far work has come that takes long: a bar where a person watches, else a line now and then.
+    pub fn bar(&self) -> Bar {
+        Bar { watched: self.watched, bar: Mutex::new(None), told: Mutex::new((0, Instant::now())) }
     }
     /// A line of the result. What cannot be written is told at the end ([`ResultStream`]).
     pub fn line(&mut self, text: &str) {
@@ -152,11 +152,25 @@ pub fn booklets(formats: &[Format], folder: &Path) -> String {
 pub struct Bar {
     watched: bool,
     bar: Mutex<Option<ProgressBar>>,
+    /// What is done, and when that was told last where nobody watches.
+    told: Mutex<(u64, Instant)>,
 }
+
+/// Between two lines where nobody watches.
+const EVERY: Duration = Duration::from_secs(10);
 
 impl Progress for Bar {
     fn advance(&self, what: &str, units: u64, of: u64) {
-        let Some(mut shown) = self.bar.lock().ok().filter(|_| self.watched && of >= 200) else { return };
+        if !self.watched {
+            let Ok(mut told) = self.told.lock() else { return };
+            told.0 += units;
+            if told.1.elapsed() >= EVERY && told.0 < of {
+                told.1 = Instant::now();
+                let _ = writeln!(io::stderr(), "{what}: {} of {of}", told.0);
+            }
+            return;
+        }
+        let Some(mut shown) = self.bar.lock().ok().filter(|_| of >= 200) else { return };
         let bar = shown.get_or_insert_with(|| {
             let bar = ProgressBar::new(of).with_message(what.to_owned());
             if let Ok(style) = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {eta}") {

@@ -55,7 +55,7 @@ impl Energies {
 pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
     let view = SceneView::new(problem, variant, words, FigureLabels::Values)?;
     let scene = view.scene;
-    if scene.end == End::AtOnce || scene.formulas.found.is_some() {
+    if scene.is_still() || scene.formulas.found.is_some() {
         return None;
     }
     if scene.bodies.iter().any(|b| b.planar.is_some()) {
@@ -163,7 +163,7 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
     let plane = Plane::new(view)?;
     let laid = plane.at_end(view)?;
     if (0..scene.bodies.len()).any(|b| view.started(b).next().is_some())
-        || scene.pushes.iter().any(|p| p.turns)
+        || scene.pushes.iter().any(|p| p.turns || p.blow)
     {
         return None;
     }

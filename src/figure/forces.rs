@@ -577,7 +577,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
             forces.push(force(far, pull, (near - far).unit(), label()));
         }
     }
-    for push in view.scene.pushes.iter().filter(|p| p.at.body == body) {
+    for push in view.scene.pushes.iter().filter(|p| p.at.body == body && !p.blow) {
         let given = view.symbol(push.force_n);
         let label = if given.is_empty() { symbol::symbol("P") } else { given };
         let towards = joined::towards(view, &laid, push);
@@ -602,7 +602,19 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         let sense = if planar.clockwise { -1.0 } else { 1.0 };
         Turning { value: alpha * view.inertia(this) * sense, label }
     });
-    let couples = couples_on(view, body, planar.clockwise);
+    let mut couples = couples_on(view, body, planar.clockwise);
+    // The couples of welds, and of the drive.
+    for (j, joint) in view.scene.joints.iter().enumerate() {
+        let Some(moment) = view.solved(Quantity::Moment, Owner::Joint(j)) else { continue };
+        for (i, _) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
+            let value = if i == 0 { moment } else { -moment };
+            couples.push(Turning { value, label: symbol::magnitude(name(joint, "M"), value < 0.0) });
+        }
+    }
+    if let Some(moment) = view.solved(Quantity::Drive, Owner::Body(body)) {
+        let value = if planar.clockwise { -moment } else { moment };
+        couples.push(Turning { value, label: symbol::magnitude(symbol::symbol("M"), value < 0.0) });
+    }
     // The mass centre stands at the origin, level with the sign between the diagrams.
     let close = plane.close_up(view, body, LONG_BODY);
     let ratio = close.scale / plane.scale;

@@ -60,9 +60,13 @@ impl Plane {
         let (mut low, mut high) = (vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY));
         for (b, body) in view.scene.bodies.iter().enumerate() {
             let Some(planar) = &body.planar else { continue };
-            for along in span(view, b, planar) {
-                for laid in std::iter::once(&plane.start).chain(&plane.end) {
-                    let p = laid[b].origin + laid[b].axis * along;
+            let [from, to] = span(view, b, planar);
+            let [right, left] = aside(view, planar);
+            for (along, off) in [(from, right), (from, left), (to, right), (to, left)] {
+                for Laid { origin, axis } in
+                    std::iter::once(&plane.start).chain(&plane.end).map(|laid| laid[b])
+                {
+                    let p = origin + axis * along + axis.left() * off;
                     (low, high) = (low.inf(&p), high.sup(&p));
                 }
             }
@@ -147,8 +151,9 @@ impl Plane {
     /// A point of a body.
     pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
         let place = view.scene.planar(spot.body).and_then(|p| p.points.get(spot.point));
-        let along = place.map_or(0.0, |(_, place)| along(view, *place));
-        laid[spot.body].origin + laid[spot.body].axis * (along * self.scale)
+        let [along, aside] = place.map_or([0.0; 2], |(_, place)| place.map(|x| along(view, x)));
+        let Laid { origin, axis } = laid[spot.body];
+        origin + (axis * along + axis.left() * aside) * self.scale
     }
     /// On which side of a fixed pin its bracket stands: where no body is.
     fn bracket(&self, place: Vec2) -> Vec2 {
@@ -196,8 +201,11 @@ impl Plane {
         }
         let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * self.scale));
         let (side, on) = (axis.left() * THICK, axis * THICK);
-        board.lines(&[from - on + side, to + on + side, to + on - side, from - on - side], true, role);
-        if !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
+        let [right, left] = aside(view, planar).map(|x| axis.left() * (x * self.scale));
+        let lamina = (left - right).norm() > THICK;
+        let (left, right) = if lamina { (left, right) } else { (side, -side) };
+        board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
+        if !lamina && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
             let mass = view.kilograms(this);
             let round = match &this.inertia {
                 Some(RotaryInertia::Shape(_, r)) => view.of(*r),
@@ -212,7 +220,7 @@ impl Plane {
 /// The bodies at an angle of the leading one, m; `None` where the joints do not place them.
 fn lay(view: &SceneView, numbers: &Numbers<f64>, angle: &Half<f64>, at_start: bool) -> Option<Vec<Laid>> {
     let laid = pose::poses(view.scene, numbers, angle, at_start)?;
-    let vector = |p: pose::Point<f64>| vec2(p[0].value, p[1].value);
+    let vector = |[x, y]: [f64; 2]| vec2(x, y);
     let laid: Vec<Laid> =
         laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
     laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
@@ -234,9 +242,15 @@ fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
     };
     let centre = along(view, planar.centre);
     let ends = long.map(|l| [centre - l / 2.0, centre + l / 2.0]);
-    let points = planar.points.iter().map(|(_, p)| along(view, *p));
+    let points = planar.points.iter().map(|(_, p)| along(view, p[0]));
     let all = points.chain([centre]).chain(ends.into_iter().flatten());
     all.fold([f64::INFINITY, -f64::INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+/// From where to where a body lies beside its axis, m.
+fn aside(view: &SceneView, planar: &Planar) -> [f64; 2] {
+    let places = planar.points.iter().map(|(_, p)| along(view, p[1]));
+    places.fold([0.0; 2], |[low, high], x| [low.min(x), high.max(x)])
 }
 
 fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
@@ -424,6 +438,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
                 board.circle(plane.spot(view, &plane.start, at), 3.6, Role::Inner);
             }
         }
+        JointKind::Hinge { turned_deg: Some(_), .. } => {}
         JointKind::Hinge { one, .. } => board.circle(plane.spot(view, &plane.start, one), 3.6, Role::Inner),
         JointKind::Pin { at, .. } => {
             let place = plane.spot(view, &plane.start, at);
@@ -636,12 +651,15 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
         _ => {}
     }
     for (name, place) in &planar.points {
-        if let (Place::At(n @ Num::Datum(_)), true) = (place, this.turns)
-            && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == *n)
-            && !name.is_empty()
-        {
-            let at = origin + axis * (view.of(*n) * plane.scale);
-            dimension(board, origin, at, -out, 26.0, view.label(*n, "m"));
+        let foot = origin + axis * (along(view, place[0]) * plane.scale);
+        let point = foot + axis.left() * (along(view, place[1]) * plane.scale);
+        for (n, from, to, aside) in [(place[0], origin, foot, -out), (place[1], foot, point, axis)] {
+            if let (Place::At(n @ Num::Datum(_)), true) = (n, this.turns)
+                && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == n)
+                && !name.is_empty()
+            {
+                dimension(board, from, to, aside, 26.0, view.label(n, "m"));
+            }
         }
     }
     let middle = from.middle(to);
@@ -673,7 +691,7 @@ fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
         let tip = at + towards * 56.0;
         board.arrow(at, tip, Role::Force);
         let spots = vec![(tip, towards), (at.middle(tip), towards.left()), (at.middle(tip), towards.right())];
-        board.wish(view.label(push.force_n, "N"), spots, Role::Force);
+        board.wish(view.label(push.force_n, if push.blow { "N·s" } else { "N" }), spots, Role::Force);
     }
     for couple in &view.scene.couples {
         let clockwise = view.scene.planar(couple.body).is_some_and(|p| p.clockwise);
@@ -776,8 +794,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
             JointKind::Pin { at, place_m } => {
                 say("pin", &[("point", &called(at)), ("place", &place(place_m))])
             }
-            JointKind::Hinge { one, other } => {
-                say("hinge", &[("one", &called(one)), ("other", &called(other))])
+            JointKind::Hinge { one, other, turned_deg } => {
+                let name = if turned_deg.is_some() { "weld" } else { "hinge" };
+                say(name, &[("one", &called(one)), ("other", &called(other))])
             }
             JointKind::Guide { at, direction_deg, one_sided, .. } => {
                 let what = if one_sided { "touches" } else { "guide" };
@@ -804,8 +823,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         });
     }
     for push in &view.scene.pushes {
-        let force = say::text(view, push.force_n, "N");
-        out.push(say("force", &[("force", &force), ("point", &called(push.at))]));
+        let (name, unit) = if push.blow { ("blow", "N·s") } else { ("force", "N") };
+        let force = say::text(view, push.force_n, unit);
+        out.push(say(name, &[("force", &force), ("point", &called(push.at))]));
     }
     for strut in &view.scene.struts {
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;

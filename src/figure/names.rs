@@ -3,7 +3,7 @@
 use crate::bank::Problem;
 use crate::figure::view::SceneView;
 use crate::picture::{TextRun, symbol};
-use crate::scene::{Body, Cord, Far, Mass, RotaryInertia, Scene, Shape, Slope, Tie};
+use crate::scene::{Body, Cord, Far, Mass, Num, RotaryInertia, Scene, Shape, Slope, Tie};
 use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
@@ -85,7 +85,20 @@ pub fn tagged(symbol: &str, tag: &str) -> String {
 
 /// What stands below the symbols of each body: the number at the end of its name, its first letter if no other body has it,
 /// else its name.
-pub fn tags(scene: &Scene) -> Vec<String> {
+/// Where the symbols of all masses have something below them that tells them apart, it is that.
+pub fn tags(problem: &Problem, scene: &Scene) -> Vec<String> {
+    let below = |body: &Body| match body.mass {
+        Mass::Kilograms(Num::Datum(i)) => {
+            let (_, below) = problem.data.get(i)?.tex.split_once('_')?;
+            Some(below.trim_matches(['{', '}']).to_owned())
+        }
+        _ => None,
+    };
+    if let Some(below) = scene.bodies.iter().map(below).collect::<Option<Vec<String>>>()
+        && below.iter().enumerate().all(|(i, tag)| !below[..i].contains(tag))
+    {
+        return below;
+    }
     let short = |name: &str| {
         let number = &name[name.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
         let initial = || name.chars().next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
@@ -106,7 +119,11 @@ pub fn tags(scene: &Scene) -> Vec<String> {
 /// A quantity of a body: the first free of these symbols, with the body's tag where several bodies have one.
 pub fn of_body(view: &SceneView, body: usize, candidates: &[&str], has: impl Fn(&Body) -> bool) -> String {
     let several = view.scene.bodies.iter().filter(|b| has(b)).count() > 1;
-    let tag = if several { tags(view.scene).get(body).cloned().unwrap_or_default() } else { String::new() };
+    let tag = if several {
+        tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
+    } else {
+        String::new()
+    };
     let names: Vec<String> = candidates.iter().map(|c| tagged(c, &tag)).collect();
     free(view.problem, &names)
 }
@@ -114,8 +131,11 @@ pub fn of_body(view: &SceneView, body: usize, candidates: &[&str], has: impl Fn(
 /// Friction on a body.
 pub fn friction(view: &SceneView, body: usize) -> String {
     let contacts = view.scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
-    let tag =
-        if contacts > 1 { tags(view.scene).get(body).cloned().unwrap_or_default() } else { String::new() };
+    let tag = if contacts > 1 {
+        tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
+    } else {
+        String::new()
+    };
     free(view.problem, &[tagged("F", &tag), tagged("R", &tag), tagged("H", &tag)])
 }
 

@@ -84,6 +84,9 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
     // A condition is about a tie or about a body; what is not meant is not told.
     let (tie, body, looks) = (of_tie(scene, c.of), body(scene, c.of), looks(scene, all));
+    // Of joined bodies it is about a joint.
+    let joint =
+        scene.joints.get(c.of).map(|j| (j.name.as_str(), j.kind.spots().next().map_or(0, |s| s.body)));
     let unknown = |what: String| {
         format!(
             "whether {what} holds is not known: several ties share its force, and statics does not say how"
@@ -105,6 +108,16 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
         CheckKind::MustSlip => format!(
             "the {tie} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N"
         ),
+        CheckKind::Pressed | CheckKind::Taut if joint.is_some() => {
+            let (name, of) = joint.unwrap_or(("?", 0));
+            let what = match (c.kind, c.ok) {
+                (CheckKind::Pressed, true) => "is pressed on",
+                (CheckKind::Pressed, false) => "is not pressed on",
+                (_, true) => "pulls at the cord",
+                (_, false) => "does not pull at the cord",
+            };
+            format!("the {} {what} `{name}`: {available} N, required more than 0 N", self::body(scene, of))
+        }
         CheckKind::Pressed if c.ok => format!("the {body} is pressed on its surface with {available} N"),
         CheckKind::Pressed => format!(
             "the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"
@@ -158,6 +171,10 @@ fn reaches(scene: &Scene, c: &Check) -> String {
     let unit = scene.measure();
     let (required, available) = (figures(c.required), figures(c.available));
     let (pinned, endless) = (scene.pinned().is_some() || scene.lead().is_some(), c.available.is_infinite());
+    if scene.end == End::Equilibrium {
+        return "the end is not reached: there is no stable equilibrium in the way in which it sets off"
+            .to_owned();
+    }
     if let End::Leaves(joint) = scene.end {
         let name = &scene.joints[joint].name;
         return if c.ok {
@@ -373,6 +390,9 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::PinnedInCompany => {
             "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
         }
+        Unsupported::FrictionTurns => {
+            "friction in a guide turns about on the way, or which side of the guide the point presses on is open"
+        }
     }
 }
 
@@ -397,6 +417,11 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 ),
             })
         }
+        Refusal::Freedoms(_) if !scene.joints.is_empty() => one(
+            "the joints do not place every body on the whole way: they leave more than one freedom, or cannot meet there (a linkage \
+             locks); a motion needs one freedom, `end: at once` may have any number"
+                .to_owned(),
+        ),
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
         }

@@ -32,9 +32,9 @@ pub fn spread<R>(index: usize, radius: f64, run: impl FnOnce() -> R) -> R {
 
 /// Runs a computation and says whether a comparison in it was left open.
 pub fn watch<R>(run: impl FnOnce() -> R) -> (R, bool) {
-    DOUBT.set(false);
+    let before = DOUBT.replace(false);
     let result = run();
-    (result, DOUBT.get())
+    (result, DOUBT.replace(before))
 }
 
 /// Runs a search whose comparisons prove nothing and need no proof: a doubt within it does not count.

@@ -34,121 +34,166 @@ pub struct Unsettled {
 /// One value for each node of a panel.
 pub type PerNode<T> = Vec<T>;
 
-/// The panel from 0 to 1.
-struct Panel {
-    nodes: [Dd; NODES],
-    weights: [Dd; NODES],
+/// A panel from 0 to 1 with its nodes.
+#[derive(Debug)]
+pub struct Rule {
+    /// The nodes, as shares of it, ascending.
+    pub nodes: Vec<Dd>,
+    weights: Vec<Dd>,
     /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row.
     running: Vec<Dd>,
+    /// Legendre polynomials at the nodes, node by node.
+    legendre: Vec<Vec<Dd>>,
     /// What makes the last Legendre coefficients of the values at the nodes.
-    last: [[Dd; NODES]; LAST],
+    last: [Vec<Dd>; LAST],
     /// Weights of the interpolation between the nodes, in barycentric form.
-    between: [Dd; NODES],
+    between: Vec<Dd>,
 }
 
-/// Legendre polynomials of degree 0 to `NODES + 1` at a place from -1 to 1.
-fn legendre(x: Dd) -> [Dd; NODES + 2] {
-    let mut p = [Dd::ONE; NODES + 2];
-    p[1] = x;
-    for n in 2..NODES + 2 {
+/// Legendre polynomials of degree 0 to `last` at a place from -1 to 1.
+fn legendre<T: Real>(x: T, last: usize) -> Vec<T> {
+    let mut p = vec![T::of(1.0), x];
+    for n in 2..=last {
         let m = n as f64;
-        p[n] = (Dd::new(2.0 * m - 1.0) * x * p[n - 1] - Dd::new(m - 1.0) * p[n - 2]) / Dd::new(m);
+        p.push((T::of(2.0 * m - 1.0) * x * p[n - 1] - T::of(m - 1.0) * p[n - 2]) / T::of(m));
     }
     p
 }
 
-static PANEL: LazyLock<Panel> = LazyLock::new(|| {
-    let n = NODES as f64;
-    let half = Dd::new(0.5);
-    let mut places = [Dd::ZERO; NODES];
-    let mut panel = Panel {
-        nodes: [Dd::ZERO; NODES],
-        weights: [Dd::ZERO; NODES],
-        running: Vec::new(),
-        last: [[Dd::ZERO; NODES]; LAST],
-        between: [Dd::ZERO; NODES],
-    };
-    for (j, place) in places.iter_mut().enumerate() {
-        let mut x = Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
-        let mut slope = Dd::ONE;
-        for _ in 0..8 {
-            let p = legendre(x);
-            slope = Dd::new(n) * (x * p[NODES] - p[NODES - 1]) / (x * x - Dd::ONE);
-            x = x - p[NODES] / slope;
-        }
-        *place = x;
-        panel.nodes[j] = (x + Dd::ONE) * half;
-        panel.weights[j] = Dd::ONE / ((Dd::ONE - x * x) * slope * slope);
-        // 1 over the product of the distances from the other nodes is in proportion to 1 over the slope of the polynomial.
-        panel.between[j] = Dd::ONE / slope;
-    }
-    let values = places.map(legendre);
-    for (row, m) in panel.last.iter_mut().zip(NODES - LAST..) {
-        for (k, x) in row.iter_mut().enumerate() {
-            *x = Dd::new(2.0 * m as f64 + 1.0) * panel.weights[k] * values[k][m];
-        }
-    }
-    for at in &values {
-        for (k, other) in values.iter().enumerate() {
-            // w_k sum over m of (2m + 1) P_m(x_k) int P_m, with int P_m = (P_(m+1) - P_(m-1)) / (2m + 1); half for the panel.
-            let mut sum = at[1] + Dd::ONE;
-            for m in 1..NODES {
-                sum = sum + other[m] * (at[m + 1] - at[m - 1]);
-            }
-            panel.running.push(panel.weights[k] * sum * half);
-        }
-    }
-    panel
-});
+static SHORT: LazyLock<Rule> = LazyLock::new(|| Rule::new(NODES));
+
+/// Longer panels for what is smooth on a long way and costs much to look at: in numbers of 32 digits, and in doubles.
+static LONG: [LazyLock<Rule>; 2] = [LazyLock::new(|| Rule::new(40)), LazyLock::new(|| Rule::new(32))];
+
+/// The panel with which numbers of this type are as smooth as they can be told to be on the longest way.
+pub fn long<T: Real>() -> &'static Rule {
+    &LONG[usize::from(T::is_double())]
+}
 
 /// The nodes of a panel, as shares of it, ascending.
-pub fn nodes() -> &'static [Dd; NODES] {
-    &PANEL.nodes
+pub fn nodes() -> &'static [Dd] {
+    &SHORT.nodes
 }
-
-/// The mean over a panel of what has these values at its nodes.
+/// [`Rule::mean`] of a panel of [`NODES`] nodes.
 pub fn mean<T: Real>(values: &[T]) -> T {
-    values.iter().zip(&PANEL.weights).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
+    SHORT.mean(values)
 }
-
-/// The value at this share of a panel of the polynomial that has these values at its nodes.
-///
-/// Source: Berrut & Trefethen, *Barycentric Lagrange interpolation*, SIAM Review 46 (2004).
+/// [`Rule::at`] of a panel of [`NODES`] nodes.
 pub fn at<T: Real>(values: &[T], share: T) -> T {
-    let (mut above, mut below) = (T::zero(), T::zero());
-    for ((value, node), weight) in values.iter().zip(&PANEL.nodes).zip(&PANEL.between) {
-        let apart = share - T::constant(*node);
-        if apart.is_zero() {
-            return *value;
-        }
-        let part = T::constant(*weight) / apart;
-        (above, below) = (above + part * *value, below + part);
-    }
-    above / below
+    SHORT.at(values, share)
 }
-
 /// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
 /// rounding?
 pub fn smooth<T: Real>(values: &[T], share: f64) -> bool {
-    smooth_beside(values, share, 0.0)
+    SHORT.rough(values, share, 0.0) <= 1.0
 }
-
-/// The same where the values are added to something of this size: what is small beside it need not be smooth.
-pub fn smooth_beside<T: Real>(values: &[T], share: f64, beside: f64) -> bool {
-    let mean: f64 = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum();
-    let size = mean + beside;
-    let of = |row: &[Dd; NODES]| {
-        values.iter().zip(row).fold(T::zero(), |sum, (v, r)| sum + *v * T::constant(*r)).size()
-    };
-    // NaN is not smooth.
-    size.is_finite() && PANEL.last.iter().all(|row| of(row) <= share.max(16.0 * T::SETTLED) * size)
-}
-
-/// The integral from the start of a panel of length 1 to each node.
+/// [`Rule::running`] of a panel of [`NODES`] nodes.
 pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
-    let row =
-        |shares: &[Dd]| values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w));
-    PANEL.running.chunks_exact(NODES).map(row).collect()
+    SHORT.running(values)
+}
+
+impl Rule {
+    fn new(count: usize) -> Self {
+        let n = count as f64;
+        let half = Dd::new(0.5);
+        let mut rule = Self {
+            nodes: Vec::new(),
+            weights: Vec::new(),
+            running: Vec::new(),
+            legendre: Vec::new(),
+            last: [const { Vec::new() }; LAST],
+            between: Vec::new(),
+        };
+        for j in 0..count {
+            let mut x =
+                Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
+            let mut slope = Dd::ONE;
+            for _ in 0..8 {
+                let p = legendre(x, count);
+                slope = Dd::new(n) * (x * p[count] - p[count - 1]) / (x * x - Dd::ONE);
+                x = x - p[count] / slope;
+            }
+            rule.legendre.push(legendre(x, count + 1));
+            rule.nodes.push((x + Dd::ONE) * half);
+            rule.weights.push(Dd::ONE / ((Dd::ONE - x * x) * slope * slope));
+            // 1 over the product of the distances from the other nodes is in proportion to 1 over the slope of the polynomial.
+            rule.between.push(Dd::ONE / slope);
+        }
+        for (row, m) in rule.last.iter_mut().zip(count - LAST..) {
+            let nodes = rule.legendre.iter().zip(&rule.weights);
+            row.extend(nodes.map(|(node, weight)| Dd::new(2.0 * m as f64 + 1.0) * *weight * node[m]));
+        }
+        rule.running = rule.legendre.iter().flat_map(|at| rule.shares(at)).collect();
+        rule
+    }
+
+    /// Integrals from the start of the panel, to where these are the Legendre polynomials, of the polynomials that are 1 at a node
+    /// and 0 at the others: `w sum over m of (2m + 1) P_m(node) int P_m`, with `int P_m = (P_(m+1) - P_(m-1)) / (2m + 1)`; half for
+    /// the panel.
+    fn shares<T: Real>(&self, at: &[T]) -> PerNode<T> {
+        let of = |(node, weight): (&Vec<Dd>, &Dd)| {
+            let sum = at[1] + T::of(1.0);
+            let sum = (1..self.nodes.len())
+                .fold(sum, |sum, m| sum + T::constant(node[m]) * (at[m + 1] - at[m - 1]));
+            (T::constant(*weight) * sum).scale2(-1)
+        };
+        self.legendre.iter().zip(&self.weights).map(of).collect()
+    }
+
+    /// The mean over a panel of what has these values at its nodes.
+    pub fn mean<T: Real>(&self, values: &[T]) -> T {
+        values.iter().zip(&self.weights).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
+    }
+
+    /// The value at this share of a panel of the polynomial that has these values at its nodes.
+    ///
+    /// Source: Berrut & Trefethen, *Barycentric Lagrange interpolation*, SIAM Review 46 (2004).
+    pub fn at<T: Real>(&self, values: &[T], share: T) -> T {
+        let (mut above, mut below) = (T::zero(), T::zero());
+        for ((value, node), weight) in values.iter().zip(&self.nodes).zip(&self.between) {
+            let apart = share - T::constant(*node);
+            if apart.is_zero() {
+                return *value;
+            }
+            let part = T::constant(*weight) / apart;
+            (above, below) = (above + part * *value, below + part);
+        }
+        above / below
+    }
+
+    /// How far the last Legendre coefficients of what has these values at the nodes are above this share of its mean magnitude, as a
+    /// multiple of it, where the values are added to something of this size: what is small beside it need not be smooth. Endless for
+    /// what is not finite.
+    pub fn rough<T: Real>(&self, values: &[T], share: f64, beside: f64) -> f64 {
+        let mean: f64 = values.iter().zip(&self.weights).map(|(v, w)| v.size() * w.hi).sum();
+        let size = mean + beside;
+        let of = |row: &Vec<Dd>| {
+            values.iter().zip(row).fold(T::zero(), |sum, (v, r)| sum + *v * T::constant(*r)).size()
+        };
+        let last = self.last.iter().map(of).fold(0.0, f64::max);
+        if !size.is_finite() {
+            f64::INFINITY
+        } else if last > 0.0 {
+            last / (share.max(16.0 * T::SETTLED) * size)
+        } else {
+            0.0
+        }
+    }
+
+    /// The integral from the start of a panel of length 1 to each node.
+    pub fn running<T: Real>(&self, values: &[T]) -> PerNode<T> {
+        let row = |shares: &[Dd]| {
+            values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
+        };
+        self.running.chunks_exact(self.nodes.len()).map(row).collect()
+    }
+
+    /// The integral from the start of a panel of length 1 to this share of it of the polynomial that has these values at its nodes.
+    pub fn until<T: Real>(&self, values: &[T], share: T) -> T {
+        let at = legendre(share.scale2(1) - T::of(1.0), self.nodes.len());
+        let shares = self.shares(&at);
+        values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * w)
+    }
 }
 
 /// The integral of a function that is smooth within (a, b), to rounding.
@@ -159,7 +204,18 @@ pub fn integral<T: Real, E: From<Unsettled>>(
     a: T,
     b: T,
 ) -> Result<T, E> {
-    integral_of_terms(&mut f, (a, b), 0.0)
+    SHORT.integral(&mut f, (a, b), 0.0)
+}
+
+/// The same with longer panels.
+///
+/// Errors: those of [`integral`].
+pub fn long_integral<T: Real, E: From<Unsettled>>(
+    mut f: impl FnMut(T) -> Result<T, E>,
+    a: T,
+    b: T,
+) -> Result<T, E> {
+    long::<T>().integral(&mut f, (a, b), 0.0)
 }
 
 /// The same of a function that is a sum of terms of this magnitude: about a zero of it their rounding is no roughness.
@@ -167,13 +223,10 @@ pub fn integral<T: Real, E: From<Unsettled>>(
 /// Errors: those of [`integral`].
 pub fn integral_of_terms<T: Real, E: From<Unsettled>>(
     mut f: impl FnMut(T) -> Result<T, E>,
-    (a, b): (T, T),
+    ends: (T, T),
     terms: f64,
 ) -> Result<T, E> {
-    let rounding = 16.0 * T::SETTLED / SMOOTH * terms;
-    let whole = panel(&mut f, (a, b), rounding)?;
-    let scale = whole.size;
-    halves(&mut f, (a, b), rounding, whole, scale, (HALVINGS, &mut { PANELS }))
+    SHORT.integral(&mut f, ends, terms)
 }
 
 /// One panel.
@@ -184,45 +237,65 @@ struct Over<T> {
     smooth: bool,
 }
 
-fn panel<T: Real, E>(
-    f: &mut impl FnMut(T) -> Result<T, E>,
-    (a, b): (T, T),
-    rounding: f64,
-) -> Result<Over<T>, E> {
-    let width = b - a;
-    let mut values = [T::zero(); NODES];
-    for (value, x) in values.iter_mut().zip(&PANEL.nodes) {
-        *value = f(a + width * T::constant(*x))?;
+impl Rule {
+    fn integral<T: Real, E: From<Unsettled>>(
+        &self,
+        f: &mut impl FnMut(T) -> Result<T, E>,
+        ends: (T, T),
+        terms: f64,
+    ) -> Result<T, E> {
+        let rounding = 16.0 * T::SETTLED / SMOOTH * terms;
+        let whole = self.panel(f, ends, rounding)?;
+        let scale = whole.size;
+        self.halves(f, ends, rounding, whole, scale, (HALVINGS, &mut { PANELS }))
     }
-    let size = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum::<f64>();
-    let size = size * width.size();
-    Ok(Over { integral: mean(&values) * width, size, smooth: smooth_beside(&values, SMOOTH, rounding) })
-}
 
-fn halves<T: Real, E: From<Unsettled>>(
-    f: &mut impl FnMut(T) -> Result<T, E>,
-    (a, b): (T, T),
-    rounding: f64,
-    whole: Over<T>,
-    scale: f64,
-    (left, panels): (u32, &mut u32),
-) -> Result<T, E> {
-    if whole.smooth {
-        return Ok(whole.integral);
+    fn panel<T: Real, E>(
+        &self,
+        f: &mut impl FnMut(T) -> Result<T, E>,
+        (a, b): (T, T),
+        rounding: f64,
+    ) -> Result<Over<T>, E> {
+        let width = b - a;
+        let mut values = vec![T::zero(); self.nodes.len()];
+        for (value, x) in values.iter_mut().zip(&self.nodes) {
+            *value = f(a + width * T::constant(*x))?;
+        }
+        let size = values.iter().zip(&self.weights).map(|(v, w)| v.size() * w.hi).sum::<f64>();
+        let size = size * width.size();
+        Ok(Over {
+            integral: self.mean(&values) * width,
+            size,
+            smooth: self.rough(&values, SMOOTH, rounding) <= 1.0,
+        })
     }
-    let middle = (a + b).scale2(-1);
-    let (first, second) = (panel(f, (a, middle), rounding)?, panel(f, (middle, b), rounding)?);
-    let sum = first.integral + second.integral;
-    let scale = sized(scale, sum);
-    if settled(sum, whole.integral, scale) {
-        return Ok(sum);
+
+    fn halves<T: Real, E: From<Unsettled>>(
+        &self,
+        f: &mut impl FnMut(T) -> Result<T, E>,
+        (a, b): (T, T),
+        rounding: f64,
+        whole: Over<T>,
+        scale: f64,
+        (left, panels): (u32, &mut u32),
+    ) -> Result<T, E> {
+        if whole.smooth {
+            return Ok(whole.integral);
+        }
+        let middle = (a + b).scale2(-1);
+        let (first, second) = (self.panel(f, (a, middle), rounding)?, self.panel(f, (middle, b), rounding)?);
+        let sum = first.integral + second.integral;
+        let scale = sized(scale, sum);
+        if settled(sum, whole.integral, scale) {
+            return Ok(sum);
+        }
+        if left == 0 || *panels < 2 {
+            return Err(Unsettled { value: sum.f64(), gap: (sum - whole.integral).f64().abs() }.into());
+        }
+        *panels -= 2;
+        let first = self.halves(f, (a, middle), rounding, first, scale, (left - 1, panels))?;
+        Ok(first + self.halves(f, (middle, b), rounding, second, scale, (left - 1, panels))?)
     }
-    if left == 0 || *panels < 2 {
-        return Err(Unsettled { value: sum.f64(), gap: (sum - whole.integral).f64().abs() }.into());
-    }
-    *panels -= 2;
-    let first = halves(f, (a, middle), rounding, first, scale, (left - 1, panels))?;
-    Ok(first + halves(f, (middle, b), rounding, second, scale, (left - 1, panels))?)
 }
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits, in doubles to the rounding of a sum.

@@ -30,6 +30,63 @@ impl<T: Real> Jet<T> {
     }
 }
 
+/// A number that is followed over a variable: with its derivatives by it, or its value alone.
+pub trait Followed<T: Real>:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// A value with its first and second derivative, which are worked out only where they are kept.
+    fn with(value: T, derivatives: impl FnOnce() -> [T; 2]) -> Self;
+    /// What does not depend on the variable.
+    fn still(value: T) -> Self {
+        Self::with(value, || [T::zero(); 2])
+    }
+    /// The value.
+    fn here(self) -> T;
+    /// First and second derivative; 0 where they are not kept.
+    fn derivatives(self) -> [T; 2];
+    /// Product with a number that does not depend on the variable.
+    fn by(self, factor: T) -> Self;
+    /// Square root.
+    fn square_root(self) -> Self;
+}
+
+impl<T: Real> Followed<T> for Jet<T> {
+    fn with(value: T, derivatives: impl FnOnce() -> [T; 2]) -> Self {
+        let [first, second] = derivatives();
+        Self { value, first, second }
+    }
+    fn here(self) -> T {
+        self.value
+    }
+    fn derivatives(self) -> [T; 2] {
+        [self.first, self.second]
+    }
+    fn by(self, factor: T) -> Self {
+        self.times(factor)
+    }
+    fn square_root(self) -> Self {
+        self.root()
+    }
+}
+
+impl<T: Real> Followed<T> for T {
+    fn with(value: T, _: impl FnOnce() -> [T; 2]) -> Self {
+        value
+    }
+    fn here(self) -> T {
+        self
+    }
+    fn derivatives(self) -> [T; 2] {
+        [T::zero(); 2]
+    }
+    fn by(self, factor: T) -> Self {
+        self * factor
+    }
+    fn square_root(self) -> Self {
+        self.root()
+    }
+}
+
 impl<T: Real> Add for Jet<T> {
     type Output = Self;
     fn add(self, o: Self) -> Self {

@@ -255,65 +255,107 @@ const APART: f64 = 1.0 / (1u64 << 24) as f64;
 /// A pivot below this share of its row, 2^-20, would cost more than a few digits.
 const POOR: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// A matrix in triangular factors, for many right-hand sides.
-#[derive(Debug, Clone)]
+/// A matrix in triangular factors, for many right-hand sides. It is made again and again in the same place.
+#[derive(Debug, Clone, Default)]
 pub struct Factors<T> {
     size: usize,
-    cells: SmallVec<[T; 64]>,
-    order: SmallVec<[usize; 8]>,
+    /// The factors row by row, with the inverse of each pivot in its place.
+    cells: Vec<T>,
+    /// Which row of the matrix each one is.
+    order: SmallVec<[usize; 12]>,
 }
 
 impl<T: Real> Factors<T> {
-    /// Factors of a matrix that is given row by row; `None` where a pivot is lost beside its row: [`Linear`] may still do.
-    pub fn new(size: usize, mut cells: SmallVec<[T; 64]>) -> Option<Self> {
-        let row =
-            |cells: &[T], r: usize| cells[r * size..(r + 1) * size].iter().fold(0.0, |m, v| v.size().max(m));
-        let largest: SmallVec<[f64; 8]> = (0..size).map(|r| row(&cells, r)).collect();
-        let mut order: SmallVec<[usize; 8]> = (0..size).collect();
-        for col in 0..size {
-            let share = |place: usize| cells[order[place] * size + col].size() / largest[order[place]];
-            let best = (col..size).max_by(|a, b| share(*a).total_cmp(&share(*b)))?;
-            if share(best).is_nan() || share(best) < POOR {
-                return None;
+    /// No matrix yet.
+    pub fn none() -> Self {
+        Self { size: 0, cells: Vec::new(), order: SmallVec::new() }
+    }
+    /// Makes room for a matrix: the zeros of its cells, row by row, to be filled.
+    pub fn room(&mut self, size: usize) -> &mut [T] {
+        self.size = size;
+        self.cells.clear();
+        self.cells.resize(size * size, T::zero());
+        &mut self.cells
+    }
+    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column: [`Linear`] may still
+    /// do. Rows and columns may differ by any power of ten.
+    pub fn reduce(&mut self) -> bool {
+        let (size, cells) = (self.size, &mut self.cells[..]);
+        let mut largest: SmallVec<[f64; 12]> = smallvec![0.0; size];
+        for row in cells.chunks_exact(size) {
+            for (largest, cell) in largest.iter_mut().zip(row) {
+                *largest = if cell.size() > *largest { cell.size() } else { *largest };
             }
-            order.swap(col, best);
-            let pivot = order[col] * size;
-            for r in &order[col + 1..] {
-                let row = r * size;
-                if cells[row + col].is_zero() {
+        }
+        largest.iter_mut().for_each(|x| *x = 1.0 / *x);
+        let mut scales: SmallVec<[f64; 12]> = smallvec![0.0; size];
+        for (scale, row) in scales.iter_mut().zip(cells.chunks_exact(size)) {
+            for (share, cell) in largest.iter().zip(row).map(|(per, cell)| (cell.size() * per, cell)) {
+                *scale = if share > *scale && !cell.is_zero() { share } else { *scale };
+            }
+            *scale = 1.0 / *scale;
+        }
+        self.order.clear();
+        self.order.extend(0..size);
+        for col in 0..size {
+            let (mut best, mut most) = (col, 0.0);
+            for (place, scale) in scales.iter().enumerate().skip(col) {
+                let share = cells[place * size + col].size() * scale;
+                if share > most {
+                    (best, most) = (place, share);
+                }
+            }
+            let kept = most * largest[col] > POOR;
+            if !kept {
+                return false;
+            }
+            if best != col {
+                self.order.swap(col, best);
+                scales.swap(col, best);
+                (0..size).for_each(|c| cells.swap(col * size + c, best * size + c));
+            }
+            let (above, below) = cells.split_at_mut((col + 1) * size);
+            let pivot = &mut above[col * size + col..];
+            pivot[0] = T::of(1.0) / pivot[0];
+            for row in below.chunks_exact_mut(size) {
+                let row = &mut row[col..];
+                if row[0].is_zero() {
                     continue;
                 }
-                let factor = cells[row + col] / cells[pivot + col];
-                cells[row + col] = factor;
-                for c in col + 1..size {
-                    if !cells[pivot + c].is_zero() {
-                        cells[row + c] = cells[row + c] - factor * cells[pivot + c];
+                let factor = row[0] * pivot[0];
+                row[0] = factor;
+                for (cell, above) in row[1..].iter_mut().zip(&pivot[1..]) {
+                    if !above.is_zero() {
+                        *cell = *cell - factor * *above;
                     }
                 }
             }
         }
-        Some(Self { size, cells, order })
+        true
     }
-    /// The solution for a right-hand side.
-    pub fn solve(&self, right: &[T]) -> SmallVec<[T; 8]> {
-        let cell = |r: usize, c: usize| self.cells[self.order[r] * self.size + c];
-        let mut x: SmallVec<[T; 8]> = self.order.iter().map(|r| right[*r]).collect();
-        for r in 0..self.size {
-            for c in 0..r {
-                if !x[c].is_zero() && !cell(r, c).is_zero() {
-                    x[r] = x[r] - cell(r, c) * x[c];
-                }
+    /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
+    pub fn solve(&self, right: &mut [T]) {
+        let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
+        let less = |(sum, size): &mut (T, f64), cell: T, x: T| {
+            if !x.is_zero() && !cell.is_zero() {
+                let term = cell * x;
+                (*sum, *size) = (*sum - term, *size + term.size());
             }
+        };
+        let rows = || self.cells.chunks_exact(self.size).enumerate();
+        for (r, row) in rows() {
+            let (before, rest) = x.split_at_mut(r);
+            let own = right[self.order[r]];
+            rest[0] = (own, own.size());
+            row.iter().zip(before).for_each(|(cell, x)| less(&mut rest[0], *cell, x.0));
         }
-        for r in (0..self.size).rev() {
-            for c in r + 1..self.size {
-                if !x[c].is_zero() && !cell(r, c).is_zero() {
-                    x[r] = x[r] - cell(r, c) * x[c];
-                }
-            }
-            x[r] = x[r] / cell(r, r);
+        for (r, row) in rows().rev() {
+            let (here, after) = x.split_at_mut(r + 1);
+            let own = &mut here[r];
+            row[r + 1..].iter().zip(after).for_each(|(cell, x)| less(own, *cell, x.0));
+            own.0 = own.0.cleared(own.1) * row[r];
+            right[r] = own.0;
         }
-        x
     }
 }
 
@@ -363,13 +405,18 @@ mod tests {
     #[test]
     fn factors_solve_what_elimination_solves() {
         let rows = [[0.0, 2.0, 1.0], [4.0, 1.0, -1.0], [1.0, 0.0, 3.0]];
-        let cells = rows.iter().flatten().map(|x| Dd::new(*x)).collect();
-        let x = Factors::new(3, cells).unwrap().solve(&[7.0, 3.0, 10.0].map(Dd::new));
+        let mut factors = Factors::none();
+        let mut fill = |size: usize, cells: &[f64]| {
+            factors.room(size).iter_mut().zip(cells).for_each(|(cell, x)| *cell = Dd::new(*x));
+            factors.reduce().then_some(factors.clone())
+        };
+        let mut x = [7.0, 3.0, 10.0].map(Dd::new);
+        fill(3, rows.as_flattened()).unwrap().solve(&mut x);
         for (row, right) in rows.iter().zip([7.0, 3.0, 10.0]) {
             let sum = row.iter().zip(&x).fold(Dd::new(-right), |sum, (a, x)| sum + Dd::new(*a) * *x);
             assert!(sum.hi.abs() < 1e-29, "{x:?}");
         }
-        assert!(Factors::new(2, [1.0, 2.0, 2.0, 4.0].into_iter().collect()).is_none());
+        assert!(fill(2, &[1.0, 2.0, 2.0, 4.0]).is_none());
     }
     #[test]
     fn a_singular_system_says_so() {

@@ -24,14 +24,14 @@ pub use dd::Dd;
 pub use jet::Jet;
 pub use real::Real;
 
-/// What is computed quickly rather than finely, wrong methods and condition numbers: doubles; in a page, which is small, the numbers
-/// that it has anyway.
-#[cfg(feature = "program")]
+/// What is computed quickly rather than finely, wrong methods and condition numbers.
 pub type Fast = f64;
-/// What is computed quickly rather than finely, wrong methods and condition numbers: doubles; in a page, which is small, the numbers
-/// that it has anyway.
+/// What a key is computed with: 32 digits; in a page, which is small and judges by them alone, 16.
+#[cfg(feature = "program")]
+pub type Fine = Dd;
+/// What a key is computed with: 32 digits; in a page, which is small and judges by them alone, 16.
 #[cfg(not(feature = "program"))]
-pub type Fast = Dd;
+pub type Fine = f64;
 
 /// Unit roundoff of a double, 2^-53.
 pub const U: f64 = f64::EPSILON / 2.0;

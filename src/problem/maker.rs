@@ -356,9 +356,15 @@ impl<'p> Maker<'p> {
             let named = labels.iter().copied().chain(bounds).map(|label| label.quantity);
             let asked = Scope::only(named.chain(energies).chain(methods.quantities()));
             // A formula may need any quantity.
-            let formulas = &self.problem.cases[index].scene.formulas;
-            let all = formulas.found.is_some() || !formulas.asked.is_empty();
-            DrawPlan { methods, asked: if all { Scope::ALL } else { Scope { held: true, ..asked } } }
+            let scene = &self.problem.cases[index].scene;
+            let all = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
+            let asked = match (all, scene.lead()) {
+                (false, None) => Scope { held: true, ..asked },
+                // Of joined bodies the rest follows at once.
+                (false, Some(_)) if !asked.quantities.has(Quantity::T) => Scope::TIMELESS,
+                _ => Scope::ALL,
+            };
+            DrawPlan { methods, asked }
         })
     }
 

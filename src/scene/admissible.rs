@@ -91,11 +91,12 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
             pin_rules(pin, &mut tell);
         }
         if let Some(planar) = &b.planar {
-            for place in planar.points.iter().map(|(_, p)| p).chain([&planar.centre]) {
+            for place in planar.points.iter().flat_map(|(_, p)| p).chain([&planar.centre]) {
                 let (Place::At(x) | Place::HalfOf(x)) = place;
                 tell(*x, Finite);
             }
             planar.start_deg.iter().for_each(|angle| tell(*angle, Rule::Angle));
+            planar.driven.iter().for_each(|alpha| tell(*alpha, Finite));
             planar.origin_m.iter().flatten().for_each(|x| tell(*x, Finite));
         }
     }
@@ -159,7 +160,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         }
     }
     match scene.end {
-        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) => {}
+        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {}
         End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),
         End::Position(_, s) => tell(s, Finite),
         End::Angle(_, a) => tell(a, Rule::Angle),
@@ -170,7 +171,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
 fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
     for joint in &scene.joints {
         match joint.kind {
-            JointKind::Hinge { .. } => {}
+            JointKind::Hinge { turned_deg, .. } => turned_deg.iter().for_each(|x| tell(*x, Rule::Angle)),
             JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
                 place_m.iter().for_each(|x| tell(*x, Rule::Finite));
             }

@@ -100,7 +100,11 @@ quantities! {
     WorkCouple "work_couple" "J" Signed "work of the couples on the body";
     PowerCouple "power_couple" "W" Signed "power of the couples on the body at the end";
     Work "work" "J" Signed "work of all forces together, from the start to the end";
-    Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward";
+    Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward; of a joint its impulse at a blow";
+    Moment "moment" "N*m" Signed "couple of a weld on its first body, positive counter-clockwise";
+    Drive "drive" "N*m" Signed "couple that drives a body so that it turns as it is said to, positive with growing angle";
+    ImpulseX "impulse_x" "N*s" Signed "impulse of a pin or hinge on its first body at a blow, positive to the right";
+    ImpulseY "impulse_y" "N*s" Signed "impulse of a pin or hinge on its first body at a blow, positive up";
     AngularMomentum "angular_momentum" "kg*m^2/s" Magnitude "angular momentum about the mass centre, or about the axle or the pin, at the end, a magnitude";
     FrictionIfRolled "friction_if_rolled" "N" Directed "friction that rolling without slipping would need, positive up the incline";
     KBound "k_bound" "m" Magnitude "radius of gyration below which friction points up the incline at this pull";
@@ -144,6 +148,10 @@ impl Quantities {
     /// Is this one among them?
     pub const fn has(self, quantity: Quantity) -> bool {
         self.0 >> quantity as u32 & 1 == 1
+    }
+    /// All of them but this one.
+    pub const fn without(self, quantity: Quantity) -> Self {
+        Self(self.0 & !(1 << quantity as u32))
     }
     /// How many there can be.
     pub const fn count(self) -> usize {
@@ -279,6 +287,18 @@ impl Scene {
         let start = self.lead().and_then(|lead| self.planar(lead)?.start_deg);
         Half::of_degrees(start.map_or_else(T::zero, |start| n.get(start)))
     }
+    /// Is an instant asked, or bodies at rest, and no motion?
+    pub const fn is_still(&self) -> bool {
+        matches!(self.end, End::AtOnce | End::Equilibrium)
+    }
+    /// The angular acceleration that a drive gives the leading body.
+    pub fn driven(&self) -> Option<Num> {
+        self.planar(self.lead()?)?.driven
+    }
+    /// Does an impulse set the bodies off?
+    pub fn is_struck(&self) -> bool {
+        self.pushes.iter().any(|p| p.blow)
+    }
     /// The direction in which the leading body could drift, degrees, where it has but one smooth level guide and no force along
     /// it: from rest its mass centre then stays where it is in that direction.
     pub fn drifts(&self) -> Option<Num> {
@@ -325,7 +345,7 @@ impl Scene {
             | End::Angle(c, _)
             | End::TurningPoint(c)
             | End::Rolling(c) => c,
-            End::AtOnce | End::Leaves(_) => {
+            End::AtOnce | End::Leaves(_) | End::Equilibrium => {
                 let first =
                     || self.coordinates().next().unwrap_or(Coordinate { body: 0, degree: Degree::Along });
                 self.lead().map_or_else(first, |body| Coordinate { body, degree: Degree::Turn })

@@ -61,6 +61,8 @@ pub enum End {
     Rolling(Coordinate),
     /// When this joint, which can only push, stops pushing.
     Leaves(usize),
+    /// No motion: joined bodies at rest in the stable equilibrium toward which they set off, and small oscillations about it.
+    Equilibrium,
 }
 
 /// A declared direction of motion of the ending coordinate.

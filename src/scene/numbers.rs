@@ -98,6 +98,10 @@ impl<'a, T: Real> Numbers<'a, T> {
             | Q::PowerCouple
             | Q::Work
             | Q::Impulse
+            | Q::Drive
+            | Q::Moment
+            | Q::ImpulseX
+            | Q::ImpulseY
             | Q::AngularMomentum
             | Q::FrictionIfRolled
             | Q::KineticEnergy

@@ -1,16 +1,16 @@
 //! Bodies that move in the vertical plane otherwise than along a line or about one axle: rods in guides, hinged rods, cranks and
 //! sliders.
 //!
-//! Places are told in a frame fixed in space, x to the right and y up. A body has an axis, and its points lie on it, each told by
-//! its distance from the origin of the axis. The angle of the axis counts from one of four directions, in either sense; a turn is
+//! Places are told in a frame fixed in space, x to the right and y up. A body has an axis with its mass centre on it, and its points are
+//! told by their distances from the origin of the axis, along it and to its left. The angle of the axis counts from one of four directions, in either sense; a turn is
 //! positive as that angle grows.
 use crate::scene::{Num, Quantity};
 
 /// How a body lies in the plane and which of its points have names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planar {
-    /// Points of the axis: name, and distance from its origin.
-    pub points: Vec<(String, Place)>,
+    /// Points: name, and distance from the origin along the axis and to the left of it.
+    pub points: Vec<(String, [Place; 2])>,
     /// Place of the mass centre.
     pub centre: Place,
     /// From where the angle of the axis counts.
@@ -19,6 +19,8 @@ pub struct Planar {
     pub clockwise: bool,
     /// Angle at the start, degrees, -360 to 360; `None` where the joints give it.
     pub start_deg: Option<Num>,
+    /// The angular acceleration, rad/s^2, that a couple of its own gives it: it is driven.
+    pub driven: Option<Num>,
     /// Place of the origin of the axis at the start, m, of a body that no joint places.
     pub origin_m: Option<[Num; 2]>,
     /// Of the two ways in which the joints can place it: the one on the left of what leads to it, or on the right; see
@@ -36,7 +38,7 @@ pub enum Branch {
     Behind,
 }
 
-/// A distance along the axis of a body.
+/// A distance along the axis of a body, or to the left of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// Given, m, of either sign.
@@ -98,12 +100,14 @@ pub enum JointKind {
         /// Where it is.
         place_m: [Num; 2],
     },
-    /// A hinge: two points of two bodies stay together.
+    /// A hinge: two points of two bodies stay together; a weld, where the angle between their axes stays too.
     Hinge {
         /// The one point; the force of the hinge is told as it acts on this body.
         one: Spot,
         /// The other.
         other: Spot,
+        /// Of a weld: how far the axis of the other body is turned from that of the one, degrees counter-clockwise.
+        turned_deg: Option<Num>,
     },
     /// A straight guide, a wall, a floor: the point stays on a line. Its normal force is positive to the left of the direction.
     Guide {
@@ -163,20 +167,39 @@ impl JointKind {
     /// The forces that it takes to hold: each has a condition of its own, as the friction of a guide that rubs has not.
     pub const fn forces(&self) -> &'static [Quantity] {
         match self {
+            Self::Hinge { turned_deg: Some(_), .. } => &[Quantity::PinX, Quantity::PinY, Quantity::Moment],
             Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
             Self::Guide { .. } | Self::Contact { rolls: false, .. } => &[Quantity::Normal],
             Self::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
             Self::Cord { .. } => &[Quantity::Tension],
         }
     }
+    /// The impulses with which it answers a blow.
+    pub const fn impulses(&self) -> &'static [Quantity] {
+        match self {
+            Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::ImpulseX, Quantity::ImpulseY],
+            _ => &[Quantity::Impulse],
+        }
+    }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {
         matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { .. })
     }
+    /// Can it only push, or only pull?
+    pub const fn is_one_sided(&self) -> bool {
+        self.only_pushes() || matches!(self, Self::Cord { .. })
+    }
+    /// A point that rubs in a guide, and does the guide hold it on both sides?
+    pub const fn rubs(&self) -> Option<(Spot, bool)> {
+        match *self {
+            Self::Guide { at, one_sided, mu_k: Some(_), .. } => Some((at, !one_sided)),
+            _ => None,
+        }
+    }
     /// The points that it holds.
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
-            Self::Hinge { one, other } => (one, Some(other)),
+            Self::Hinge { one, other, .. } => (one, Some(other)),
             Self::Pin { at, .. }
             | Self::Guide { at, .. }
             | Self::Contact { at, .. }
@@ -186,19 +209,21 @@ impl JointKind {
     }
 }
 
-/// A force on a point of a body in the plane.
+/// A force on a point of a body in the plane, or a blow: an impulse at the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Push {
     /// Name, such as `P`.
     pub name: String,
     /// The point.
     pub at: Spot,
-    /// Magnitude, N, >= 0.
+    /// Magnitude, N, >= 0; of a blow N s.
     pub force_n: Num,
     /// Direction, degrees counter-clockwise from the right, or from the axis of the body.
     pub direction_deg: Num,
     /// Does its direction turn with the body?
     pub turns: bool,
+    /// Is it a blow?
+    pub blow: bool,
 }
 
 /// A spring between a point of a body and a fixed place or a point of another body. It pulls and pushes.

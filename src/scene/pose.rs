@@ -6,32 +6,49 @@
 //! another point (a circle and a line), or hinged there and to a second body that is (two circles). A wheel that rolls on a line
 //! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre.
 use crate::num::half::Half;
+use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, trig};
-use crate::scene::{Branch, JointKind, Num, Numbers, Place, Planar, Scene, Spot, Surface};
-use smallvec::SmallVec;
-use std::ops::{Add, Mul, Sub};
+use crate::scene::{
+    Branch, Coordinate, Degree, JointKind, Num, Numbers, Place, Planar, Ray, Scene, Spot, Surface,
+};
+use smallvec::{SmallVec, smallvec};
+use std::ops::{Add, Mul, Neg, Sub};
 
-/// A point of the plane, or a vector.
+/// A point of the plane with its derivatives, or a vector.
 pub type Point<T> = [Jet<T>; 2];
 
-/// Where a body is: the origin of its axis, and the direction of its axis as a unit vector.
+/// Where a body is: the origin of its axis, and the direction of its axis as a unit vector; each number with its derivatives
+/// ([`Jet`]) or alone.
 #[derive(Debug, Clone, Copy)]
-pub struct Pose<T> {
+pub struct Pose<X> {
     /// Origin of the axis, m.
-    pub origin: Point<T>,
+    pub origin: [X; 2],
     /// Direction of the axis.
-    pub axis: Point<T>,
+    pub axis: [X; 2],
 }
 
 /// One pose for each body in the plane.
-pub type Poses<T> = SmallVec<[Pose<T>; 2]>;
+pub type Poses<X> = SmallVec<[Pose<X>; 3]>;
 
-impl<T: Real> Pose<T> {
-    /// The point at this distance along the axis.
-    pub fn point(&self, along: T) -> Point<T> {
-        plus(self.origin, times(self.axis, along))
+impl<X: Copy> Pose<X> {
+    /// The point at these distances along the axis and to its left.
+    pub fn point<T: Real>(&self, at: [T; 2]) -> [X; 2]
+    where
+        X: Followed<T>,
+    {
+        plus(self.origin, from_origin(self.axis, at))
     }
+    /// With this point at this place.
+    fn through<T: Real>(axis: [X; 2], at: [T; 2], place: [X; 2]) -> Self
+    where
+        X: Followed<T>,
+    {
+        Self { origin: less(place, from_origin(axis, at)), axis }
+    }
+}
+
+impl<T: Real> Pose<Jet<T>> {
     /// Rate and second derivative of the angle of the axis, counter-clockwise positive.
     pub fn turn(&self) -> (T, T) {
         let [c, s] = self.axis;
@@ -39,27 +56,60 @@ impl<T: Real> Pose<T> {
     }
 }
 
-fn plus<T: Real>(a: Point<T>, b: Point<T>) -> Point<T> {
+fn plus<X: Copy + Add<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
-fn less<T: Real>(a: Point<T>, b: Point<T>) -> Point<T> {
+fn less<X: Copy + Sub<Output = X>>(a: [X; 2], b: [X; 2]) -> [X; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
-fn times<T: Real>(a: Point<T>, by: T) -> Point<T> {
-    a.map(|x| x.times(by))
+fn times<T: Real, X: Followed<T>>(a: [X; 2], by: T) -> [X; 2] {
+    a.map(|x| x.by(by))
 }
-fn scaled<T: Real>(a: Point<T>, by: Jet<T>) -> Point<T> {
+fn scaled<X: Copy + Mul<Output = X>>(a: [X; 2], by: X) -> [X; 2] {
     a.map(|x| x * by)
 }
-fn dot<T: Real>(a: Point<T>, b: Point<T>) -> Jet<T> {
+fn dot<X: Copy + Add<Output = X> + Mul<Output = X>>(a: [X; 2], b: [X; 2]) -> X {
     a[0] * b[0] + a[1] * b[1]
 }
+/// A vector of this length along a fixed direction.
+fn along_unit<T: Real, X: Followed<T>>(unit: [T; 2], length: X) -> [X; 2] {
+    unit.map(|u| length.by(u))
+}
+/// The component along a fixed direction.
+fn component<T: Real, X: Followed<T>>(a: [X; 2], unit: [T; 2]) -> X {
+    a[0].by(unit[0]) + a[1].by(unit[1])
+}
+/// From the origin of an axis to the point at these distances along it and to its left.
+fn from_origin<T: Real, X: Followed<T>>(axis: [X; 2], [along, aside]: [T; 2]) -> [X; 2] {
+    let along = times(axis, along);
+    if aside.is_zero() { along } else { plus(along, times(left(axis), aside)) }
+}
+/// How far one point of a body is from another, told by the distances between them along its axis and to its left.
+fn reach<T: Real>(d: [T; 2]) -> T {
+    if d[1].is_zero() { d[0] } else { (d[0].square() + d[1].square()).root() }
+}
+/// The axis of a body of which two points lie apart as [`reach`] says, along this direction.
+fn axis_of<T: Real, X: Followed<T>>(along: [X; 2], d: [T; 2]) -> [X; 2] {
+    if d[1].is_zero() {
+        return along;
+    }
+    let per = T::of(1.0) / reach(d);
+    less(times(along, d[0] * per), times(left(along), d[1] * per))
+}
+/// How far the point at these distances along an axis and to its left is from its origin, in this direction.
+fn across<T: Real, X: Followed<T>>(direction: [T; 2], axis: [X; 2], at: [T; 2]) -> X {
+    component(from_origin(axis, at), direction)
+}
+/// Do two lines never meet?
+fn parallel<T: Real>(one: [T; 2], other: [T; 2]) -> bool {
+    (one[0] * other[1] - one[1] * other[0]).size() < LEVEL
+}
 /// A vector a quarter turn to the left.
-fn left<T: Real>(a: Point<T>) -> Point<T> {
+fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
     [-a[1], a[0]]
 }
-fn fixed<T: Real>(a: [T; 2]) -> Point<T> {
-    a.map(Jet::fixed)
+fn fixed<T: Real, X: Followed<T>>(a: [T; 2]) -> [X; 2] {
+    a.map(X::still)
 }
 
 /// A distance along the axis.
@@ -70,10 +120,11 @@ pub fn along<T: Real>(n: &Numbers<T>, place: Place) -> T {
     }
 }
 
-/// Distance of a named point from the origin of its body's axis.
-pub fn of_spot<T: Real>(scene: &Scene, n: &Numbers<T>, spot: Spot) -> T {
+/// Distances of a named point from the origin of its body's axis, along it and to its left.
+pub fn of_spot<T: Real>(scene: &Scene, n: &Numbers<T>, spot: Spot) -> [T; 2] {
     let planar = scene.bodies[spot.body].planar.as_ref();
-    planar.and_then(|p| p.points.get(spot.point)).map_or_else(T::zero, |(_, place)| along(n, *place))
+    let place = planar.and_then(|p| p.points.get(spot.point));
+    place.map_or_else(|| [T::zero(); 2], |(_, place)| place.map(|x| along(n, x)))
 }
 
 /// A fixed place.
@@ -110,17 +161,27 @@ pub fn upward<T: Real>([c, s]: [T; 2]) -> f64 {
     if s.size() < LEVEL { c.sign() } else { s.sign() }
 }
 
-/// Direction of an axis at this angle, as the angle of the body counts, with its derivatives by it.
-fn axis<T: Real>(planar: &Planar, angle: &Half<T>) -> Point<T> {
-    let (s, c) = (angle.full_sine(), angle.full_cosine());
-    let u = planar.from.components();
-    let sense = if planar.clockwise { -1.0 } else { 1.0 };
-    let v = [-u[1] * sense, u[0] * sense];
-    let at = |i: usize| {
-        let value = c * T::of(u[i]) + s * T::of(v[i]);
-        Jet { value, first: c * T::of(v[i]) - s * T::of(u[i]), second: -value }
-    };
-    [at(0), at(1)]
+/// Direction of an axis at this angle, as the angle of the body counts.
+fn axis<T: Real>(planar: &Planar, angle: &Half<T>) -> [T; 2] {
+    let [c, s] = [angle.full_cosine(), angle.full_sine().signed(sense(planar))];
+    match planar.from {
+        Ray::Right => [c, s],
+        Ray::Up => [-s, c],
+        Ray::Left => [-c, -s],
+        Ray::Down => [s, -c],
+    }
+}
+/// 1 where the angle of a body counts counter-clockwise, else -1.
+const fn sense(planar: &Planar) -> f64 {
+    if planar.clockwise { -1.0 } else { 1.0 }
+}
+/// A direction with its derivatives where it turns counter-clockwise at this rate, by the leading angle, and with this derivative
+/// of it.
+fn turning<T: Real, X: Followed<T>>(direction: [T; 2], rate: T, second: T) -> [X; 2] {
+    let across = left(direction);
+    [0, 1].map(|i| {
+        X::with(direction[i], || [across[i] * rate, across[i] * second - direction[i] * rate.square()])
+    })
 }
 
 /// What places the bodies of a scene and is the same on the whole way.
@@ -138,6 +199,68 @@ pub struct Layout<'a, T: Real> {
     starts: SmallVec<[T; 4]>,
     /// The cylinder on which the leading body moves.
     arc: Option<Arc<T>>,
+    /// How the bodies are placed on the way, one after the other; `None` if the joints do not place all.
+    steps: Option<Steps<T>>,
+}
+
+/// Bodies and how each is placed.
+type Steps<T> = SmallVec<[(usize, Step<T>); 3]>;
+
+/// A place that is known: fixed, or that of a point of a body that is placed before.
+#[derive(Debug, Clone, Copy)]
+enum Known<T> {
+    Fixed([T; 2]),
+    Of(usize, [T; 2]),
+}
+
+/// A point of a body at a known place: how far along and beside its axis, and where.
+#[derive(Debug, Clone, Copy)]
+struct Held<T> {
+    at: [T; 2],
+    place: Known<T>,
+}
+
+/// A point of a body that is guided: how far along and beside its axis, a place on the line and its direction.
+#[derive(Debug, Clone, Copy)]
+struct Guided<T> {
+    at: [T; 2],
+    through: [T; 2],
+    unit: [T; 2],
+}
+
+/// A line on which a body rolls: its centre along and beside the axis, a place and the direction of the line, its radius.
+#[derive(Debug, Clone, Copy)]
+struct Track<T> {
+    joint: usize,
+    at: [T; 2],
+    through: [T; 2],
+    unit: [T; 2],
+    radius: T,
+}
+
+/// How a body is placed.
+#[derive(Debug, Clone, Copy)]
+enum Step<T> {
+    /// It leads on a cylinder, with its centre so far along and beside its axis.
+    Arc([T; 2]),
+    /// It leads and rolls on a line, from so far along it.
+    Wheel(Track<T>, T),
+    /// It leads about a point.
+    Leads(Held<T>),
+    /// It leads in two guides.
+    Slides([Guided<T>; 2]),
+    /// It leads in a guide along which nothing moves its mass centre, which is so far along its axis: from so far along the guide.
+    Drops(Guided<T>, T, T),
+    /// It is welded to a body with its axis turned so from that one's.
+    Welded(Held<T>, usize, [T; 2]),
+    /// Its axis has this direction.
+    Still(Held<T>, [T; 2]),
+    /// It rolls on a line, and its axis has this direction at the start.
+    Rolls(Held<T>, Track<T>, [T; 2]),
+    /// Another point of it is guided, on this side.
+    Rod(Held<T>, Guided<T>, f64),
+    /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
+    Pair(Held<T>, usize, Held<T>, [[T; 2]; 2], f64),
 }
 
 /// The leading body on a cylinder.
@@ -211,17 +334,18 @@ impl<'a, T: Real> Layout<'a, T> {
             pushes: scene.pushes.iter().map(|p| direction(n, p.direction_deg)).collect(),
             starts: scene.joints.iter().map(|_| T::zero()).collect(),
             arc,
+            steps: None,
         };
         if scene.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { rolls: true, .. })) {
-            let first = layout.poses(T::zero(), true)?;
+            let first: Poses<T> = layout.poses(T::zero(), true)?;
             for (j, joint) in scene.joints.iter().enumerate() {
                 if let JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } = joint.kind {
                     let centre = first[at.body].point(of_spot(scene, n, at));
-                    let from = less(centre, fixed(ground(n, through_m)));
-                    layout.starts[j] = dot(from, fixed(layout.lines[j])).value;
+                    layout.starts[j] = dot(less(centre, ground(n, through_m)), layout.lines[j]);
                 }
             }
         }
+        layout.steps = layout.planned(false);
         Some(layout)
     }
     /// The leading body's cylinder.
@@ -231,6 +355,27 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
         self.arc.map_or_else(|| T::of(1.0), |arc| arc.ratio)
+    }
+    /// Rate of the leading angle at the start: a spin is that of its body, a speed that of its mass centre, positive where the
+    /// leading angle grows. `None` where what has it does not move with that angle.
+    pub fn start_rate(&self) -> Option<T> {
+        let Some((Coordinate { body, degree }, number)) = self.scene.start_speeds().next() else {
+            return Some(T::zero());
+        };
+        let given = self.n.get(number);
+        if degree == Degree::Turn && body == self.lead {
+            return Some(given / self.ratio());
+        }
+        let (poses, planar) = (self.poses::<Jet<T>>(T::zero(), false)?, self.scene.planar(body)?);
+        let unit = match degree {
+            Degree::Turn if planar.clockwise => -poses[body].turn().0,
+            Degree::Turn => poses[body].turn().0,
+            Degree::Along => {
+                let [x, y] = poses[body].point([along(self.n, planar.centre), T::zero()]).map(|x| x.first);
+                (x.square() + y.square()).root()
+            }
+        };
+        (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
     }
     /// How a body touches the surface of a joint with its centre at this place.
     pub fn touch(&self, joint: usize, centre: [T; 2]) -> Option<Touch<T>> {
@@ -256,56 +401,179 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Where everything is when the leading angle has changed by this, radians; `None` for a body that the joints do not place.
     ///
     /// At the start, what is not placed by joints is where its data say.
-    pub fn poses(&self, way: T, at_start: bool) -> Option<Poses<T>> {
-        let mut placer = Placer { layout: self, placed: self.scene.bodies.iter().map(|_| None).collect() };
-        placer.lead(self.lead, way, at_start)?;
-        while placer.placed.iter().any(Option::is_none) {
-            let before = placer.placed.iter().flatten().count();
-            for b in 0..self.scene.bodies.len() {
-                if placer.placed[b].is_none() {
-                    placer.follow(b, at_start);
+    pub fn poses<X: Followed<T>>(&self, way: T, at_start: bool) -> Option<Poses<X>> {
+        let start;
+        let steps = if at_start {
+            start = self.planned(true);
+            &start
+        } else {
+            &self.steps
+        };
+        let none = [X::still(T::zero()); 2];
+        let mut poses: Poses<X> = smallvec![Pose { origin: none, axis: none }; self.scene.bodies.len()];
+        for (body, step) in steps.as_ref()? {
+            poses[*body] = self.place(way, step, &mut poses)?;
+        }
+        Some(poses)
+    }
+
+    /// The order in which joints place all bodies, if they do.
+    fn planned(&self, at_start: bool) -> Option<Steps<T>> {
+        let mut planner = Planner {
+            layout: self,
+            at_start,
+            placed: smallvec![false; self.scene.bodies.len()],
+            steps: Steps::new(),
+        };
+        planner.lead()?;
+        while planner.placed.contains(&false) {
+            let before = planner.steps.len();
+            for body in 0..self.scene.bodies.len() {
+                if !planner.placed[body]
+                    && let Some(step) = planner.follow(body)
+                {
+                    planner.add(body, step);
                 }
             }
-            if placer.placed.iter().flatten().count() == before {
+            if planner.steps.len() == before {
                 return None;
             }
         }
-        placer.placed.into_iter().collect()
+        Some(planner.steps)
+    }
+
+    /// The direction of the leading body's axis when it has turned by this, with the rate at which it turns.
+    fn axis<X: Followed<T>>(&self, turned: T, rate: T) -> Option<[X; 2]> {
+        let planar = self.scene.bodies[self.lead].planar.as_ref()?;
+        let direction = axis(planar, &self.start.plus(Half::of_radians(turned)));
+        Some(turning(direction, rate.signed(sense(planar)), T::zero()))
+    }
+
+    /// The pose of a body beside those that are placed before it; of a pair the second one is placed too.
+    fn place<X: Followed<T>>(&self, way: T, step: &Step<T>, poses: &mut Poses<X>) -> Option<Pose<X>> {
+        let place = |held: &Held<T>, poses: &Poses<X>| match held.place {
+            Known::Fixed(place) => fixed(place),
+            Known::Of(body, at) => poses[body].point(at),
+        };
+        let lead = || self.axis(way, T::of(1.0));
+        Some(match step {
+            Step::Arc(at) => {
+                let arc = self.arc.as_ref()?;
+                let centre = plus(fixed(arc.axis), times(lead()?, arc.apart));
+                Pose::through(self.axis(way * arc.ratio, arc.ratio)?, *at, centre)
+            }
+            Step::Wheel(track, start) => {
+                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let turned = X::with(way.signed(sense), || [T::of(sense), T::zero()]);
+                let ahead =
+                    turned.by(plant!("pose: way of a wheel on a line", -track.radius)) + X::still(*start);
+                let up = left(track.unit).map(|u| u * track.radius);
+                let centre = plus(along_unit(track.unit, ahead), fixed(plus(track.through, up)));
+                Pose::through(lead()?, track.at, centre)
+            }
+            Step::Leads(held) => Pose::through(lead()?, held.at, place(held, poses)),
+            Step::Slides([one, other]) => {
+                // origin + s axis lies on each line: two equations for the origin.
+                let axis = lead()?;
+                let row = |guide: &Guided<T>| {
+                    let normal = left(guide.unit);
+                    let far = X::still(dot(normal, guide.through));
+                    (normal, far - across(normal, axis, guide.at))
+                };
+                let ((p, a), (q, b)) = (row(one), row(other));
+                let per_area = T::of(1.0) / (p[0] * q[1] - p[1] * q[0]);
+                let origin = [a.by(q[1]) - b.by(p[1]), b.by(p[0]) - a.by(q[0])];
+                Pose { origin: times(origin, per_area), axis }
+            }
+            Step::Drops(guide, centre, start) => {
+                let axis = lead()?;
+                let across = -across(left(guide.unit), axis, guide.at);
+                let ahead = X::still(*start) - component(axis, guide.unit).by(*centre);
+                let from = plus(along_unit(guide.unit, ahead), along_unit(left(guide.unit), across));
+                Pose { origin: plus(fixed(guide.through), from), axis }
+            }
+            Step::Welded(held, to, [c, s]) => {
+                let [x, y] = poses[*to].axis;
+                let axis = [x.by(*c) - y.by(*s), x.by(*s) + y.by(*c)];
+                Pose::through(axis, held.at, place(held, poses))
+            }
+            Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
+            Step::Rolls(held, track, [c, s]) => {
+                // Its turn goes with the way of its centre.
+                let place = place(held, poses);
+                let ahead = component(less(place, fixed(track.through)), track.unit)
+                    - X::still(self.starts[track.joint]);
+                let turned = -ahead.by(T::of(1.0) / track.radius);
+                let (sine, cosine) = trig::turn(turned.here());
+                let now = [*c * cosine - *s * sine, *s * cosine + *c * sine];
+                let [rate, second] = turned.derivatives();
+                Pose::through(turning(now, rate, second), held.at, place)
+            }
+            Step::Rod(held, guide, branch) => {
+                let place = place(held, poses);
+                let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
+                let (reach, normal) = (reach(apart), left(guide.unit));
+                let across = component(less(fixed(guide.through), place), normal).by(T::of(1.0) / reach);
+                let ahead = (X::still(T::of(1.0)) - across * across).square_root();
+                let ahead = ahead.by(T::of(*branch).signed(reach.sign()));
+                let along = plus(along_unit(normal, across), along_unit(guide.unit, ahead));
+                Pose::through(axis_of(along, apart), held.at, place)
+            }
+            Step::Pair(held, other, far, [own, other_own], branch) => {
+                let (first, second) = (reach(*own), reach(*other_own));
+                let (place, far_place) = (place(held, poses), place(far, poses));
+                let apart = less(far_place, place);
+                let square = dot(apart, apart);
+                let ahead = (square + X::still(first.square() - second.square())) / square;
+                let ahead = ahead.by(T::of(0.5));
+                let across = (X::still(first.square()) / square - ahead * ahead).square_root();
+                let joint = plus(scaled(apart, ahead), scaled(left(apart), across.by(T::of(*branch))));
+                let one = axis_of(times(joint, T::of(1.0) / first), *own);
+                let two = axis_of(times(less(joint, apart), T::of(1.0) / second), *other_own);
+                poses[*other] = Pose::through(two, far.at, far_place);
+                Pose::through(one, held.at, place)
+            }
+        })
     }
 }
 
-/// A line on which a body rolls: its joint, its centre along the axis, a place and the direction of the line, its radius.
-type Track<T> = (usize, T, Point<T>, Point<T>, T);
-
-struct Placer<'l, 'a, T: Real> {
+/// Finds the order in which bodies can be placed.
+struct Planner<'l, 'a, T: Real> {
     layout: &'l Layout<'a, T>,
-    placed: SmallVec<[Option<Pose<T>>; 2]>,
+    at_start: bool,
+    placed: SmallVec<[bool; 4]>,
+    steps: Steps<T>,
 }
 
-impl<'a, T: Real> Placer<'_, 'a, T> {
+impl<'a, T: Real> Planner<'_, 'a, T> {
+    fn add(&mut self, body: usize, step: Step<T>) {
+        self.placed[body] = true;
+        if let Step::Pair(_, other, ..) = step {
+            self.placed[other] = true;
+        }
+        self.steps.push((body, step));
+    }
     fn planar(&self, body: usize) -> Option<&'a Planar> {
         self.layout.scene.bodies[body].planar.as_ref()
     }
-    /// Where a point of a body is that has a place.
-    fn known(&self, spot: Spot) -> Option<Point<T>> {
-        let pose = self.placed[spot.body]?;
-        Some(pose.point(of_spot(self.layout.scene, self.layout.n, spot)))
+    fn spot(&self, spot: Spot) -> [T; 2] {
+        of_spot(self.layout.scene, self.layout.n, spot)
     }
-    /// Points of a body that are held at a known place: how far along its axis, and where.
-    fn held(&self, body: usize) -> impl Iterator<Item = (T, Point<T>)> {
-        self.layout.scene.joints.iter().filter_map(move |joint| {
+    /// Points of a body that are held at a known place.
+    fn held(&self, body: usize) -> Option<Held<T>> {
+        self.layout.scene.joints.iter().find_map(|joint| {
+            let known = |spot: Spot| self.placed[spot.body].then(|| Known::Of(spot.body, self.spot(spot)));
             let (own, place) = match joint.kind {
-                JointKind::Pin { at, place_m } => (at, fixed(ground(self.layout.n, place_m))),
-                JointKind::Hinge { one, other } if one.body == body => (one, self.known(other)?),
-                JointKind::Hinge { one, other } if other.body == body => (other, self.known(one)?),
+                JointKind::Pin { at, place_m } => (at, Known::Fixed(ground(self.layout.n, place_m))),
+                JointKind::Hinge { one, other, .. } if one.body == body => (one, known(other)?),
+                JointKind::Hinge { one, other, .. } if other.body == body => (other, known(one)?),
                 _ => return None,
             };
-            (own.body == body).then(|| (of_spot(self.layout.scene, self.layout.n, own), place))
+            (own.body == body).then(|| Held { at: self.spot(own), place })
         })
     }
-    /// Points of a body that are guided, itself or by a slider that is hinged there: how far along its axis, a place on the line
-    /// and its direction.
-    fn guided(&self, body: usize) -> impl Iterator<Item = (T, [T; 2], [T; 2])> {
+    /// Points of a body that are guided, itself or by what is hinged there.
+    fn guided(&self, body: usize) -> impl Iterator<Item = Guided<T>> {
         let joints = self.layout.scene.joints.iter().zip(&self.layout.lines);
         joints.filter_map(move |(joint, unit)| {
             let (at, through) = match joint.kind {
@@ -317,18 +585,25 @@ impl<'a, T: Real> Placer<'_, 'a, T> {
                 }
                 _ => return None,
             };
-            let own = if at.body == body { Some(at) } else { self.slider(at.body, body) }?;
-            Some((of_spot(self.layout.scene, self.layout.n, own), through, *unit))
+            let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
+            Some(Guided { at: self.spot(own), through, unit: *unit })
         })
     }
-    /// The point of `body` that is hinged to a slider: a body that does not turn.
-    fn slider(&self, slider: usize, body: usize) -> Option<Spot> {
-        if self.layout.scene.bodies[slider].turns || self.placed[slider].is_some() {
+    /// The point of `body` that is hinged to a slider, a body that does not turn, or to a wheel at the point that is guided.
+    fn slider(&self, guided: Spot, body: usize) -> Option<Spot> {
+        if self.placed[guided.body] {
             return None;
         }
+        let slides = |spot: Spot| {
+            spot == guided || spot.body == guided.body && !self.layout.scene.bodies[spot.body].turns
+        };
         self.layout.scene.joints.iter().find_map(|joint| match joint.kind {
-            JointKind::Hinge { one, other } if one.body == body && other.body == slider => Some(one),
-            JointKind::Hinge { one, other } if other.body == body && one.body == slider => Some(other),
+            JointKind::Hinge { one, other, turned_deg: None } if one.body == body && slides(other) => {
+                Some(one)
+            }
+            JointKind::Hinge { one, other, turned_deg: None } if other.body == body && slides(one) => {
+                Some(other)
+            }
             _ => None,
         })
     }
@@ -336,168 +611,113 @@ impl<'a, T: Real> Placer<'_, 'a, T> {
     /// The line on which a body rolls.
     fn rolls(&self, body: usize) -> Option<Track<T>> {
         let layout = self.layout;
-        layout.scene.joints.iter().enumerate().find_map(|(j, joint)| match joint.kind {
+        layout.scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
             JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, rolls: true }
                 if at.body == body =>
             {
-                let through = fixed(ground(layout.n, through_m));
-                let own = of_spot(layout.scene, layout.n, at);
-                Some((j, own, through, fixed(layout.lines[j]), layout.n.get(radius_m)))
+                let through = ground(layout.n, through_m);
+                let radius = layout.n.get(radius_m);
+                Some(Track { joint, at: self.spot(at), through, unit: layout.lines[joint], radius })
             }
             _ => None,
         })
     }
 
-    fn lead(&mut self, body: usize, way: T, at_start: bool) -> Option<()> {
+    fn lead(&mut self) -> Option<()> {
+        let (layout, body) = (self.layout, self.layout.lead);
         let planar = self.planar(body)?;
-        let layout = self.layout;
-        let angle = layout.start.plus(Half::of_radians(way));
-        let sense = if planar.clockwise { -1.0 } else { 1.0 };
-        if let Some(arc) = &layout.arc {
-            let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
-            let out = axis(planar, &angle);
-            let turned = layout.start.plus(Half::of_radians(way * arc.ratio));
-            let [c, s] = axis(planar, &turned);
-            let by = |x: Jet<T>| Jet {
-                value: x.value,
-                first: x.first * arc.ratio,
-                second: x.second * arc.ratio.square(),
-            };
-            let centre = plus(fixed(arc.axis), times(out, arc.apart));
-            let axis = [by(c), by(s)];
-            let along = of_spot(layout.scene, layout.n, at);
-            self.placed[body] = Some(Pose { origin: less(centre, times(axis, along)), axis });
-            return Some(());
-        }
-        let axis = axis(planar, &angle);
-        let free = self.held(body).next().is_none();
-        if let (Some((_, along, through, unit, radius)), true) = (self.rolls(body), free) {
-            let start = planar.origin_m.map_or_else(T::zero, |place| {
-                let from = less(fixed(ground(layout.n, place)), through);
-                dot(from, unit).value
-            });
-            let turned = Jet { value: way.signed(sense), first: T::of(sense), second: T::zero() };
-            let ahead = turned.times(plant!("pose: way of a wheel on a line", -radius)) + Jet::fixed(start);
-            let centre = plus(plus(through, scaled(unit, ahead)), times(left(unit), radius));
-            self.placed[body] = Some(Pose { origin: less(centre, times(axis, along)), axis });
-            return Some(());
-        }
-        let held = self.held(body).next();
-        let mut guides = self.guided(body);
-        let origin = match (held, guides.next(), guides.next(), planar.origin_m) {
-            (Some((along, place)), ..) => less(place, times(axis, along)),
-            (None, Some(one), Some(other), _) => {
-                // origin + s axis lies on each line: two equations for the origin.
-                let row = |(along, through, direction): (T, [T; 2], [T; 2])| {
-                    let normal = left(fixed(direction));
-                    (normal, dot(normal, fixed(through)) - dot(normal, axis).times(along))
-                };
-                let ((p, a), (q, b)) = (row(one), row(other));
-                let area = p[0] * q[1] - p[1] * q[0];
-                [(a * q[1] - b * p[1]) / area, (b * p[0] - a * q[0]) / area]
-            }
-            (None, Some((along, through, direction)), None, origin)
-                if at_start || layout.scene.drifts().is_some() =>
-            {
-                // Nothing moves the mass centre along the line.
-                let centre = self::along(self.layout.n, planar.centre);
-                let unit = fixed(direction);
-                let start = origin.map_or_else(T::zero, |place| {
-                    let place = fixed(ground(self.layout.n, place));
-                    dot(less(place, fixed(through)), unit).value
-                });
-                let across = -dot(left(unit), axis).times(along);
-                let ahead = Jet::fixed(start) - dot(unit, axis).times(centre);
-                plus(fixed(through), plus(scaled(unit, ahead), scaled(left(unit), across)))
-            }
-            (None, None, _, Some(place)) if at_start => fixed(ground(self.layout.n, place)),
-            _ => return None,
+        let origin = planar.origin_m.map(|place| ground(layout.n, place));
+        let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
+        let held = self.held(body);
+        let (one, other) = {
+            let mut guides = self.guided(body);
+            (guides.next(), guides.next())
         };
-        drop(guides);
-        self.placed[body] = Some(Pose { origin, axis });
+        let step = if let Some(arc) = &layout.arc {
+            let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
+            Step::Arc(self.spot(at))
+        } else if let (Some(track), None) = (self.rolls(body), held) {
+            Step::Wheel(track, from(track.through, track.unit))
+        } else {
+            match (held, one, other, origin) {
+                (Some(held), ..) => Step::Leads(held),
+                (None, Some(one), Some(other), _) if origin.is_none() || !parallel(one.unit, other.unit) => {
+                    Step::Slides([one, other])
+                }
+                (None, Some(guide), None, _) if self.at_start || layout.scene.drifts().is_some() => {
+                    // Nothing moves the mass centre along the line.
+                    let centre = self::along(layout.n, planar.centre);
+                    Step::Drops(guide, centre, from(guide.through, guide.unit))
+                }
+                (None, _, _, Some(place)) if self.at_start => {
+                    Step::Leads(Held { at: [T::zero(); 2], place: Known::Fixed(place) })
+                }
+                _ => return None,
+            }
+        };
+        self.add(body, step);
         Some(())
     }
 
-    /// Places a body beside those that have a place, if its joints do.
-    fn follow(&mut self, body: usize, at_start: bool) -> Option<()> {
-        let planar = self.planar(body)?;
-        let branch = if planar.side == Branch::Ahead { 1.0 } else { -1.0 };
-        let held = self.held(body).next();
-        if !self.layout.scene.bodies[body].turns {
-            let (along, place) = held?;
-            let axis = fixed(planar.from.components().map(T::of));
-            self.placed[body] = Some(Pose { origin: less(place, times(axis, along)), axis });
-            return Some(());
-        }
-        if let (true, Some(start)) = (at_start, planar.start_deg) {
-            let half = Half::of_degrees(self.layout.n.get(start));
-            // What leads elsewhere moves it: its own angle is known at the start alone.
-            let axis = axis(planar, &half).map(|x| Jet::fixed(x.value));
-            let origin = match (held, planar.origin_m) {
-                (Some((along, place)), _) => less(place, times(axis, along)),
-                (None, Some(place)) => fixed(ground(self.layout.n, place)),
-                _ => return None,
-            };
-            self.placed[body] = Some(Pose { origin, axis });
-            return Some(());
-        }
-        let (along, place) = held?;
-        if let Some((joint, own, through, unit, radius)) = self.rolls(body)
-            && own.same(along)
-        {
-            // Its turn goes with the way of its centre.
-            let ahead = dot(less(place, through), unit) - Jet::fixed(self.layout.starts[joint]);
-            let turned = -ahead.times(T::of(1.0) / radius);
-            let start = planar.start_deg.map_or_else(T::zero, |x| self.layout.n.get(x));
-            let [c, s] = axis(planar, &Half::of_degrees(start)).map(|x| x.value);
-            let (sine, cosine) = trig::turn(turned.value);
-            let now = [c * cosine - s * sine, s * cosine + c * sine];
-            let by = |x: T, across: T| Jet {
-                value: x,
-                first: across * turned.first,
-                second: across * turned.second - x * turned.first.square(),
-            };
-            let axis = [by(now[0], -now[1]), by(now[1], now[0])];
-            self.placed[body] = Some(Pose { origin: less(place, times(axis, along)), axis });
-            return Some(());
-        }
-        let guided = self.guided(body).next();
-        if let Some((other, through, direction)) = guided {
-            let unit = fixed(direction);
-            let reach = other - along;
-            let across = dot(left(unit), less(fixed(through), place)).times(T::of(1.0) / reach);
-            let ahead =
-                (Jet::fixed(T::of(1.0)) - across * across).root().times(T::of(branch).signed(reach.sign()));
-            let axis = plus(scaled(left(unit), across), scaled(unit, ahead));
-            self.placed[body] = Some(Pose { origin: less(place, times(axis, along)), axis });
-            return Some(());
-        }
-        // The other rod of the pair, where both are hinged, and where that one is held.
-        let (own, other, far) = self.layout.scene.joints.iter().find_map(|joint| {
-            let JointKind::Hinge { one, other } = joint.kind else { return None };
-            let (own, other) = if one.body == body { (one, other) } else { (other, one) };
-            if own.body != body
-                || self.placed[other.body].is_some()
-                || !self.layout.scene.bodies[other.body].turns
-            {
+    /// How a body is placed that is welded to one that has a place.
+    fn welded(&self, body: usize) -> Option<Step<T>> {
+        self.layout.scene.joints.iter().find_map(|joint| {
+            let JointKind::Hinge { one, other, turned_deg: Some(turned) } = joint.kind else { return None };
+            let (own, to, sense) = if one.body == body { (one, other, -1.0) } else { (other, one, 1.0) };
+            if own.body != body || !self.placed[to.body] {
                 return None;
             }
-            Some((own, other, self.held(other.body).next()?))
-        })?;
-        let (first, second) = (
-            of_spot(self.layout.scene, self.layout.n, own) - along,
-            of_spot(self.layout.scene, self.layout.n, other) - far.0,
-        );
-        let apart = less(far.1, place);
-        let square = dot(apart, apart);
-        let ahead = (square + Jet::fixed(first.square() - second.square())) / square;
-        let ahead = ahead.times(T::of(0.5));
-        let across = (Jet::fixed(first.square()) / square - ahead * ahead).root().times(T::of(branch));
-        let joint = plus(scaled(apart, ahead), scaled(left(apart), across));
-        let one = times(joint, T::of(1.0) / first);
-        let two = times(less(joint, apart), T::of(1.0) / second);
-        self.placed[body] = Some(Pose { origin: less(place, times(one, along)), axis: one });
-        self.placed[other.body] = Some(Pose { origin: less(far.1, times(two, far.0)), axis: two });
-        Some(())
+            let [c, s] = direction(self.layout.n, turned);
+            let held = Held { at: self.spot(own), place: Known::Of(to.body, self.spot(to)) };
+            Some(Step::Welded(held, to.body, [c, s.signed(sense)]))
+        })
+    }
+
+    /// How a body is placed beside those that have a place, if its joints do.
+    fn follow(&self, body: usize) -> Option<Step<T>> {
+        let planar = self.planar(body)?;
+        let scene = self.layout.scene;
+        let branch = if planar.side == Branch::Ahead { 1.0 } else { -1.0 };
+        if let Some(step) = self.welded(body) {
+            return Some(step);
+        }
+        let held = self.held(body);
+        if !scene.bodies[body].turns {
+            return Some(Step::Still(held?, planar.from.components().map(T::of)));
+        }
+        let start = || {
+            axis(planar, &Half::of_degrees(planar.start_deg.map_or_else(T::zero, |x| self.layout.n.get(x))))
+        };
+        if self.at_start && planar.start_deg.is_some() {
+            // What leads elsewhere moves it: its own angle is known at the start alone.
+            let place = || Some(Known::Fixed(ground(self.layout.n, planar.origin_m?)));
+            let held = held.or_else(|| Some(Held { at: [T::zero(); 2], place: place()? }))?;
+            return Some(Step::Still(held, start()));
+        }
+        let held = held?;
+        if let Some(track) = self.rolls(body)
+            && track.at[0].same(held.at[0])
+            && track.at[1].same(held.at[1])
+        {
+            return Some(Step::Rolls(held, track, start()));
+        }
+        if let Some(guide) = self.guided(body).next() {
+            return Some(Step::Rod(held, guide, branch));
+        }
+        // The other rod of the pair, where both are hinged, and where that one is held.
+        scene.joints.iter().find_map(|joint| {
+            let JointKind::Hinge { one, other, turned_deg: None } = joint.kind else { return None };
+            let (own, other) = if one.body == body { (one, other) } else { (other, one) };
+            if own.body != body || self.placed[other.body] || !scene.bodies[other.body].turns {
+                return None;
+            }
+            let far = self.held(other.body)?;
+            let beyond = |spot: Spot, from: [T; 2]| {
+                let [along, aside] = self.spot(spot);
+                [along - from[0], aside - from[1]]
+            };
+            let apart = [beyond(own, held.at), beyond(other, far.at)];
+            Some(Step::Pair(held, other.body, far, apart, branch))
+        })
     }
 }

@@ -191,7 +191,7 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     }
     for joint in &mut scene.joints {
         match &mut joint.kind {
-            JointKind::Hinge { .. } => {}
+            JointKind::Hinge { turned_deg, .. } => turned_deg.iter_mut().for_each(|angle| tell(angle, "1")),
             JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
                 place_m.iter_mut().for_each(|x| tell(x, "m"));
             }
@@ -216,7 +216,7 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         }
     }
     for push in &mut scene.pushes {
-        tell(&mut push.force_n, "N");
+        tell(&mut push.force_n, if push.blow { "N*s" } else { "N" });
         tell(&mut push.direction_deg, "1");
     }
     for strut in &mut scene.struts {
@@ -247,7 +247,7 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         }
     }
     match &mut scene.end {
-        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) => {}
+        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {}
         End::Travel(c, s) | End::Position(c, s) => tell(s, if c.degree == Degree::Along { "m" } else { "1" }),
         End::Time(_, t) => tell(t, "s"),
         End::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
@@ -281,11 +281,12 @@ fn of_body(body: &mut Body, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         tell(&mut particle.y_m, "m");
     }
     if let Some(planar) = &mut body.planar {
-        for place in planar.points.iter_mut().map(|(_, p)| p).chain([&mut planar.centre]) {
+        for place in planar.points.iter_mut().flat_map(|(_, p)| p).chain([&mut planar.centre]) {
             let (Place::At(x) | Place::HalfOf(x)) = place;
             tell(x, "m");
         }
         planar.start_deg.iter_mut().for_each(|angle| tell(angle, "1"));
+        planar.driven.iter_mut().for_each(|alpha| tell(alpha, "rad/s^2"));
         planar.origin_m.iter_mut().flatten().for_each(|x| tell(x, "m"));
     }
     let Some(Pin { arm, start_deg, spring, .. }) = &mut body.pin else { return };

@@ -2,7 +2,7 @@
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
 use crate::num::{gauss, shown, trig};
-use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Rest, Span, Tie};
+use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Num, Owner, Quantity, Rest, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
@@ -32,6 +32,19 @@ pub struct CordSpring {
     pub gamma: Factors,
     /// Its force at the end.
     pub tension: SymbolId,
+}
+
+/// A given force that grows evenly with time.
+#[derive(Debug, Clone)]
+pub struct GrownForce {
+    /// Which.
+    pub source: ForceSource,
+    /// At the start, and what is added per second.
+    pub first: Expr,
+    /// See [`Self::first`].
+    pub per: Expr,
+    /// At the end.
+    pub last: SymbolId,
 }
 
 /// A reaction as it leaves the equations: from which row, and what it is there.
@@ -80,6 +93,10 @@ pub struct Account<'d, 'a> {
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
     pub last: Expr,
+    /// Forces that grow with time, and the acceleration of the lead at the start then.
+    pub grown: Vec<GrownForce>,
+    /// See [`Self::grown`].
+    pub first_rate: Option<SymbolId>,
     /// Velocity of the point of contact at the start, of a body thrown with slip.
     pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
@@ -222,6 +239,8 @@ impl<'d, 'a> Account<'d, 'a> {
             works: Vec::new(),
             spring: None,
             last: ZERO,
+            grown: Vec::new(),
+            first_rate: None,
             slip: None,
             rolled,
             known: Vec::new(),
@@ -246,12 +265,79 @@ impl<'d, 'a> Account<'d, 'a> {
             this.spring =
                 (!gamma.is_zero()).then_some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
         }
+        this.grow();
         this.effective = this.effective_mass();
         this.set_out()?;
         if let Some(pivot) = this.m.pivot.clone() {
             this.set_out_on(pivot);
         }
         Ok(this)
+    }
+
+    /// What grows with time has a symbol for its value at the end, which is that of the equations of motion.
+    fn grow(&mut self) {
+        for growth in &self.scene.growths {
+            let (source, unit) = match growth.of {
+                GivenForce::Pull(tie) => (ForceSource::Tie(tie), "N"),
+                GivenForce::Couple(couple) => (ForceSource::Couple(couple), "N m"),
+            };
+            let End::Time(_, t) = self.scene.end else { continue };
+            let Some(first) = self.m.actions.iter().find(|a| a.source == source).map(|a| a.force.clone())
+            else {
+                continue;
+            };
+            let (t, per) = (self.number(t, "t", "s"), self.number(growth.per_second, "c", "N/s"));
+            let name =
+                if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
+            let name = marked(&name, "1");
+            let last = self.page.find(&[&name], unit, &first + &per * t);
+            for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
+                action.force = last.into();
+            }
+            self.grown.push(GrownForce { source, first, per, last });
+        }
+    }
+
+    /// The end after a time under forces that grow evenly: so does the acceleration, between its first and its last value.
+    fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
+        let first = self.grown.iter().fold(self.drive.clone(), |d, g| d.put(g.last, &g.first));
+        let (names, unit) =
+            if self.straight() { (["a_0", "a_a"], "m/s^2") } else { ([r"\alpha_0", r"\alpha_a"], "rad/s^2") };
+        let start = self.page.find(&names, unit, first.over(&self.effective));
+        self.first_rate = Some(start);
+        let (a_label, v_label) =
+            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let per = self.drive.over(&self.effective);
+        self.found(a_label, a, per);
+        let end = &self.v0 + ratio(1, 2) * (start + a) * t;
+        // It may not turn back on its way: distances would not be displacements.
+        let (from, one, two) = (self.value(&self.v0), self.symbols.value(start), self.symbols.value(a));
+        let least = if one * two < 0.0 { from + 0.5 * one * self.value(t) * one / (one - two) } else { from };
+        let last = self.value(&end);
+        if !self.m.one || least * last < 0.0 || (from == 0.0 && one * last < 0.0) {
+            return beyond(Beyond::GrowingForce);
+        }
+        self.sense = last.signum();
+        let end = self.positive(&end);
+        self.found(v_label, v, end);
+        self.v = v.into();
+        let twice = number(2) * start + a;
+        self.new_way(&self.v0.clone() * t + ratio(1, 6) * twice * square(t));
+        Ok(())
+    }
+
+    /// Integral over the time of a force that may grow, times the velocity of the lead.
+    fn worked(&mut self, action: &Action) -> Result<Expr, DerivationStop> {
+        let Some(g) = self.grown.iter().find(|g| g.source == action.source).cloned() else {
+            return Ok(action.force.by(&self.s));
+        };
+        let (End::Time(_, t), Some(start)) = (self.scene.end, self.first_rate) else {
+            return beyond(Beyond::GrowingForce);
+        };
+        let (t, a) = (self.number(t, "t", "s"), self.get(self.of_lead(Quantity::A, Quantity::Alpha))?);
+        let rates = ratio(1, 24) * (number(5) * start + number(3) * a) * &t;
+        let growing = &g.per * (ratio(1, 2) * &self.v0 + rates) * square(&t);
+        Ok(&g.first * &self.s + growing)
     }
 
     /// The ratio of displacements of a pulled or sprung cord that is wound on a rolling body has a name.
@@ -688,6 +774,9 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             End::Time(_, t) => {
                 let t = self.number(t, "t", "s");
+                if !self.grown.is_empty() {
+                    return self.arrive_grown(&t, a, v);
+                }
                 accelerated(self);
                 let end = &self.v0 + a * &t;
                 let end = self.positive(&end);
@@ -713,7 +802,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.velocities_together()?;
                 accelerated(self);
             }
-            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => {
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {
                 let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
@@ -1275,12 +1364,21 @@ impl<'d, 'a> Account<'d, 'a> {
                 Ok(self.m.parts[body].mass.by(positive_first([v - before])))
             }
             Quantity::Work => match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
-                true => Ok(self.drive.by(&self.s)),
+                true if self.grown.is_empty() => Ok(self.drive.by(&self.s)),
+                true => Ok(ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))),
                 false => Ok(self.get(of_scene(Quantity::KineticEnergy))?.into()),
             },
             Quantity::WorkCouple | Quantity::PowerCouple => {
                 let couples =
                     self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+                if label.quantity == Quantity::WorkCouple && !self.grown.is_empty() {
+                    let mut all = Vec::new();
+                    for (action, _) in couples {
+                        let turn = self.m.ratio(c).times(self.m.lever(&action, c));
+                        all.push(self.worked(&action)?.by(turn));
+                    }
+                    return Ok(positive_first(all));
+                }
                 let moment = positive_first(couples.map(|(_, e)| e));
                 let rate = match label.quantity {
                     Quantity::WorkCouple => self.signed_travel(c)?,
@@ -1472,11 +1570,30 @@ impl<'d, 'a> Account<'d, 'a> {
                 let rolling = self.found_for(of_body(Quantity::FrictionIfRolled, body));
                 match rolling {
                     Some(DerivedAnswer::Value(f)) if self.m.parts[body].slips => f,
-                    _ => self.get(of_body(Quantity::Friction, body))?,
+                    _ => {
+                        let last = self.get(of_body(Quantity::Friction, body))?;
+                        self.largest_grown(last)?
+                    }
                 }
             }
         };
         Ok(self.size(most.into()) / n)
+    }
+
+    /// Of a friction that changes evenly with forces that grow, the larger one of its first and its last value.
+    fn largest_grown(&mut self, last: SymbolId) -> Result<SymbolId, DerivationStop> {
+        let Some(start) = self.first_rate else { return Ok(last) };
+        let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
+        let from = self.from(last).put(a, &start.into());
+        let first = self.grown.iter().fold(from, |f, g| f.put(g.last, &g.first));
+        if self.reactions().iter().any(|(_, f)| first.uses().contains(f)) {
+            return beyond(Beyond::GrowingForce);
+        }
+        if self.value(&first).abs() <= self.symbols.value(last).abs() {
+            return Ok(last);
+        }
+        let name = marked(self.symbols.tex(last), "0");
+        Ok(self.page.find(&[&name], "N", first))
     }
 
     /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring: it is linear in the
@@ -1643,6 +1760,10 @@ impl<'d, 'a> Account<'d, 'a> {
     fn pull(&mut self, label: Label) -> Result<Expr, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let work = label.quantity == Quantity::WorkPull;
+        if work && self.grown.iter().any(|g| g.source == action.source) {
+            let point = self.point(&action);
+            return Ok(self.worked(&action)?.by(point));
+        }
         let rate = match (self.loose(action.body), work) {
             (true, work) => self.pulled(&action, work)?,
             (false, true) => {

@@ -66,7 +66,7 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
     let several = asked.len() > 1;
     for (i, label) in asked {
         let Some(asked) = scene.formulas.asked.get(i) else { continue };
-        let from = expression(&mut page, &asked.formula, &others)?;
+        let from = expression(&mut page, &asked.formula, &|draft, term| named(draft, term, &others))?;
         let symbol = match from {
             Expr::Symbol(symbol) => symbol,
             from => {
@@ -81,11 +81,38 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
+/// A value that a formula names, and whether it is an angle in degrees.
+type Named = Result<(Expr, bool), DerivationStop>;
+
+/// What a formula of a question names.
+fn named(draft: &mut Draft, term: Term, others: &[(usize, Label, SymbolId)]) -> Named {
+    let symbol = match term {
+        Term::Given(given) => return Ok(given_as(draft, given)),
+        Term::Said(label) => match draft.found_for(label) {
+            Some(DerivedAnswer::Value(symbol)) => Ok(symbol),
+            _ => Err(label),
+        },
+        Term::Other(i, label) => {
+            let found = others.iter().find(|(o, l, _)| *o == i && *l == label);
+            found.map(|(.., symbol)| *symbol).ok_or(label)
+        }
+    };
+    symbol.map(|s| (s.into(), false)).map_err(|label| Beyond::Quantity(label.quantity).into())
+}
+
+/// A datum in a formula.
+pub fn given_as(draft: &mut Draft, given: Given) -> (Expr, bool) {
+    (draft.number(crate::scene::Num::Datum(given.datum), "x", "1"), given.degrees)
+}
+
 /// A formula of the bank in the symbols of the solution; angles outside of waves count in radians.
-fn expression(
+///
+/// # Errors
+/// Those of what it names.
+pub fn expression<V: Copy + PartialEq>(
     draft: &mut Draft,
-    formula: &Formula<Term>,
-    others: &[(usize, Label, SymbolId)],
+    formula: &Formula<V>,
+    name: &dyn Fn(&mut Draft, V) -> Named,
 ) -> Result<Expr, DerivationStop> {
     // Each with: is it an angle in degrees?
     let mut stack: Vec<(Expr, bool)> = Vec::new();
@@ -94,19 +121,7 @@ fn expression(
         match *step {
             Step::Number(x) => stack.push((written(draft, x), false)),
             Step::Pi => stack.push((draft.pi().into(), false)),
-            Step::Name(Term::Given(given)) => {
-                let degrees = given.degrees;
-                stack.push((draft.number(crate::scene::Num::Datum(given.datum), "x", "1"), degrees));
-            }
-            Step::Name(Term::Said(label)) => match draft.found_for(label) {
-                Some(DerivedAnswer::Value(symbol)) => stack.push((symbol.into(), false)),
-                _ => return Err(Beyond::Quantity(label.quantity).into()),
-            },
-            Step::Name(Term::Other(i, label)) => {
-                let found = others.iter().find(|(o, l, _)| *o == i && *l == label);
-                let Some((.., symbol)) = found else { return Err(Beyond::Quantity(label.quantity).into()) };
-                stack.push(((*symbol).into(), false));
-            }
+            Step::Name(value) => stack.push(name(draft, value)?),
             Step::Sin | Step::Cos => {
                 let (angle, _) = top(&mut stack)?;
                 stack.push((if *step == Step::Sin { sine(angle) } else { cosine(angle) }, false));

@@ -161,7 +161,8 @@ impl<'a> Draft<'a> {
             let shown = draft.symbols.shown(symbol);
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
-            let weighs = |b: &Body| b.pin.is_some() || matches!(b.mass, Mass::Weight(_));
+            let weighs =
+                |b: &Body| b.pin.is_some() || b.planar.is_some() || matches!(b.mass, Mass::Weight(_));
             let bodies = &draft.scene.bodies;
             let falls = (draft.scene.end != End::AtOnce || draft.forces_asked())
                 && !bodies.iter().all(Body::massless);

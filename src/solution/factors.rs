@@ -1,5 +1,7 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
-use crate::solution::expr::{Expr, SymbolId, ZERO, minus, power, product, reduced};
+use crate::solution::expr::{
+    Expr, Function, SymbolId, ZERO, cosine, minus, power, product, reduced, root, sine, sum,
+};
 use crate::solution::symbols::Symbols;
 
 /// `constant * over / under`; factors that occur above and below are gone.
@@ -227,6 +229,171 @@ impl Cancel for SymbolId {
 impl Cancel for Factors {
     fn factors(&self) -> Factors {
         self.clone()
+    }
+}
+
+/// A sum of products: what is equal is gathered, and products of sines and cosines are put together by the addition theorems.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sum(Vec<Factors>);
+
+/// A wave and its angle, where a factor is one of a single angle: sine or cosine.
+fn wave(factor: &Expr) -> Option<(bool, &Expr)> {
+    match factor {
+        Expr::Of(Function::Sine, angle) => Some((true, angle)),
+        Expr::Of(Function::Cosine, angle) => Some((false, angle)),
+        _ => None,
+    }
+}
+
+/// `sin a cos b - cos a sin b = sin(a - b)` and its likes, of two terms.
+fn together(one: &Factors, other: &Factors) -> Option<Factors> {
+    let common = one.shared(other);
+    let (one, other) = (one.per(&common), other.per(&common));
+    let plain = |f: &Factors| f.under.is_empty() && f.over.len() == 2;
+    let same = one.constant == other.constant;
+    let opposite = one.constant == (-other.constant.0, other.constant.1);
+    if !plain(&one) || !plain(&other) || !same && !opposite {
+        return None;
+    }
+    let waves = |f: &Factors| Some([wave(&f.over[0])?, wave(&f.over[1])?].map(|(s, a)| (s, a.clone())));
+    let [(s, a), (t, b)] = waves(&one)?;
+    let rest = waves(&other)?;
+    let turned = [(!s, a.clone()), (!t, b.clone())];
+    if rest != turned && rest != [turned[1].clone(), turned[0].clone()] {
+        return None;
+    }
+    let constant = Factors { constant: one.constant, ..Factors::one() };
+    let angle = |whole: Expr| Factors::of(&whole);
+    let found = match (s, t, same) {
+        (false, false, true) | (true, true, true) if a == b => Factors::one(),
+        (false, false, true) | (true, true, true) => angle(cosine(a - b)),
+        (true, false, true) | (false, true, true) => angle(sine(a + b)),
+        (true, false, false) => angle(sine(a - b)),
+        (false, true, false) => angle(sine(b - a)),
+        _ if a == b => return None,
+        (false, false, false) => angle(cosine(a + b)),
+        (true, true, false) => angle(cosine(a + b)).opposite(),
+    };
+    Some(common.times(constant).times(found))
+}
+
+/// What all terms have in front, their common denominator too, and the sum that is left.
+fn gathered(all: &[Factors]) -> (Factors, Expr) {
+    let [first, others @ ..] = all else { return (Factors::one(), ZERO) };
+    if others.is_empty() {
+        return (first.clone(), Expr::Number(1, 1));
+    }
+    let common = others.iter().fold(first.clone(), |common, t| common.shared(t));
+    let divisor = |a: i64, b: i64| a.abs() / reduced(a.abs(), b.abs().max(1)).0.max(1);
+    let over = all.iter().fold(0, |d, t| if d == 0 { t.constant.0.abs() } else { divisor(d, t.constant.0) });
+    let under = all.iter().fold(1, |m, t| m / divisor(m, t.constant.1) * t.constant.1);
+    let alike =
+        all.iter().all(|t| t.constant.0.abs() == first.constant.0.abs() && t.constant.1 == first.constant.1);
+    let sense = if all.iter().all(|t| t.constant.0 < 0) { -1 } else { 1 };
+    let constant = if alike || !common.is_one() { reduced(sense * over.max(1), under) } else { (1, 1) };
+    let common = Factors { constant, ..common };
+    let inner = sum(all.iter().map(|t| t.per(&common).expr()));
+    (common, inner)
+}
+
+impl Sum {
+    /// Of these terms.
+    pub fn of(terms: impl IntoIterator<Item = Factors>) -> Self {
+        let mut all: Vec<Factors> = Vec::new();
+        for mut term in terms {
+            // What is found by putting two together may go together with a third.
+            while let Some((at, both)) = all.iter().enumerate().find_map(|(at, known)| {
+                let equal = known.over == term.over && known.under == term.under
+                    || without(&known.over, &term.over).is_empty()
+                        && without(&term.over, &known.over).is_empty()
+                        && without(&known.under, &term.under).is_empty()
+                        && without(&term.under, &known.under).is_empty();
+                let both = if equal {
+                    Some(known.plus(&Factors { constant: term.constant, ..known.clone() }))
+                } else {
+                    None
+                };
+                Some((at, both.or_else(|| together(known, &term))?))
+            }) {
+                all.remove(at);
+                term = both;
+            }
+            if !term.is_zero() {
+                all.push(term);
+            }
+        }
+        Self(all)
+    }
+    /// Of a single one.
+    pub fn one(term: impl Into<Factors>) -> Self {
+        Self::of([term.into()])
+    }
+    /// Is it 0?
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+    /// Its terms.
+    pub fn terms(&self) -> &[Factors] {
+        &self.0
+    }
+    /// The sum of both.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self::of(self.0.iter().chain(&other.0).cloned())
+    }
+    /// Each term times this.
+    #[must_use]
+    pub fn times(&self, factor: impl Into<Factors>) -> Self {
+        let factor = factor.into();
+        Self::of(self.0.iter().map(|t| t.times(&factor)))
+    }
+    /// The opposite.
+    #[must_use]
+    pub fn opposite(&self) -> Self {
+        self.times(Expr::Number(-1, 1))
+    }
+    /// The product, term by term.
+    #[must_use]
+    pub fn by(&self, other: &Self) -> Self {
+        Self::of(self.0.iter().flat_map(|a| other.0.iter().map(move |b| a.times(b))))
+    }
+    /// As an expression: what is added first, what all have in front.
+    pub fn expr(&self) -> Expr {
+        let (less, more): (Vec<Factors>, Vec<Factors>) =
+            self.0.iter().cloned().partition(|t| t.constant.0 < 0);
+        let all = [more, less].concat();
+        match gathered(&all) {
+            (common, inner) if common.is_one() => inner,
+            (common, inner) => common.expr() * inner,
+        }
+    }
+    /// Its root, what is a square in front of the radical.
+    pub fn rooted(&self) -> Expr {
+        let (common, inner) = gathered(&self.0);
+        let halves = |list: &[Expr]| {
+            let mut left = list.to_vec();
+            let (mut outside, mut inside) = (Vec::new(), Vec::new());
+            while let Some(factor) = left.pop() {
+                match left.iter().position(|l| *l == factor) {
+                    Some(at) => {
+                        left.remove(at);
+                        outside.insert(0, factor);
+                    }
+                    None => inside.insert(0, factor),
+                }
+            }
+            (outside, inside)
+        };
+        let whole = |n: i64| (1..=n.abs().min(4096)).find(|i| i * i == n);
+        let (over, under) = (halves(&common.over), halves(&common.under));
+        let (constant, rest) = match (whole(common.constant.0), whole(common.constant.1)) {
+            (Some(a), Some(b)) => ((a, b), (1, 1)),
+            _ => ((1, 1), common.constant),
+        };
+        let outside = Self::one(Factors { constant, over: over.0, under: under.0 });
+        let inside = Factors { constant: rest, over: over.1, under: under.1 }.times(&inner);
+        let outside = outside.expr();
+        if inside.is_one() { outside } else { outside.by(root(inside.expr())) }
     }
 }
 

@@ -9,7 +9,7 @@
 //! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas;
 //! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
-//! A force that grows with time, and a fault, have a short page: `answers`, `given`, `beyond` with the reason.
+//! A fault has a short page: `answers`, `given`, `beyond` with the reason.
 pub mod account;
 pub mod asked;
 pub mod beware;
@@ -17,8 +17,10 @@ pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
+pub mod joined;
 pub mod narrate;
 pub mod page;
+pub mod plane;
 pub mod stop;
 pub mod symbols;
 pub mod terms;
@@ -187,13 +189,11 @@ fn made(
 
 /// All that is derived: the scene, then what is asked of it by formulas.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if !draft.scene.growths.is_empty() {
-        return Err(Beyond::GrowingForce.into());
-    }
     if draft.scene.lead().is_some() {
-        return Err(Beyond::JoinedBodies.into());
+        joined::sections(draft)?
+    } else {
+        narrate::sections(draft)?
     }
-    narrate::sections(draft)?;
     asked::not_given(draft);
     asked::answer(draft)
 }
@@ -278,6 +278,10 @@ fn said(words: &Words, word: Word) -> &str {
 
 /// The phrase for a direction along the line of a body; `None` for 0.
 pub fn way(scene: &Scene, owner: Owner, value: f64) -> Option<&'static str> {
+    // In the plane a sign is told by the question.
+    if scene.lead().is_some() {
+        return None;
+    }
     let body = match owner {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body().or(Some(0)),

@@ -1014,7 +1014,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         match self.scene.end {
             End::Time(..) if self.spring.is_some() => {}
             End::Time(..) => {
-                self.say("motion.over_time", &pieces);
+                let grown: Vec<SymbolId> = self.grown.iter().map(|g| g.last).chain(self.first_rate).collect();
+                if grown.is_empty() {
+                    self.say("motion.over_time", &pieces);
+                } else {
+                    self.say("motion.grows", &[]);
+                    self.tell(grown);
+                    self.say("motion.over_time_grows", &pieces);
+                }
                 // What comes after the acceleration.
                 let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
                 let known = self.steps[..at].iter().map(|s| s.symbol).collect();

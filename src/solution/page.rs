@@ -255,7 +255,7 @@ fn aligned(lines: &str) -> String {
 }
 
 /// Formulas side by side, as many to a line as it holds; one of several lines (`&`) stands alone.
-fn packed(formulas: impl IntoIterator<Item = String>) -> Vec<String> {
+pub fn packed(formulas: impl IntoIterator<Item = String>) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for formula in formulas {
         match lines.last_mut() {

@@ -62,7 +62,7 @@ macro_rules! beyond {
 }
 beyond! {
     GrowingForce "growing_force";
-    JoinedBodies "joined_bodies";
+    Mechanism "mechanism";
     Unfound "unfound";
 }
 

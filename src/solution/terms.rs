@@ -570,7 +570,7 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
     let scene = draft.scene;
     let g = gravity(draft);
     let mut parts = Vec::new();
-    let tags = names::tags(scene);
+    let tags = names::tags(draft.problem, scene);
     let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
     let lines = count(&|b| b.line.is_some());
     let turns = count(&|b| b.turns);
@@ -697,7 +697,8 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
         return Vec::new();
     }
     let shape = |draft: &mut Draft, mass: Factors, shape: Shape, radius: Num| {
-        let radius = Factors::of(&draft.number(radius, "R", "m"));
+        let name = if shape == Shape::Rod { tagged("L", tag) } else { "R".to_owned() };
+        let radius = Factors::of(&draft.number(radius, &name, "m"));
         Factors::of(&beta(shape)).times(&mass).times(radius.squared())
     };
     let all = match &body.inertia {

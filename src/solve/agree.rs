@@ -1,5 +1,5 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
+use crate::num::{Ball, Dd, Fast, Fine, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
@@ -52,7 +52,7 @@ pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     first_in(scene, data, Scope::ALL, |scene, data| {
         let stays = |scales: &Scales| {
             let scaled = scales.of(scene, data);
-            scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Dd>(&scene, &data)).1)
+            scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Fine>(&scene, &data)).1)
         };
         Scales::tried(scene, data).find(stays)
     })
@@ -81,11 +81,11 @@ fn first_in(
 
 /// What the first road says of what is asked, in the units of the data.
 fn alone(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
-    let road: Road<Dd> = eom::road_of(scene, data, asked)?;
+    let road: Road<Fine> = eom::road_of(scene, data, asked)?;
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
         // A zero has no sign.
-        let gone = vanishes(said.value.f64(), NOISE, said.scale);
+        let gone = vanishes(said.value.f64(), Fine::NOISE, said.scale);
         let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
         let (label, scale) = (said.label, said.scale);
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
@@ -260,7 +260,8 @@ impl Half {
     /// disagreement, or a quantity that only one road reaches.
     pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         let (course, scales) = (self.course, self.solved.scales);
-        if self.asked != Scope::ALL {
+        let whole = self.asked == Scope::ALL || scene.lead().is_some() && self.asked == Scope::TIMELESS;
+        if !whole {
             let known = std::mem::replace(self.own(), Solved::none());
             self = in_scales(scales, scene, data, |scene, data| alone(scene, data, Scope::ALL))?;
             self.solved.scales = scales;
@@ -268,8 +269,10 @@ impl Half {
                 entry.cond = known.get(entry.label).map_or(f64::NAN, |e| e.cond);
             }
         }
+        let asked = self.asked;
         let own = self.own();
-        let compared = in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course));
+        let compared =
+            in_scales(scales, scene, data, |scene, data| compared(scene, data, asked, (own, course)));
         compared.map_err(|refusal| match refusal {
             Refusal::Disagree { label, eom, energy, allowed } => {
                 let si = |x| scales.said(scene, label, x);
@@ -287,10 +290,10 @@ impl Half {
 fn compared(
     scene: &Scene,
     data: &[f64],
-    solved: &mut Solved,
-    course: condition::Kind,
+    asked: Scope,
+    (solved, course): (&mut Solved, condition::Kind),
 ) -> Result<(), Refusal> {
-    let second: Road<Dd> = energy::road(scene, data)?;
+    let second: Road<Dd> = energy::road_of(scene, data, asked)?;
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         // The roads mostly speak in the same order.
         let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));

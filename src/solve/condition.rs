@@ -5,7 +5,7 @@
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
-use crate::num::{Dd, Fast, NOISE, Real};
+use crate::num::{Fast, Fine, NOISE, Real};
 use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road, Scope};
@@ -41,7 +41,7 @@ struct Changed<T> {
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     let (mut conds, rounded) = quotients::<Fast>(scene, data, kind, entries);
     if rounded.contains(&true) {
-        let (finer, _) = quotients::<Dd>(scene, data, kind, entries);
+        let (finer, _) = quotients::<Fine>(scene, data, kind, entries);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }

@@ -4,7 +4,7 @@
 //! road stays in closed form and is the judge: a result that disagrees with it beyond both error estimates is refused.
 use crate::num::ode::{Count, FINEST, MOST_STEPS, Trouble};
 use crate::num::{Dd, Real, U};
-use crate::scene::{End, Label, Owner, Quantity, Scales, Scene};
+use crate::scene::{Label, Owner, Quantity, Scales, Scene};
 use crate::solve::method::{Method, Rung, USUAL_POINTS, USUAL_STEP_S, Way, rounding};
 use crate::solve::outcome::{Entry, Refusal, Road, Solved};
 use crate::solve::{agree, energy, eom};
@@ -77,7 +77,7 @@ const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 
 /// How the force of a scene varies.
 pub fn force(scene: &Scene) -> Force {
-    if matches!(scene.end, End::AtOnce) {
+    if scene.is_still() {
         Force::Instant
     } else if scene.lead().is_some() {
         Force::Joined

@@ -7,6 +7,7 @@ use crate::scene::{
     Coordinate, Degree, End, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Term,
 };
 use crate::solve::method::Method;
+use smallvec::SmallVec;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -476,6 +477,28 @@ pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), R
     }
 }
 
+/// The sides to which guides press that hold on both, 1 or -1 each: the one combination that `fits`. The friction of a point that
+/// rubs hangs on the size of the normal force, so its sense per normal force on the side.
+///
+/// Errors: no combination fits, or several.
+pub fn sides(
+    guides: usize,
+    mut fits: impl FnMut(&[f64]) -> Result<bool, Refusal>,
+) -> Result<SmallVec<[f64; 4]>, Refusal> {
+    let mut found = None;
+    for combination in 0..1_usize << guides {
+        let sides: SmallVec<[f64; 4]> =
+            (0..guides).map(|i| if combination >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
+        if guides == 0 || fits(&sides)? {
+            if found.is_some() {
+                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+            }
+            found = Some(sides);
+        }
+    }
+    found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))
+}
+
 impl From<Unsettled> for Refusal {
     fn from(unsettled: Unsettled) -> Self {
         Self::Unsettled(unsettled)
@@ -513,6 +536,8 @@ pub enum Unsupported {
     MovingLamina,
     /// A pinned body with another body, with ties, or with an end that belongs to a line.
     PinnedInCompany,
+    /// Friction in a guide fits no side of it or both, or turns about on the way.
+    FrictionTurns,
 }
 
 /// What one road says of one quantity.
@@ -641,6 +666,8 @@ impl Scope {
     pub fn only(quantities: impl IntoIterator<Item = Quantity>) -> Self {
         Self { quantities: quantities.into_iter().collect(), held: false }
     }
+    /// All but the time: of joined bodies it is a quadrature of its own, and no other answer hangs on it.
+    pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), held: true };
     /// Is one of these quantities asked?
     pub fn any(self, quantities: &[Quantity]) -> bool {
         quantities.iter().any(|q| self.quantities.has(*q))
@@ -665,6 +692,10 @@ impl<P: Real> Course<P> {
     pub fn at_rest() -> Self {
         let zero = P::zero();
         Self { sense: 0.0, drive: (zero, zero), asked: None, farthest: zero, reached: false }
+    }
+    /// It does not get where it is asked.
+    pub fn nowhere() -> Self {
+        Self { sense: 1.0, ..Self::at_rest() }
     }
 }
 

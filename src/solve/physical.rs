@@ -115,8 +115,12 @@ pub fn judge<P: Real>(
                 margin: if *normal > 0.0 { 1.0 } else { -1.0 },
             }),
             Held::Touching(joint, least, most) => checks.push(Check {
-                kind: CheckKind::Pressed,
-                of: scene.joints[*joint].kind.spots().next().map_or(0, |s| s.body),
+                kind: if scene.joints[*joint].kind.only_pushes() {
+                    CheckKind::Pressed
+                } else {
+                    CheckKind::Taut
+                },
+                of: *joint,
                 ok: *least > 0.0,
                 required: 0.0,
                 available: *least,

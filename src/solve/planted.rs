@@ -89,11 +89,14 @@ fn pinned_and_tied(start: f64, end: f64) -> Scene {
 fn rod(name: &str, start: Option<f64>) -> Body {
     let mut rod = body(name, None, 3.0, Some(0.31));
     rod.planar = Some(Planar {
-        points: [("A", 0.0), ("B", 1.2), ("C", 0.9)].map(|(n, x)| (n.to_owned(), Place::At(f(x)))).to_vec(),
+        points: [("A", 0.0), ("B", 1.2), ("C", 0.9)]
+            .map(|(n, x)| (n.to_owned(), [Place::At(f(x)), Place::At(f(0.0))]))
+            .to_vec(),
         centre: Place::At(f(0.55)),
         from: Ray::Right,
         clockwise: false,
         start_deg: start.map(f),
+        driven: None,
         origin_m: None,
         side: Branch::Ahead,
     });
@@ -129,6 +132,7 @@ fn guided(mu_k: Option<f64>, end: f64) -> Scene {
         force_n,
         direction_deg,
         turns,
+        blow: false,
     };
     scene.pushes = vec![push(f(3.0), f(200.0), false), push(f(2.0), f(70.0), true)];
     scene.struts.push(Strut {
@@ -151,7 +155,7 @@ fn linkage(slider: bool) -> Scene {
         last.turns = false;
     }
     let mut scene = scene(vec![rod("crank", Some(70.0)), rod("coupler", None), last], Vec::new(), 1.0);
-    let hinge = |one, other| joint(JointKind::Hinge { one, other });
+    let hinge = |one, other| joint(JointKind::Hinge { one, other, turned_deg: None });
     scene.joints = vec![
         joint(JointKind::Pin { at: spot(0, 0), place_m: [f(0.0), f(0.0)] }),
         hinge(spot(0, 2), spot(1, 0)),
@@ -191,6 +195,27 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
     let turn = Coordinate { body: 0, degree: Degree::Turn };
     scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
     scene.end = End::Angle(turn, f(end));
+    scene
+}
+
+/// The same with an impulse.
+fn struck(mut scene: Scene) -> Scene {
+    let (name, at) = ("J".to_owned(), spot(0, 1));
+    scene.pushes.push(Push { name, at, force_n: f(2.0), direction_deg: f(-40.0), turns: false, blow: true });
+    scene
+}
+
+/// A rod on a pin with a second one welded to it, that has points beside its axis.
+fn welded() -> Scene {
+    let mut scene = scene(vec![rod("one", Some(20.0)), rod("other", None)], Vec::new(), 1.0);
+    for planar in scene.bodies.iter_mut().filter_map(|b| b.planar.as_mut()) {
+        planar.points[2].1 = [Place::At(f(0.9)), Place::At(f(0.3))];
+    }
+    scene.joints = vec![
+        joint(JointKind::Pin { at: spot(0, 0), place_m: [f(0.0), f(0.0)] }),
+        joint(JointKind::Hinge { one: spot(0, 2), other: spot(1, 1), turned_deg: Some(f(70.0)) }),
+    ];
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(-30.0));
     scene
 }
 
@@ -335,6 +360,19 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("four-bar linkage", linkage(false)),
         ("slider-crank", linkage(true)),
         ("rod on a cord", hanging()),
+        ("rod on a cord, struck", struck(hanging())),
+        ("slider-crank, struck", struck(linkage(true))),
+        ("slider-crank, driven", {
+            let mut scene = linkage(true);
+            scene.bodies[0].planar.iter_mut().for_each(|p| p.driven = Some(f(2.0)));
+            scene.start.push(Start::Speed(Coordinate { body: 0, degree: Degree::Turn }, f(-3.0)));
+            scene.joints.push(guide(spot(2, 0), 0.0, Some(0.2)));
+            scene.joints.remove(3);
+            scene.end = End::AtOnce;
+            scene
+        }),
+        ("rod in two guides at rest", Scene { end: End::Equilibrium, ..guided(None, 38.0) }),
+        ("two rods welded together", welded()),
         ("wheel off its centre rolls", {
             let slope = Surface::Line { through_m: [f(0.0), f(0.0)], direction_deg: f(-10.0) };
             rolling(slope, 20.0, -5.0, -50.0)

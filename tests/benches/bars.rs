@@ -20,6 +20,7 @@ fn scene(problem: &str) -> (Scene, Vec<f64>) {
         include_str!("../../banks/wheels-on-inclines.yaml"),
         include_str!("../../banks/slip-and-roll.yaml"),
         include_str!("../../banks/pinned-bodies.yaml"),
+        include_str!("../../banks/rods-and-linkages.yaml"),
     ];
     let banks = texts.map(|t| slipstick::bank::load::scenes_only(t, "bank").expect("a bank"));
     let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == problem).expect("a problem");
@@ -30,6 +31,13 @@ fn scene(problem: &str) -> (Scene, Vec<f64>) {
 /// Bar: 2 us. Both roads with regime checks and condition numbers.
 #[divan::bench(args = ["pulled-rolling", "spring-released", "pulled-slipping", "thrown-ball", "falling-rod"])]
 fn whole_solve(bencher: Bencher, problem: &str) {
+    let (scene, data) = scene(problem);
+    bencher.bench(|| agree::solve(black_box(&scene), black_box(&data)));
+}
+
+/// Bar: 60 us. The same of joined bodies, whose ratios of velocities vary.
+#[divan::bench(args = ["sliding-ladder", "slider-crank", "four-bar-linkage"])]
+fn whole_solve_of_joined_bodies(bencher: Bencher, problem: &str) {
     let (scene, data) = scene(problem);
     bencher.bench(|| agree::solve(black_box(&scene), black_box(&data)));
 }

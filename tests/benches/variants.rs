@@ -9,6 +9,7 @@ use slipstick::words::Words;
 
 const PROBLEMS: [&str; 4] = ["kinetic-energy", "pulled-rolling", "pulled-slipping", "spring-released"];
 const EACH: u32 = 200;
+const FEW: u32 = 20;
 
 fn main() {
     divan::main();
@@ -26,6 +27,22 @@ fn draw_solve_twice_key(bencher: Bencher, id: &str) {
     let maker = Maker::new(problem, 1, "bench");
     bencher.counter(ItemsCount::new(EACH)).bench(|| {
         for student in 0..EACH {
+            let variant = maker.variant(&student.to_string()).expect("satisfiable");
+            divan::black_box(maker.key(&variant));
+        }
+    });
+}
+
+/// Joined bodies, whose ratios of velocities vary: bar 0.3 ms each.
+#[divan::bench(args = ["sliding-ladder", "slider-crank", "four-bar-linkage"])]
+fn draw_solve_twice_key_of_joined_bodies(bencher: Bencher, id: &str) {
+    let text = include_str!("../../banks/rods-and-linkages.yaml");
+    let bank =
+        slipstick::bank::load::scenes_only(text, "rods-and-linkages.yaml").expect("a bank of the project");
+    let problem = bank.problems.iter().find(|p| p.id == id).expect("a problem of the bank");
+    let maker = Maker::new(problem, 1, "bench");
+    bencher.counter(ItemsCount::new(FEW)).bench(|| {
+        for student in 0..FEW {
             let variant = maker.variant(&student.to_string()).expect("satisfiable");
             divan::black_box(maker.key(&variant));
         }

@@ -46,7 +46,8 @@ pub fn check(
             let middle = item.strip_prefix(entry.did.as_str())?.strip_suffix(entry.see.as_str())?;
             Some((i, middle.split('$').nth(1).and_then(number)?))
         });
-        let size = |x: f64| if question.label.quantity.is_magnitude() { x.abs() } else { x };
+        let scene = &problem.cases[variant.case].scene;
+        let size = |x: f64| if scene.is_magnitude(question.label) { x.abs() } else { x };
         let half = 0.5 * 10f64.powi(1 - i32::from(question.figures)) * (1.0 + 1e-9);
         let near = |printed: f64, value: f64| {
             let value = question.unit.from_si(size(value));

@@ -16,6 +16,9 @@ mod composed;
 mod english;
 mod figures;
 mod gallery;
+#[path = "../physics/joined_lot.rs"]
+#[allow(dead_code, reason = "the judge of another program reads more of a mechanism")]
+mod joined_lot;
 #[path = "../physics/composed.rs"]
 #[allow(dead_code, reason = "the judge of another program reads more of a scene")]
 mod lot;

@@ -4,7 +4,7 @@ use slipstick::bank::{Bank, checks, load};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{End, Scene};
 use slipstick::solve::agree;
-use slipstick::solve::outcome::Solved;
+use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
 use std::path::Path;
 
 fn bank() -> Bank {
@@ -427,4 +427,450 @@ fn what_grows_with_time_is_refused_by_name() {
     let found = load::scenes_only(&text, "growing.yaml").expect_err("a couple that grows");
     let told: Vec<String> = found.iter().map(ToString::to_string).collect();
     assert!(told.iter().any(|t| t.contains("no forces that grow with time")), "{told:#?}");
+}
+
+/// A scene of constants, solved on both roads: these of its quantities.
+fn told(scene: &str, names: &[&str]) -> Vec<f64> {
+    let (bank, solved) = solved(scene);
+    assert!(solved.checks.iter().all(|c| c.ok), "{scene}{:?}", solved.checks);
+    names.iter().map(|name| value(&bank.problems[0].cases[0].scene, &solved, name)).collect()
+}
+
+fn constants(scene: &str) -> Bank {
+    let scene: String = scene.trim_matches('\n').lines().map(|line| format!("      {line}\n")).collect();
+    let head = "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {}\n    scene:\n";
+    let text = format!("{head}{scene}    questions: {{q: {{value: 1*1, ask: none, unit: '1'}}}}\n");
+    load::scenes_only(&text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"))
+}
+
+fn solved(scene: &str) -> (Bank, Solved) {
+    let bank = constants(scene);
+    let solved =
+        agree::solve(&bank.problems[0].cases[0].scene, &[9.81]).unwrap_or_else(|e| panic!("{scene}{e:?}"));
+    (bank, solved)
+}
+
+fn all_near(found: &[f64], expected: &[f64], by: f64) {
+    assert_eq!(found.len(), expected.len());
+    found.iter().zip(expected).for_each(|(a, b)| near(*a, *b, by));
+}
+
+const CRATE: &str = "
+bodies:
+  crate: {mass: 50 kg, moment of inertia: 8.3 kg*m^2, moves: in the plane, angle: from up counter-clockwise,
+    placed: [0 m, 0 m], mass centre: 0.5 m, points: {A: [0 m, 0.5 m], B: [0 m, -0.5 m], P: [0.8 m, 0.5 m]}}
+joints:
+  a: {guides: crate.A, along: horizontal, pushes: up, mu_k: 0.2}
+  b: {guides: crate.B, along: horizontal, pushes: up, mu_k: 0.2}
+forces: [force: {on: crate.P, magnitude: 600 N, direction: right}]
+start: {crate: {angle: 0 deg}}
+end: at once
+";
+
+/// Hibbeler, example 17.7: a crate of 1 m is pushed at 0.8 m with 600 N, mu_k = 0.2. Its normal force acts 0.467 m from the middle.
+/// Pushed harder it tips, and the corner that would have to pull is told.
+#[test]
+fn a_crate_slides_or_tips() {
+    let (n, a): (f64, f64) = (50.0 * 9.81, (600.0 - 0.2 * 50.0 * 9.81) / 50.0);
+    let off: f64 = (600.0 * 0.3 + 0.2 * n * 0.5) / n;
+    assert!((off - 0.467).abs() < 5e-4 && (a - 10.0).abs() < 0.05);
+    let found = told(CRATE, &["a_x", "alpha", "a.normal", "b.normal", "b.friction"]);
+    all_near(&found, &[a, 0.0, n * (0.5 - off), n * (0.5 + off), -0.2 * n * (0.5 + off)], 1e-13);
+    let (_, tips) = solved(&CRATE.replace("600 N", "700 N"));
+    assert!(tips.checks.iter().any(|c| !c.ok), "{:?}", tips.checks);
+}
+
+/// Hibbeler, example 17.8: a beam of 100 kg on two parallel links at 30 degrees from the vertical, 6 rad/s; light links.
+#[test]
+fn a_beam_on_parallel_links_does_not_turn() {
+    let beam = "
+bodies:
+  left: {mass: 1e-9 kg, shape: {rod: 0.5 m}, moves: in the plane, angle: from hanging}
+  right: {mass: 1e-9 kg, shape: {rod: 0.5 m}, moves: in the plane}
+  beam: {mass: 100 kg, shape: {rod: 0.8 m}, moves: in the plane}
+joints:
+  A: {pins: left.A}
+  C: {pins: right.A, at: [0.8 m, 0 m]}
+  B: {hinges: [left.B, beam.A]}
+  D: {hinges: [right.B, beam.B]}
+start: {left: {angle: 30 deg, spin: 6 rad/s}}
+end: at once
+";
+    let tension = 50.0 * (9.81 * 30f64.to_radians().cos() + 36.0 * 0.5);
+    let names = ["left.alpha", "beam.omega", "beam.alpha", "B.pin_force", "D.pin_force"];
+    all_near(&told(beam, &names), &[-9.81, 0.0, 0.0, tension, tension], 1e-9);
+}
+
+/// A rod whose end slides in an upright slot while a wheel at its other end rolls: at 0 degrees the wheel is at rest.
+#[test]
+fn a_wheel_rolls_at_the_end_of_a_rod() {
+    let rod = "
+bodies:
+  rod: {mass: 5 kg, shape: {rod: 0.5 m}, moves: in the plane, angle: from horizontal}
+  disc: {mass: 10 kg, shape: {disc: 0.1 m}, moves: in the plane}
+joints:
+  slot: {guides: rod.B, along: vertical}
+  A: {hinges: [rod.A, disc.A]}
+  floor: {rolls: disc, radius: 0.1 m, along: horizontal, through: [0 m, -0.1 m]}
+start: {rod: {angle: 60 deg}}
+end: {angle: {of: rod, reaches: 0 deg}}
+";
+    let square = 3.0 * 9.81 * 60f64.to_radians().sin() / 0.5;
+    all_near(
+        &told(rod, &["rod.omega", "disc.v", "rod.B.v"]),
+        &[square.sqrt(), 0.0, 0.5 * square.sqrt()],
+        1e-13,
+    );
+}
+
+/// Blows: on a free rod, on a pinned one at its centre of percussion and elsewhere, and on the end of two hinged rods that lie in a line.
+#[test]
+fn bodies_are_struck() {
+    let free = "
+bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right, placed: [0 m, 0 m], points: {P: 0.2 m}}}
+forces: [impulse: {on: rod.P, magnitude: 5 N*s, direction: up}]
+start: {rod: {angle: 0 deg}}
+end: at once
+";
+    let energy = 0.5 * 2.0 * 2.5 * 2.5 + 0.5 * (2.0 / 12.0) * 81.0;
+    all_near(&told(free, &["v_y", "omega", "kinetic_energy"]), &[2.5, 9.0, energy], 1e-13);
+    let pinned = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from hanging, points: {O: 0 m, P: 0.9 m}}}
+joints: {O: {pins: rod.O}}
+forces: [impulse: {on: rod.P, magnitude: 4 N*s, direction: right}]
+start: {rod: {angle: 0 deg}}
+end: {turning point: rod}
+";
+    // I w = J h, and the pin gives m w L/2 - J; then it swings as high as its energy lets it.
+    let w: f64 = 4.0 * 0.9 / 1.44;
+    let swing = (1.0 - 1.44 * w * w / (2.0 * 3.0 * 9.81 * 0.6)).acos();
+    all_near(&told(pinned, &["O.impulse_x", "phi"]), &[3.0 * w * 0.6 - 4.0, swing], 1e-13);
+    let percussion = pinned.replace("rod: 1.2 m", "rod: 1.5 m").replace("P: 0.9 m", "P: 1 m");
+    all_near(&told(&percussion, &["O.impulse_x"]), &[0.0], 1e-13);
+    let two = "
+bodies:
+  ab: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right, placed: [0 m, 0 m]}
+  bc: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right}
+joints: {B: {hinges: [ab.B, bc.A]}}
+forces: [impulse: {on: bc.B, magnitude: 6 N*s, direction: up}]
+start: {ab: {angle: 0 deg}, bc: {angle: 0 deg}}
+end: at once
+";
+    // m w L = 3 J / 2 and 9 J / 2, and a quarter of the blow in the hinge.
+    all_near(&told(two, &["ab.omega", "bc.omega", "B.impulse_y"]), &[3.0, 9.0, -1.5], 1e-13);
+    // What would have to be pulled back by its floor is told.
+    let ladder = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from horizontal}}
+joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, wall: {guides: rod.B, along: vertical, pushes: left}}
+forces: [impulse: {on: rod.A, magnitude: 4 N*s, direction: left}]
+start: {rod: {angle: 60 deg}}
+end: at once
+";
+    assert!(solved(ladder).1.checks.iter().any(|c| !c.ok));
+}
+
+/// Small oscillations: a disc in a bowl, a rod in two slots (a pendulum of 2L/3), a bar on two springs, a wheel off its centre, two
+/// rods welded at right angles; and a block on a cylinder, which has no equilibrium to return to.
+#[test]
+fn joined_bodies_oscillate_about_their_equilibrium() {
+    let period = |square: f64| 2.0 * std::f64::consts::PI / square.sqrt();
+    for (scene, lead, square, phi) in [
+        (
+            "
+bodies: {disc: {mass: 2 kg, shape: {disc: 0.1 m}, moves: in the plane, angle: from hanging}}
+joints: {bowl: {rolls: disc, radius: 0.1 m, inside: 0.6 m}}
+start: {disc: {angle: 5 deg}}
+",
+            "",
+            9.81 / (1.5 * 0.5),
+            5.0,
+        ),
+        (
+            "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from hanging}}
+joints: {a: {guides: rod.A, along: horizontal}, b: {guides: rod.B, along: vertical}}
+start: {rod: {angle: 20 deg}}
+",
+            "",
+            9.81 * 3.0 / 4.0,
+            20.0,
+        ),
+        (
+            "
+bodies: {bar: {mass: 12 kg, shape: {rod: 2 m}, moves: in the plane, angle: from right, points: {A: 0 m, C: midway, B: its end}}}
+joints: {C: {pins: bar.C}}
+forces:
+  - spring: {name: s1, on: bar.A, to: [-1 m, -1 m], stiffness: 300 N/m, natural length: 1 m}
+  - spring: {name: s2, on: bar.B, to: [1 m, -1 m], stiffness: 300 N/m, natural length: 1 m}
+start: {bar: {angle: 10 deg}}
+",
+            "",
+            600.0 / 4.0,
+            10.0,
+        ),
+        (
+            "
+bodies: {wheel: {mass: 4 kg, radius of gyration: 0.1 m, moves: in the plane, angle: from hanging, placed: [0 m, 0 m],
+  mass centre: 0.05 m, points: {C: 0 m}}}
+joints: {floor: {rolls: wheel.C, radius: 0.2 m, along: horizontal, through: [0 m, -0.2 m]}}
+start: {wheel: {angle: 8 deg}}
+",
+            "",
+            9.81 * 0.05 / (0.01 + 0.15 * 0.15),
+            8.0,
+        ),
+        (
+            "
+bodies:
+  a: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}
+  b: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane}
+joints: {O: {pins: a.A}, W: {welds: [a.A, b.A], turned: 90 deg}}
+start: {a: {angle: 0 deg}}
+",
+            "a.",
+            6.0 * 9.81 * 0.125f64.sqrt() / 2.0,
+            45.0,
+        ),
+    ] {
+        let found = told(&format!("{scene}end: equilibrium\n"), &[&format!("{lead}period_small"), &format!("{lead}phi")]);
+        all_near(&found, &[period(square), f64::to_radians(phi)], 1e-13);
+    }
+    let block = "
+bodies: {block: {mass: 1 kg, moves: in the plane, angle: from vertical}}
+joints: {cylinder: {slides: block, outside: 2 m}}
+start: {block: {angle: 10 deg}}
+end: equilibrium
+";
+    assert!(solved(block).1.checks.iter().any(|c| !c.ok));
+}
+
+const DRIVEN: &str = "
+bodies:
+  crank: {mass: 1 kg, shape: {rod: 0.1 m}, moves: in the plane, angle: from right, points: {O: 0 m, A: its end}}
+  rod: {mass: 2 kg, shape: {rod: 0.4 m}, moves: in the plane}
+  piston: {mass: 1.5 kg, moves: in the plane}
+joints:
+  O: {pins: crank.O}
+  A: {hinges: [crank.A, rod.A]}
+  B: {hinges: [rod.B, piston]}
+  cylinder: {guides: piston, along: horizontal}
+start: {crank: {angle: 60 deg, spin: 100 rad/s, alpha: 0 rad/s^2}}
+end: at once
+";
+
+/// A crank that is driven evenly: the acceleration of the piston is that of `r cos + sqrt(L^2 - r^2 sin^2)`, and the power of the couple
+/// what kinetic energy and weights gain. A rod that is driven from rest: `M = I alpha + m g L / 2`.
+#[test]
+fn a_crank_is_driven() {
+    let (r, l, w) = (0.1f64, 0.4f64, 100.0f64);
+    let (s, c) = 60f64.to_radians().sin_cos();
+    let sine = r * s / l;
+    let cosine = (1.0 - sine * sine).sqrt();
+    let swing = r * w * c / (l * cosine);
+    let turn = (l * swing * swing * sine - r * w * w * s) / (l * cosine);
+    let a = -r * w * w * c - l * (swing * swing * cosine + turn * sine);
+    let names = [
+        "piston.a_x",
+        "piston.v_x",
+        "crank.alpha",
+        "crank.drive",
+        "rod.a_x",
+        "rod.a_y",
+        "rod.v_x",
+        "rod.v_y",
+    ];
+    let found = told(DRIVEN, &names);
+    all_near(&found[..3], &[a, -r * w * s - l * swing * sine, 0.0], 1e-13);
+    let [ax, ay, vx, vy] = found[4..] else { panic!("four") };
+    let weights = 9.81 * (1.0 * 0.5 * r * w * c + 2.0 * vy);
+    let gained = 1.5 * a * found[1] + 2.0 * (ax * vx + ay * vy) + 2.0 * l * l / 12.0 * swing * turn;
+    near(found[3] * w, gained + weights, 1e-12);
+    let rod = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from right}}
+joints: {O: {pins: rod.A}}
+start: {rod: {angle: 0 deg, alpha: 5 rad/s^2}}
+end: at once
+";
+    all_near(&told(rod, &["drive", "O.pin_y"]), &[4.0 * 5.0 + 3.0 * 9.81, 3.0 * 9.81 + 3.0 * 5.0], 1e-13);
+}
+
+/// Friction in a guide that holds on both sides is against the motion whichever side presses; past the dead centre it would turn.
+#[test]
+fn friction_in_a_guide_goes_with_the_magnitude_of_its_normal_force() {
+    let rough = DRIVEN.replace("along: horizontal}", "along: horizontal, mu_k: 0.2}");
+    for start in ["spin: 100 rad/s, alpha: 0 rad/s^2", "spin: 100 rad/s"] {
+        let scene = rough.replace("spin: 100 rad/s, alpha: 0 rad/s^2", start);
+        let found = told(&scene, &["piston.v_x", "cylinder.normal", "cylinder.friction"]);
+        assert!(found[0] < 0.0 && found[1] < 0.0, "{found:?}");
+        near(found[2], 0.2 * found[1].abs(), 1e-13);
+    }
+    let past = rough
+        .replace("angle: 60 deg, spin: 100 rad/s, alpha: 0 rad/s^2", "angle: 100 deg, spin: 20 rad/s")
+        .replace("at once", "{angle: {of: crank, reaches: 250 deg}}");
+    let bank = constants(&past);
+    let refused = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
+    assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::FrictionTurns))), "{refused:?}");
+}
+
+/// A compound pendulum of a rod and a sphere welded to its end, from level: `w^2 = 2 g (m_1 h_1 + m_2 h_2) / I`.
+#[test]
+fn a_rod_with_a_sphere_welded_to_it_swings() {
+    let pendulum = "
+bodies:
+  rod: {mass: 2 kg, shape: {rod: 0.6 m}, moves: in the plane, angle: from hanging, points: {O: 0 m, B: its end}}
+  bob: {mass: 4 kg, shape: {sphere: 0.1 m}, moves: in the plane, points: {A: -0.1 m}}
+joints: {O: {pins: rod.O}, B: {welds: [rod.B, bob.A]}}
+start: {rod: {angle: 90 deg}}
+end: {angle: {of: rod, reaches: 0 deg}}
+";
+    let inertia = 2.0 * 0.36 / 3.0 + 0.4 * 4.0 * 0.01 + 4.0 * 0.49;
+    let square: f64 = 2.0 * 9.81 * (2.0 * 0.3 + 4.0 * 0.7) / inertia;
+    let pin = 6.0 * 9.81 + square * (2.0 * 0.3 + 4.0 * 0.7);
+    all_near(
+        &told(pendulum, &["rod.omega", "bob.omega", "O.pin_y", "B.moment"]),
+        &[square.sqrt(), square.sqrt(), pin, 0.0],
+        1e-13,
+    );
+}
+
+/// A block that starts with a speed on top of a cylinder leaves it at `cos = 2/3 + v^2 / (3 g R)`.
+#[test]
+fn a_block_starts_with_a_speed_on_a_cylinder() {
+    let bank = touching(
+        "angle: from vertical",
+        "slides: body, outside: 2 m",
+        "angle: 0 deg, speed: 2 m/s",
+        "{leaves: surface}",
+    );
+    let (scene, _) = scene(&bank, "p");
+    let solved = agree::solve(scene, &[3.0, 9.81]).unwrap();
+    near(value(scene, &solved, "phi").cos(), 2.0 / 3.0 + 4.0 / (3.0 * 9.81 * 2.0), 1e-13);
+}
+
+/// A ladder that leaves its wall before the end that is asked: that is told, and no disagreement.
+#[test]
+fn a_ladder_that_leaves_its_wall_before_the_end_is_told() {
+    let (_, solved) = solved(
+        "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from horizontal}}
+joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, wall: {guides: rod.B, along: vertical, pushes: left}}
+start: {rod: {angle: 60 deg}}
+end: {angle: {of: rod, reaches: 20 deg}}
+",
+    );
+    assert!(solved.checks.iter().any(|c| !c.ok));
+}
+
+/// A rod of 2 kg and 1 m in two slots, with friction 0.3 in the level one.
+fn slots(more: &str, forces: &str, start: &str, end: &str) -> Bank {
+    let text = format!(
+        "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {{m: {{name: m, unit: kg, draw: always 2}}}}
+    scene:
+      bodies: {{rod: {{mass: m, shape: {{rod: 1 m}}, moves: in the plane, angle: from vertical}}}}
+      joints: {{floor: {{guides: rod.A, along: horizontal, mu_k: 0.3{more}}}, wall: {{guides: rod.B, along: vertical}}}}
+      forces: [{forces}]
+      start: {{rod: {{{start}}}}}
+      end: {end}
+    questions: {{alpha: {{ask: a}}}}
+"
+    );
+    load::scenes_only(&text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"))
+}
+
+/// A slot holds on both sides: where it presses the rod down, friction still holds the rod back.
+#[test]
+fn friction_in_a_slot_goes_by_the_size_of_the_normal_force() {
+    let up = "force: {on: rod.A, magnitude: 40 N, direction: up}, force: {on: rod.A, magnitude: 10 N, direction: left}";
+    for end in ["{angle: {of: rod, reaches: 60 deg}}", "at once"] {
+        let bank = slots("", up, "angle: 20 deg, spin: 2 rad/s", end);
+        let (scene, _) = scene(&bank, "p");
+        let solved = agree::solve(scene, &[2.0, 9.81]).unwrap();
+        let (normal, friction) =
+            (value(scene, &solved, "floor.normal"), value(scene, &solved, "floor.friction"));
+        assert!(normal < 0.0, "{normal}");
+        // The end A moves to the left.
+        near(friction, 0.3 * normal.abs(), 1e-15);
+    }
+}
+
+/// What slides up first and then down is not followed with the friction of the start.
+#[test]
+fn friction_that_turns_about_is_refused_by_name() {
+    let pull = "force: {on: rod.A, magnitude: 40 N, direction: left}";
+    let refused = |start: &str, end: &str| {
+        let text = slots("", pull, start, end);
+        let (scene, _) = scene(&text, "p");
+        matches!(agree::solve(scene, &[2.0, 9.81]), Err(Refusal::Unsupported(Unsupported::FrictionTurns)))
+    };
+    // At 90 degrees the end A is farthest out and turns back.
+    assert!(refused("angle: 40 deg, spin: 9 rad/s", "{angle: {of: rod, reaches: 120 deg}}"));
+    assert!(!refused("angle: 40 deg, spin: 9 rad/s", "{angle: {of: rod, reaches: 80 deg}}"));
+}
+
+/// At an instant, too, kinetic friction drives nothing, walls do not pull and cords do not push.
+#[test]
+fn an_instant_holds_only_where_its_contacts_do() {
+    let holds = |bank: &Bank| {
+        let (scene, _) = scene(bank, "p");
+        agree::solve(scene, &[2.0, 9.81]).unwrap().all_hold()
+    };
+    // Friction holds a steep rod at rest: tan 20 deg < 2 mu.
+    assert!(!holds(&slots(", pushes: up", "", "angle: 20 deg", "at once")));
+    assert!(holds(&slots(", pushes: up", "", "angle: 50 deg", "at once")));
+    // Pulled up by more than its weight, it does not press on the floor.
+    let up = "force: {on: rod.A, magnitude: 60 N, direction: up}";
+    assert!(!holds(&slots(", pushes: up", up, "angle: 50 deg, spin: 1 rad/s", "at once")));
+    let cord = |force: &str| {
+        let text = format!(
+            "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {{m: {{name: m, unit: kg, draw: always 2}}}}
+    scene:
+      bodies: {{rod: {{mass: m, shape: {{rod: 1 m}}, moves: in the plane, angle: from right, placed: [0 m, 0 m]}}}}
+      joints: {{cord: {{ties: rod.A, to: [0 m, 1 m]}}}}
+      forces: [force: {{on: rod.B, magnitude: {force}, direction: down}}]
+      start: {{rod: {{angle: 0 deg}}}}
+      end: at once
+    questions: {{alpha: {{ask: a}}}}
+"
+        );
+        load::scenes_only(&text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"))
+    };
+    // m g / 4 + T of a cut cord, less half of what presses the far end down.
+    assert!(holds(&cord("9 N")));
+    assert!(!holds(&cord("11 N")));
+}
+
+/// A ladder that stands, held at its foot: the friction that it needs is the level force there. A beam on two supports.
+#[test]
+fn what_is_held_has_the_forces_of_statics() {
+    let ladder = "
+bodies: {ladder: {mass: 10 kg, shape: {rod: 3 m}, moves: in the plane, angle: from horizontal}}
+joints:
+  floor: {pins: ladder.A}
+  wall: {guides: ladder.B, along: vertical, through: [1.5 m, 0 m], pushes: left}
+start: {ladder: {angle: 60 deg}}
+end: at once
+";
+    let push = 5.0 * 9.81 / 60f64.to_radians().tan();
+    all_near(&told(ladder, &["floor.pin_x", "floor.pin_y", "wall.normal"]), &[push, 98.1, push], 1e-13);
+    let beam = "
+bodies: {beam: {mass: 10 kg, shape: {rod: 4 m}, moves: in the plane, angle: from right, points: {A: 0 m, B: 3 m, P: 4 m}}}
+joints: {A: {pins: beam.A}, B: {guides: beam.B, along: horizontal, pushes: up}}
+forces: [force: {on: beam.P, magnitude: 60 N, direction: down}]
+start: {beam: {angle: 0 deg}}
+end: at once
+";
+    let b = (98.1 * 2.0 + 60.0 * 4.0) / 3.0;
+    all_near(&told(beam, &["A.pin_y", "B.normal"]), &[158.1 - b, b], 1e-13);
 }

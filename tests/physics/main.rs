@@ -20,6 +20,8 @@ mod expressions;
 mod extremes;
 mod growing;
 mod joined;
+mod joined_lot;
+mod joined_scenes;
 mod ladder;
 mod lagrange;
 mod limits;

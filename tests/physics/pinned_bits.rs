@@ -42,16 +42,16 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("compound-pendulum", "c17564cfef8ebd5a", "1fe8790e449053f4", "ed38f0bcc6d6a5fa"),
     ("lifted-rod", "efa876bf286d2b6c", "b94bef31c6a95479", "80a8e8b5f0d2ba1a"),
     ("rod-and-spring", "9589c05578d271dc", "d476733f2f7ee1d7", "2cb504eb0cacf19c"),
-    ("sliding-ladder", "f2e49d74df14783a", "5494aa79c11028b4", "e3b0c44298fc1c14"),
-    ("rod-on-smooth-floor", "5dad0cefeaa30310", "1d0e183bfcd5c9c1", "e3b0c44298fc1c14"),
-    ("guided-rod-and-spring", "a5e228ca743fc4d3", "945985f99e2ba029", "e3b0c44298fc1c14"),
-    ("trammel", "c72ff3e7b672f77e", "eeef6832b8bcc634", "e3b0c44298fc1c14"),
-    ("slider-crank", "d4fd40d09e85a2f2", "bee9be51a90efad9", "3046135b9492875e"),
+    ("sliding-ladder", "f2e49d74df14783a", "f9841652a2205858", "e3b0c44298fc1c14"),
+    ("rod-on-smooth-floor", "5dad0cefeaa30310", "38a4054d1b08dcb1", "e3b0c44298fc1c14"),
+    ("guided-rod-and-spring", "a5e228ca743fc4d3", "1333fdb69349bdc0", "e3b0c44298fc1c14"),
+    ("trammel", "c72ff3e7b672f77e", "52a032d2e322d12c", "e3b0c44298fc1c14"),
+    ("slider-crank", "d4fd40d09e85a2f2", "a6602800640a5893", "3046135b9492875e"),
     ("cut-cord", "3d803d4d4a568dae", "44331acf326b1c9b", "e3b0c44298fc1c14"),
-    ("four-bar-linkage", "9f0af24b0ed7875a", "f02d4897292c9c8c", "1df1b2df6bee0833"),
-    ("rough-ladder", "d18fd9a97c8c6bec", "e3b48995a18ad2c5", "e3b0c44298fc1c14"),
-    ("off-a-cylinder", "6ff90d0a4163ef6e", "579cda3db202db73", "e3b0c44298fc1c14"),
-    ("gear-on-a-rack", "aacbf37f43b837c1", "9e6649ed469e7526", "e3b0c44298fc1c14"),
+    ("four-bar-linkage", "9f0af24b0ed7875a", "360dd0d1d75d303b", "1df1b2df6bee0833"),
+    ("rough-ladder", "d18fd9a97c8c6bec", "2b647fbaeb1f558c", "e3b0c44298fc1c14"),
+    ("off-a-cylinder", "6ff90d0a4163ef6e", "c0f4a13ad9df1e0d", "e3b0c44298fc1c14"),
+    ("gear-on-a-rack", "aacbf37f43b837c1", "5471fc0f4655934e", "e3b0c44298fc1c14"),
     ("thrown-ball", "26af46574cdccf6f", "975bd4fde3adfacb", "fb6461d9fa7bca76"),
     ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676", "70b39b1e3959782e"),
     ("kinetic-energy", "b3b64a99a2d5aaae", "5675fde5d235c27d", "e3b0c44298fc1c14"),
@@ -74,9 +74,23 @@ fn draws_and_answers_are_pinned_to_the_bit() {
                 for x in &variant.data {
                     data.update(x.to_bits().to_le_bytes());
                 }
+                let scene = &problem.cases[variant.case].scene;
+                // A draw of joined bodies is solved without the time if nobody asks for it: all else is the same to the bit.
+                if student < 5 && scene.lead().is_some() {
+                    let whole = agree::solve(scene, &variant.data).expect("a draw that was solved");
+                    for e in &variant.solved.entries {
+                        let same = whole.get(e.label).expect("the same answers");
+                        assert_eq!(
+                            (e.eom, e.energy),
+                            (same.eom, same.energy),
+                            "{}: {:?}",
+                            problem.id,
+                            e.label
+                        );
+                    }
+                }
                 let mut entries: Vec<_> = variant.solved.entries.iter().collect();
                 entries.sort_by_key(|e| e.label);
-                let scene = &problem.cases[variant.case].scene;
                 for e in entries {
                     let late = came_later(scene, e.label.quantity);
                     let digest = if late { &mut later } else { &mut answers };

@@ -93,6 +93,9 @@ fn swinging(scene: &str) -> String {
         ("P", "N"),
         ("M", "N*m"),
         ("b", "m"),
+        ("I_G", "kg*m^2"),
+        ("mu", "1"),
+        ("J", "N*s"),
         ("x_A", "m"),
         ("y_A", "m"),
         ("ks", "N/m"),
@@ -112,7 +115,8 @@ fn swinging(scene: &str) -> String {
     // With several bodies a quantity has its body before it.
     let bodies: Vec<&str> = scene.lines().skip(2).take_while(|l| l.starts_with(' ')).collect();
     let first = bodies.first().and_then(|l| l.trim().split_once(':')).map_or("", |(body, _)| body);
-    let asked = if bodies.len() > 1 { format!("{first}.omega") } else { "omega".to_owned() };
+    let quantity = if scene.contains("end: equilibrium") { "phi" } else { "omega" };
+    let asked = if bodies.len() > 1 { format!("{first}.{quantity}") } else { quantity.to_owned() };
     let scene: String = scene.lines().skip(1).map(|l| format!("      {l}\n")).collect();
     format!(
         "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{quantity: {asked}, ask: omega}}}}\n    statement: s\n"

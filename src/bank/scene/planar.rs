@@ -12,10 +12,14 @@ use crate::units::spell;
 /// How a body in the plane is written.
 pub const IN_THE_PLANE: &str = "in the plane";
 
+/// Where the axis of a body begins.
+const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
+
 /// Kinds of joints: field that names what is held, and what it is.
-const JOINTS: [(&str, &str); 6] = [
+const JOINTS: [(&str, &str); 7] = [
     ("pins", "a point that stays in its place"),
     ("hinges", "two points that stay together"),
+    ("welds", "two points that stay together, with the angle between their bodies"),
     ("guides", "a point that stays on a line"),
     ("ties", "a point at the end of a cord"),
     ("rolls", "a wheel that rolls, by its centre"),
@@ -56,15 +60,19 @@ impl SceneReader<'_> {
                         let message = told!("`{}` is no name for a point", shorten(name));
                         f.hint(key, message, "letters, digits and `_`, beginning with a letter");
                     }
-                    if let Some(place) = self.along(value, rod) {
-                        points.push((name.to_owned(), place));
-                    }
+                    let place = match &value.value {
+                        Value::List(both) if both.len() == 2 => {
+                            self.along(&both[0], rod).zip(self.along(&both[1], rod)).map(|(x, y)| [x, y])
+                        }
+                        _ => self.along(value, rod).map(on_axis),
+                    };
+                    points.extend(place.map(|place| (name.to_owned(), place)));
                 }
             }
             None => {
-                points.push(("A".to_owned(), Place::At(Num::Fixed(0.0))));
+                points.push(("A".to_owned(), on_axis(Place::At(Num::Fixed(0.0)))));
                 if let Some(length) = rod {
-                    points.push(("B".to_owned(), Place::At(length)));
+                    points.push(("B".to_owned(), on_axis(Place::At(length))));
                 }
             }
         }
@@ -75,7 +83,8 @@ impl SceneReader<'_> {
         let origin_m = fields.get("placed").and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
-        Planar { points, centre, from, clockwise, start_deg: None, origin_m, side: side.unwrap_or_default() }
+        let side = side.unwrap_or_default();
+        Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, side }
     }
 
     /// A distance along the axis of a body: a length, or a place of a rod in words.
@@ -96,7 +105,7 @@ impl SceneReader<'_> {
             let planar = bodies[body].planar.as_ref()?;
             match point {
                 Some(point) => planar.points.iter().position(|(n, _)| n == point),
-                None => matches!(planar.points[..], [(_, Place::At(Num::Fixed(0.0)))]).then_some(0),
+                None => matches!(planar.points[..], [(_, ORIGIN)]).then_some(0),
             }
             .map(|point| Spot { body, point })
         });
@@ -122,18 +131,19 @@ impl SceneReader<'_> {
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
             let Some(mut fields) =
-                Fields::open(value, "a joint (pins, hinges, guides, ties, rolls or slides)", f)
+                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, rolls or slides)", f)
             else {
                 continue;
             };
-            let [pins, hinges, guides, ties, rolls, slides] = fields.each(JOINTS.map(|(word, _)| word));
+            let [pins, hinges, welds, guides, ties, rolls, slides] =
+                fields.each(JOINTS.map(|(word, _)| word));
             let touching = match (rolls, slides) {
                 (Some(n), None) => Some((n, true)),
                 (None, Some(n)) => Some((n, false)),
                 _ => None,
             };
-            let count = [pins, hinges, guides, ties, rolls, slides].iter().flatten().count();
-            let kind = match (pins, hinges, guides, ties) {
+            let count = [pins, hinges, welds, guides, ties, rolls, slides].iter().flatten().count();
+            let kind = match (pins, hinges.or(welds), guides, ties) {
                 _ if count == 1 && touching.is_some() => {
                     touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
                 }
@@ -146,7 +156,7 @@ impl SceneReader<'_> {
                     let at = self.spot(n, bodies);
                     at.zip(self.ground(fields.get("at"))).map(|(at, place_m)| JointKind::Pin { at, place_m })
                 }
-                (None, Some(n), None, None) => self.hinge(n, bodies),
+                (None, Some(n), None, None) => self.hinge(n, welds.is_some(), &mut fields, bodies),
                 (None, None, Some(n), None) => self.guide(n, &mut fields, bodies),
                 (None, None, None, Some(n)) => {
                     let to = fields.need("to", "[x_A, y_A]");
@@ -169,15 +179,29 @@ impl SceneReader<'_> {
         }
     }
 
-    fn hinge(&self, node: &Node, bodies: &[Body]) -> Option<JointKind> {
+    fn hinge(&self, node: &Node, welded: bool, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+        let turned = if welded { fields.get("turned") } else { None };
+        let turned = turned.map(|n| self.number(n, Need::ANGLE));
         match &node.value {
             Value::List(both) if both.len() == 2 => {
                 let (one, other) = (self.spot(&both[0], bodies)?, self.spot(&both[1], bodies)?);
                 if one.body == other.body {
-                    self.faults.at(node, "a hinge joins two bodies");
+                    self.faults.at(node, "a hinge or a weld joins two bodies");
                     return None;
                 }
-                Some(JointKind::Hinge { one, other })
+                if welded && ![one, other].iter().all(|spot| bodies[spot.body].turns) {
+                    self.faults.hint(
+                        node,
+                        "a weld joins bodies that turn",
+                        "give both a shape or another inertia",
+                    );
+                    return None;
+                }
+                let turned_deg = match turned {
+                    Some(number) => Some(number?),
+                    None => welded.then_some(Num::Fixed(0.0)),
+                };
+                Some(JointKind::Hinge { one, other, turned_deg })
             }
             _ => {
                 let message = told!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
@@ -273,12 +297,13 @@ impl SceneReader<'_> {
         Some(JointKind::Guide { at: at?, through_m: through?, direction_deg, one_sided, mu_k })
     }
 
-    /// A force on a point of a body in the plane.
-    pub(super) fn push(&self, node: &Node, bodies: &[Body], count: usize) -> Option<Push> {
+    /// A force on a point of a body in the plane, or a blow.
+    pub(super) fn push(&self, node: &Node, bodies: &[Body], count: usize, blow: bool) -> Option<Push> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a force (on, magnitude, direction)", f)?;
         let at = fields.need("on", "rod.B").and_then(|n| self.spot(n, bodies));
-        let force = self.need_number(&mut fields, "magnitude", "P", Need::FORCE);
+        let (symbol, need) = if blow { ("J", Need::IMPULSE) } else { ("P", Need::FORCE) };
+        let force = self.need_number(&mut fields, "magnitude", symbol, need);
         let turning = fields.get("from the axis");
         let towards = if turning.is_some() { None } else { fields.need("direction", "right") };
         let words = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
@@ -290,9 +315,11 @@ impl SceneReader<'_> {
             },
             (None, None) => None,
         };
-        let name = fields.get("name").and_then(Node::text).map_or_else(|| default("P", count), str::to_owned);
+        let name =
+            fields.get("name").and_then(Node::text).map_or_else(|| default(symbol, count), str::to_owned);
         fields.close();
-        Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns: turning.is_some() })
+        let turns = turning.is_some();
+        Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, blow })
     }
 
     /// A spring at a point of a body in the plane.
@@ -336,6 +363,11 @@ impl SceneReader<'_> {
             }
         }
     }
+}
+
+/// A point of the axis.
+const fn on_axis(along: Place) -> [Place; 2] {
+    [along, Place::At(Num::Fixed(0.0))]
 }
 
 /// The first is called as it is, the next ones are numbered.

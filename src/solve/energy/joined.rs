@@ -12,11 +12,11 @@ use crate::num::gauss::{self, PerNode, Unsettled};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
-use crate::scene::pose::{self, Layout, Poses};
+use crate::scene::pose::{self, Layout, Pose};
 use crate::scene::{
-    End, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Start, StrutEnd,
+    End, Joint, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, StrutEnd,
 };
-use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
+use crate::solve::outcome::{self, Course, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::{Cell, RefCell};
 
@@ -31,6 +31,8 @@ const TURNS_OF_ITERATION: u32 = 40;
 const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
 type Vector<T> = [T; 2];
+/// Where all bodies are, with derivatives by the leading angle.
+type Poses<T> = pose::Poses<Jet<T>>;
 
 /// Bodies, forces and joints as an account of work.
 struct Account<'a, T: Real> {
@@ -45,7 +47,13 @@ struct Account<'a, T: Real> {
     /// Sense in which the leading angle changes.
     sense: f64,
     /// For each joint: sense in which its point slides where it rubs, else 0.
-    sliding: SmallVec<[f64; 4]>,
+    slides: SmallVec<[f64; 4]>,
+    /// The same times the side to which its guide pushes, 1 or -1, if it holds on both.
+    rubs: SmallVec<[f64; 4]>,
+    /// Did equations leave open which of them say something of their own? Nothing is enclosed then.
+    open: Cell<bool>,
+    /// The couple that drives the leading body, counter-clockwise.
+    drive: Cell<Option<T>>,
     /// Where guides rub: the way as far as its balance has been solved.
     solved: RefCell<Vec<Stretch<T>>>,
     /// At how many places it has looked.
@@ -65,6 +73,11 @@ struct Stretch<T> {
 /// For each joint: the rows of its conditions.
 type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
 
+/// The normal force of a joint, as an account has it.
+type Presses<'p, A, T> = dyn Fn(&A, usize) -> Result<Option<T>, Refusal> + 'p;
+/// Accelerations of points, told by body and distance along its axis, and of its turn.
+type Accelerations<'a, T> = (&'a dyn Fn(usize, T) -> Vector<T>, &'a dyn Fn(usize) -> T);
+
 /// A possible or virtual motion: velocity of the origin of each body's axis, and rate of its angle counter-clockwise.
 type Motion<T> = SmallVec<[[T; 3]; 2]>;
 
@@ -82,34 +95,56 @@ fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// Everything that work and energy say of a scene of joined bodies, and at how many places they looked.
+/// Moment of a unit vector at a point of a body about the origin of its axis.
+fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: Vector<T>) -> T {
+    let [c, s] = poses[body].axis.map(|x| x.value);
+    let turn = along * (u[1] * c - u[0] * s);
+    if aside.is_zero() { turn } else { turn - aside * (u[0] * c + u[1] * s) }
+}
+
+/// Everything that work and energy say of a scene of joined bodies, the time only if it is asked, and at how many places they looked.
 ///
 /// Errors: joints that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<(Road<T>, Count), Refusal> {
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<(Road<T>, Count), Refusal> {
     let mut account = Account::new(scene, n)?;
-    let road = account.road()?;
+    let mut road = account.road(asked)?;
+    if account.open.get() {
+        road.said.iter_mut().for_each(|said| said.value = said.value.widened(|| f64::INFINITY));
+    }
     Ok((road, Count { evaluations: account.looked.get(), ..Count::default() }))
 }
 
 impl<T: Real> Account<'_, T> {
-    fn road(&mut self) -> Result<Road<T>, Refusal> {
+    fn road(&mut self, asked: Scope) -> Result<Road<T>, Refusal> {
         let scene = self.scene;
-        let spin = scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, w) if c.body == self.lead => Some(self.n.get(*w)),
-            _ => None,
-        });
-        let spin = spin.map_or_else(T::zero, |w| w / self.layout.ratio());
-        let mut road = Road::new(Scope::ALL);
+        let mut spin = self.layout.start_rate().ok_or(Refusal::Freedoms(2))?;
+        let mut road = Road::new(asked);
         if matches!(scene.end, End::AtOnce) {
             self.instant(spin, &mut road)?;
             return Ok(road);
         }
+        if scene.end == End::Equilibrium {
+            // What is searched for is not enclosed.
+            ball::unwatched(|| self.rest(&mut road))?;
+            self.open.set(true);
+            return Ok(road);
+        }
         let first = self.poses(T::zero())?;
+        if scene.is_struck() {
+            // The momentum that belongs to the leading angle gains what the blows do at its unit rate.
+            let unit = self.rates(&first);
+            let gained = self.powers(&first, &unit, true).into_iter().fold(T::zero(), |sum, p| sum + p)
+                / self.inertia(&first);
+            spin = spin.balance(gained);
+            let jump = unit.iter().map(|r| r.map(|x| x * gained)).collect();
+            self.tell_blow(&first, &jump, &mut road);
+        }
         let free = self.balance(&first, &self.rates(&first))?;
         let rate = free.force.balance(-(free.bend * spin.square())).cleared(free.size);
         self.sense = if spin.is_zero() { rate.sign() } else { spin.sign() };
         let motion = self.rates(&first).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
-        self.slide(&first, &motion);
+        self.slides = self.sliding(&first, &motion);
+        self.press(&|account, joint| account.normal(&first, spin.square(), joint))?;
         let own = self.across_friction(&first)?;
         let rubbed = self.balance(&first, &own)?;
         let sets_off = rubbed.force.balance(-(rubbed.bend * spin.square())).cleared(rubbed.size)
@@ -120,10 +155,10 @@ impl<T: Real> Account<'_, T> {
         }
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
         if matches!(scene.end, End::Angle(..)) {
-            self.settle(spin, drive, &mut road)?;
+            self.settle(spin, drive, (asked, &mut road))?;
         } else {
             // Where the end is searched for, nothing is enclosed, so no comparison has to be proved.
-            ball::unwatched(|| self.settle(spin, drive, &mut road))?;
+            ball::unwatched(|| self.settle(spin, drive, (asked, &mut road)))?;
         }
         Ok(road)
     }
@@ -145,7 +180,10 @@ impl<'a, T: Real> Account<'a, T> {
             centres: centres.collect(),
             natural: SmallVec::new(),
             sense: 1.0,
-            sliding: scene.joints.iter().map(|_| 0.0).collect(),
+            slides: scene.joints.iter().map(|_| 0.0).collect(),
+            rubs: scene.joints.iter().map(|_| 0.0).collect(),
+            open: Cell::new(false),
+            drive: Cell::new(None),
             solved: RefCell::new(Vec::new()),
             looked: Cell::new(0),
         };
@@ -171,13 +209,13 @@ impl<'a, T: Real> Account<'a, T> {
         poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
     fn centre(&self, poses: &Poses<T>, body: usize) -> pose::Point<T> {
-        poses[body].point(self.centres[body].0)
+        poses[body].point([self.centres[body].0, T::zero()])
     }
     /// The two particles that move as the body does.
     fn particles(&self, poses: &Poses<T>, body: usize) -> [pose::Point<T>; 2] {
         let (centre, gyration) = self.centres[body];
         let apart = plant!("energy: equimomental particles", gyration);
-        [poses[body].point(centre + apart), poses[body].point(centre - apart)]
+        [centre + apart, centre - apart].map(|along| poses[body].point([along, T::zero()]))
     }
     fn length(&self, poses: &Poses<T>, at: Spot, to: &StrutEnd) -> Jet<T> {
         let near = self.point(poses, at);
@@ -204,18 +242,53 @@ impl<'a, T: Real> Account<'a, T> {
         [x - turn * along * axis[1].value, y + turn * along * axis[0].value]
     }
     fn of_spot(&self, poses: &Poses<T>, motion: &Motion<T>, spot: Spot) -> Vector<T> {
-        self.velocity(poses, motion, spot.body, pose::of_spot(self.scene, self.n, spot))
+        let [along, aside] = pose::of_spot(self.scene, self.n, spot);
+        let v = self.velocity(poses, motion, spot.body, along);
+        if aside.is_zero() {
+            return v;
+        }
+        let (turn, axis) = (motion[spot.body][2], poses[spot.body].axis);
+        [v[0] - turn * aside * axis[0].value, v[1] - turn * aside * axis[1].value]
     }
 
-    /// Notes in which sense points slide in guides that rub, by a motion.
-    fn slide(&mut self, poses: &Poses<T>, motion: &Motion<T>) {
-        for (j, joint) in self.scene.joints.iter().enumerate() {
-            if let JointKind::Guide { at, mu_k: Some(_), .. } = joint.kind {
-                let u = self.layout.lines[j];
-                let v = self.of_spot(poses, motion, at);
-                self.sliding[j] = (v[0] * u[0]).balance(v[1] * u[1]).sign();
+    /// For each joint: in which sense its point slides in a guide that rubs, by a motion.
+    fn sliding(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[f64; 4]> {
+        let sense = |(joint, u): (&Joint, &Vector<T>)| {
+            let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
+            let v = self.of_spot(poses, motion, at);
+            (v[0] * u[0]).balance(v[1] * u[1]).sign()
+        };
+        self.scene.joints.iter().zip(&self.layout.lines).map(sense).collect()
+    }
+
+    /// Notes to which side guides push that hold on both and rub, by the normal forces that result.
+    fn press(&mut self, normal: &Presses<Self, T>) -> Result<(), Refusal> {
+        self.rubs = self.slides.clone();
+        let rubs_on_both = |j: &usize| {
+            self.slides[*j] != 0.0 && matches!(self.scene.joints[*j].kind.rubs(), Some((_, true)))
+        };
+        let both: SmallVec<[usize; 4]> = (0..self.slides.len()).filter(rubs_on_both).collect();
+        let turn = |account: &mut Self, sides: &[f64]| {
+            both.iter().zip(sides).for_each(|(j, side)| account.rubs[*j] = account.slides[*j] * side);
+        };
+        let sides = outcome::sides(both.len(), |sides| {
+            turn(self, sides);
+            for (joint, side) in both.iter().zip(sides) {
+                if normal(self, *joint)?.is_some_and(|force| force.signed(*side).sign() < 0.0) {
+                    return Ok(false);
+                }
             }
-        }
+            Ok(true)
+        })?;
+        turn(self, &sides);
+        Ok(())
+    }
+
+    /// Solves equations: that rounding may leave open which of them repeat others is noted, and is no doubt which way it goes.
+    fn settled<R>(&self, solve: impl FnOnce() -> R) -> R {
+        let (solved, doubt) = ball::watch(solve);
+        self.open.set(self.open.get() || doubt);
+        solved
     }
 
     /// What the joints forbid: the rows of their conditions, where a guide rubs that of its normal force with its friction.
@@ -225,7 +298,7 @@ impl<'a, T: Real> Account<'a, T> {
         let mut rows = Equations::new(columns);
         let mut of_joint = OfJoint::new();
         let mut count = 0;
-        for (j, (joint, sliding)) in self.scene.joints.iter().zip(&self.sliding).enumerate() {
+        for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
             let mut rim = T::zero();
             let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
                 JointKind::Pin { at, .. } => {
@@ -246,8 +319,8 @@ impl<'a, T: Real> Account<'a, T> {
                 JointKind::Guide { at, mu_k, .. } => {
                     let [c, s] = self.layout.lines[j];
                     let rub = match mu_k {
-                        Some(mu) if virtually && *sliding != 0.0 => {
-                            plant!("energy: friction in a guide", self.n.get(mu)).signed(*sliding)
+                        Some(mu) if virtually && *rubs != 0.0 => {
+                            plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
                         }
                         _ => T::zero(),
                     };
@@ -262,18 +335,17 @@ impl<'a, T: Real> Account<'a, T> {
                 JointKind::Hinge { .. } => None,
             };
             let mut own: SmallVec<[usize; 2]> = SmallVec::new();
-            let mut add = |ends: &[(Spot, Vector<T>)], rim: T| {
+            let mut add = |ends: &[(Spot, Vector<T>, T)]| {
                 let row = rows.row();
-                for (spot, u) in ends {
+                for (spot, u, rim) in ends {
                     // Velocities of the point by those of the origin and the turn.
                     let r = pose::of_spot(self.scene, self.n, *spot);
-                    let [c, s] = poses[spot.body].axis.map(|x| x.value);
                     let at = 3 * spot.body;
                     row[at] = row[at] + u[0];
                     row[at + 1] = row[at + 1] + u[1];
                     row[at + 2] = row[at + 2]
-                        + plant!("energy: turn about the origin of the axis", r * (u[1] * c - u[0] * s))
-                        + rim;
+                        + plant!("energy: turn about the origin of the axis", about(poses, spot.body, r, *u))
+                        + *rim;
                 }
                 own.push(count);
                 count += 1;
@@ -283,12 +355,17 @@ impl<'a, T: Real> Account<'a, T> {
                 (Some((at, directions)), kind) => {
                     let wheel = matches!(kind, JointKind::Contact { .. });
                     for (i, u) in directions.iter().enumerate() {
-                        add(&[(at, *u)], if wheel && i == 1 { rim } else { T::zero() });
+                        add(&[(at, *u, if wheel && i == 1 { rim } else { T::zero() })]);
                     }
                 }
-                (None, JointKind::Hinge { one, other }) => {
-                    for u in [[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]] {
-                        add(&[(one, u), (other, u.map(|x| -x))], T::zero());
+                (None, JointKind::Hinge { one, other, turned_deg }) => {
+                    let none = T::zero();
+                    for u in [[T::of(1.0), none], [none, T::of(1.0)]] {
+                        add(&[(one, u, none), (other, u.map(|x| -x), none)]);
+                    }
+                    if turned_deg.is_some() {
+                        let turn = plant!("energy: turn of a weld", T::of(-1.0));
+                        add(&[(one, [none; 2], T::of(1.0)), (other, [none; 2], turn)]);
                     }
                 }
                 _ => {}
@@ -323,8 +400,7 @@ impl<'a, T: Real> Account<'a, T> {
         {
             let place = self.point(poses, spot).map(|x| x.value);
             along = [arc.axis[1] - place[1], place[0] - arc.axis[0]];
-            let [c, s] = poses[self.lead].axis.map(|x| x.value);
-            turn = pose::of_spot(self.scene, self.n, spot) * (along[1] * c - along[0] * s);
+            turn = about(poses, self.lead, pose::of_spot(self.scene, self.n, spot), along);
         }
         let row = rows.row();
         (row[at], row[at + 1], row[at + 2], row[columns]) = (along[0], along[1], turn, rate);
@@ -343,13 +419,13 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// The virtual motion in which normal forces and their friction do no work: that of the bodies where nothing rubs.
     fn across_friction(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
-        if self.sliding.iter().all(|s| *s == 0.0) {
+        if self.rubs.iter().all(|s| *s == 0.0) {
             return Ok(self.rates(poses));
         }
         let (mut rows, _) = self.conditions(poses, true);
         self.no_drift(poses, &mut rows);
         self.leading(poses, &mut rows, self.unit(poses));
-        let reduced = rows.reduce(&[]);
+        let reduced = self.settled(|| rows.reduce(&[]));
         if reduced.open().is_empty() { Ok(self.motion(&reduced)) } else { Err(Refusal::Freedoms(2)) }
     }
 
@@ -370,7 +446,7 @@ impl<'a, T: Real> Account<'a, T> {
                 balance.bend = balance.bend + plant!("energy: change of the inertia", half * dot(v, second));
             }
         }
-        for power in self.powers(poses, motion) {
+        for power in self.powers(poses, motion, false) {
             balance.force = balance.force + power;
             balance.size += power.size();
         }
@@ -383,17 +459,29 @@ impl<'a, T: Real> Account<'a, T> {
         let mut sum = T::zero();
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let half = plant!("energy: inertia over the angle", numbers.mass.scale2(-1));
-            for particle in self.particles(poses, b) {
-                let [x, y] = particle.map(|x| x.first);
+            let (centre, gyration) = self.centres[b];
+            let apart = plant!("energy: equimomental particles", gyration);
+            for along in [centre + apart, centre - apart] {
+                let Pose { origin, axis } = &poses[b];
+                let [x, y] = [0, 1].map(|i| origin[i].first + axis[i].first * along);
                 sum = sum + half * (x.square() + y.square());
             }
         }
         sum
     }
 
-    /// Powers of weights, forces, couples and springs in a motion.
-    fn powers(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[T; 6]> {
+    /// Powers of weights, forces, couples and springs in a motion; or what the blows at the start do in it.
+    fn powers(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> SmallVec<[T; 6]> {
         let mut powers: SmallVec<[T; 6]> = SmallVec::new();
+        let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| p.blow == blows);
+        let pushed = pushes.map(|(push, direction)| {
+            let u = Self::push(poses, push, *direction);
+            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
+            p * dot(u, self.of_spot(poses, motion, push.at))
+        });
+        if blows {
+            return pushed.collect();
+        }
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let [_, up] = self.velocity(poses, motion, b, self.centres[b].0);
             powers.push(-plant!(
@@ -401,11 +489,8 @@ impl<'a, T: Real> Account<'a, T> {
                 numbers.mass * self.n.gravity * up
             ));
         }
-        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes) {
-            let u = Self::push(poses, push, *direction);
-            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
-            powers.push(p * dot(u, self.of_spot(poses, motion, push.at)));
-        }
+        powers.extend(pushed);
+        powers.extend(self.drive.get().map(|moment| moment * motion[self.lead][2]));
         for c in &self.scene.couples {
             let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
             let turn = motion[c.body][2].signed(self.counts(c.body));
@@ -456,10 +541,11 @@ impl<'a, T: Real> Account<'a, T> {
             size += w.size();
         };
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let fallen = self.centre(from, b)[1].value - self.centre(to, b)[1].value;
+            let height = |at: &Poses<T>| at[b].origin[1].value + at[b].axis[1].value * self.centres[b].0;
+            let fallen = height(from) - height(to);
             add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
         }
-        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes) {
+        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
             let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
             if push.turns {
                 let power = |at: T| {
@@ -497,7 +583,7 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
     fn half_square(&self, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
-        if self.sliding.iter().any(|s| *s != 0.0) {
+        if self.rubs.iter().any(|s| *s != 0.0) {
             return self.collocated(way, from);
         }
         let poses = self.poses(way)?;
@@ -582,6 +668,7 @@ impl<'a, T: Real> Account<'a, T> {
         poses: &Poses<T>,
         joint: usize,
         acceleration: &dyn Fn(usize, T) -> Vector<T>,
+        blows: bool,
     ) -> Option<SmallVec<[(T, f64); 2]>> {
         let (rows, of_joint) = self.conditions(poses, true);
         let columns = 3 * self.scene.bodies.len();
@@ -589,13 +676,18 @@ impl<'a, T: Real> Account<'a, T> {
         for own in of_joint.get(joint)? {
             let mut rows = rows.clone();
             rows.right_of(*own)[columns] = T::of(1.0);
+            let free = rows.clone();
             self.leading(poses, &mut rows, T::zero());
             self.no_drift(poses, &mut rows);
-            let reduced = rows.reduce(&[]);
-            if !reduced.repeats() {
-                return None;
-            }
-            let motion = self.motion(&reduced);
+            let held = || self.conditions(poses, false).0.reduce(&[]).open().is_empty();
+            let motion = self.settled(|| {
+                let mut reduced = rows.reduce(&[]);
+                if !reduced.repeats() && (self.layout.poses::<Jet<T>>(T::zero(), false).is_none() || held()) {
+                    // What leads is held, as a crate is that stands on two corners.
+                    reduced = free.reduce(&[]);
+                }
+                reduced.repeats().then(|| self.motion(&reduced))
+            })?;
             let (mut missing, mut size) = (T::zero(), 0.0);
             let mut add = |x: T| {
                 missing = missing + x;
@@ -609,7 +701,7 @@ impl<'a, T: Real> Account<'a, T> {
                     add(half * dot(v, acceleration(b, along)));
                 }
             }
-            for power in self.powers(poses, &motion) {
+            for power in self.powers(poses, &motion, blows) {
                 add(-power);
             }
             forces.push((missing.cleared(size), size));
@@ -651,6 +743,40 @@ impl<'a, T: Real> Account<'a, T> {
         })
     }
 
+    /// Does what only pushes push up to this way, and is it not what the end waits for? Errors: friction that turns about.
+    fn stays_in_touch(&self, far: T, from: (&Poses<T>, T)) -> Result<bool, Refusal> {
+        let joints = self.scene.joints.iter().enumerate();
+        let watched = joints.filter(|(j, joint)| {
+            joint.kind.rubs().is_some() || joint.kind.only_pushes() && self.scene.end != End::Leaves(*j)
+        });
+        let watched: SmallVec<[(usize, &Joint); 4]> = watched.collect();
+        // An enclosure is of a motion that both roads have followed.
+        let mut at = if watched.is_empty() || T::ENCLOSES { far } else { T::zero() };
+        ball::unwatched(|| {
+            while at.below(far) {
+                let next = at + T::of(STEP);
+                at = if next.below(far) { next } else { far };
+                let poses = self.poses(at)?;
+                let square = self.half_square(at, from)?.scale2(1);
+                let motion = self.rates(&poses).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
+                if self.sliding(&poses, &motion) != self.slides {
+                    return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+                }
+                for (j, joint) in &watched {
+                    let Some(force) = self.normal(&poses, square, *j)? else { continue };
+                    let side = if joint.kind.only_pushes() { 1.0 } else { self.rubs[*j] * self.slides[*j] };
+                    let presses = force.signed(side).sign() > 0.0;
+                    match joint.kind.only_pushes() {
+                        true if !presses && self.scene.end != End::Leaves(*j) => return Ok(false),
+                        false if !presses => return Err(Refusal::Unsupported(Unsupported::FrictionTurns)),
+                        _ => {}
+                    }
+                }
+            }
+            Ok(true)
+        })
+    }
+
     /// Time over a way: in an angle whose cosine is the place.
     fn time(&self, way: T, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
         if way.is_zero() {
@@ -663,19 +789,19 @@ impl<'a, T: Real> Account<'a, T> {
         }
         let middle = way.scale2(-1);
         let slowness = |angle: T| {
-            let (sine, _) = trig::turn(angle);
             let (half, other) = trig::turn(angle.scale2(-1));
+            let sine = (half * other).scale2(1);
             let at = way * half.square();
             let square = self.half_square(at, from)?;
             // Near an end at rest the work is that of the way back.
             let square = if rest && square.sign() <= 0.0 { (way * other.square()).square() } else { square };
             Ok::<_, Refusal>(middle * sine / square.scale2(1).root())
         };
-        let time = gauss::integral(slowness, T::zero(), T::constant(Dd::PI))?;
+        let time = gauss::long_integral(slowness, T::zero(), T::constant(Dd::PI))?;
         Ok(plant!("energy: time of joined bodies", time))
     }
 
-    fn settle(&self, spin: T, drive: (T, T), road: &mut Road<T>) -> Result<(), Refusal> {
+    fn settle(&self, spin: T, drive: (T, T), (wanted, road): (Scope, &mut Road<T>)) -> Result<(), Refusal> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
         let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
@@ -713,11 +839,8 @@ impl<'a, T: Real> Account<'a, T> {
                 )?
             }
             End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
-                let poses = self.poses(way)?;
                 let square = self.half_square(way, from)?.scale2(1);
-                let (rate, _) = self.acceleration(&poses, square)?;
-                let moves = |b: usize, along: T| self.accelerates(&poses, b, along, rate, square);
-                Ok(self.reaction(&poses, joint, &moves).map_or_else(T::zero, |f| f[0].0))
+                Ok(self.normal(&self.poses(way)?, square, joint)?.unwrap_or_else(T::zero))
             })?)?,
             End::Time(_, t) => {
                 let t = self.n.get(t);
@@ -737,11 +860,16 @@ impl<'a, T: Real> Account<'a, T> {
             }
             _ => None,
         };
-        // Only margins hang on the drive, and whether the other joints push on the way is watched by the first road.
+        // What leaves another surface on the way does not get there.
+        let found = match found {
+            Some(way) if !self.stays_in_touch(way, from)? => None,
+            found => found,
+        };
+        // Only margins hang on the drive.
         let drive = ball::unwatched(|| {
             let first = self.poses(T::zero())?;
             let (mut push, mut hold) = (T::zero(), T::zero());
-            for power in self.powers(&first, &self.rates(&first)) {
+            for power in self.powers(&first, &self.rates(&first), false) {
                 let power = power.signed(self.sense);
                 if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
             }
@@ -759,12 +887,14 @@ impl<'a, T: Real> Account<'a, T> {
             if proves && !matches!(scene.end, End::Angle(..)) { x.widened(|| f64::INFINITY) } else { x }
         };
         let half_square = if rest { T::zero() } else { self.half_square(way, from)? };
-        let time = match scene.end {
-            End::Time(_, t) => self.n.get(t),
-            _ => self.time(way, from, rest)?,
-        };
         let mut say = |quantity, of, value: T| self.say(road, quantity, of, value);
-        say(Quantity::T, Owner::Scene, time);
+        if wanted.quantities.has(Quantity::T) {
+            let time = match scene.end {
+                End::Time(_, t) => self.n.get(t),
+                _ => self.time(way, from, rest)?,
+            };
+            say(Quantity::T, Owner::Scene, time);
+        }
         say(Quantity::Phi, Owner::Body(self.lead), open(way));
         let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
         for (b, body) in scene.bodies.iter().enumerate() {
@@ -788,17 +918,24 @@ impl<'a, T: Real> Account<'a, T> {
             return Ok(true);
         }
         let weights = self.n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n.gravity).size());
-        let (rate, _) = self.acceleration(begin, square)?;
-        let moves = |b: usize, along: T| self.accelerates(begin, b, along, rate, square);
-        Ok(joints.all(|joint| {
-            let force = self.reaction(begin, joint, &moves);
-            force.is_none_or(|force| !force[0].0.below(T::of(LEAST * weights)))
-        }))
+        for joint in joints {
+            if self.normal(begin, square, joint)?.is_some_and(|force| force.below(T::of(LEAST * weights))) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The first force of a joint at this square of the rate: its normal force; `None` where the joints leave it open.
+    fn normal(&self, poses: &Poses<T>, square: T, joint: usize) -> Result<Option<T>, Refusal> {
+        let (rate, _) = self.acceleration(poses, square)?;
+        let moves = |b: usize, along: T| self.accelerates(poses, b, along, rate, square);
+        Ok(self.reaction(poses, joint, &moves, false).map(|force| force[0].0))
     }
 
     /// Acceleration of a point at a distance along the axis of a body.
     fn accelerates(&self, poses: &Poses<T>, body: usize, along: T, rate: T, square: T) -> Vector<T> {
-        poses[body].point(along).map(|x| x.first * rate + x.second * square)
+        poses[body].point([along, T::zero()]).map(|x| x.first * rate + x.second * square)
     }
 
     fn say(&self, road: &mut Road<T>, quantity: Quantity, of: Owner, value: T) {
@@ -821,18 +958,43 @@ impl<'a, T: Real> Account<'a, T> {
     /// An instant: of one freedom with any rate, of several from rest.
     fn instant(&mut self, spin: T, road: &mut Road<T>) -> Result<(), Refusal> {
         let poses = self.placed()?;
+        if self.scene.is_struck() {
+            let jump = self.sets_off(&poses, true)?;
+            let mut after = jump.clone();
+            if !spin.is_zero() {
+                for (v, unit) in after.iter_mut().zip(self.rates(&poses)) {
+                    *v = [0, 1, 2].map(|i| v[i].balance(unit[i] * spin));
+                }
+            }
+            self.tell_blow(&poses, &jump, road);
+            self.tell_motion(&poses, &after, None, road);
+            return Ok(());
+        }
+        if let Some(alpha) = self.scene.driven() {
+            return self.driven(spin, self.n.get(alpha), road);
+        }
         if !spin.is_zero() {
             let poses = self.poses(T::zero())?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
-            self.slide(&poses, &motion);
+            self.slides = self.sliding(&poses, &motion);
+            self.press(&|account, joint| account.normal(&poses, spin.square(), joint))?;
             let (second, _) = self.acceleration(&poses, spin.square())?;
             return self.tell(&poses, spin, second, road);
         }
-        // What starts from rest slides as it would without friction.
-        let mut sum = self.sets_off(&poses)?;
-        self.slide(&poses, &sum);
-        if self.sliding.iter().any(|s| *s != 0.0) {
-            sum = self.sets_off(&poses)?;
+        // What starts from rest slides as it would without friction, if friction lets it.
+        let mut sum = self.sets_off(&poses, false)?;
+        self.slides = self.sliding(&poses, &sum);
+        if self.slides.iter().any(|s| *s != 0.0) {
+            self.press(&|account, joint| {
+                let sum = account.sets_off(&poses, false)?;
+                let moves = |b: usize, along: T| account.velocity(&poses, &sum, b, along);
+                Ok(account.reaction(&poses, joint, &moves, false).map(|force| force[0].0))
+            })?;
+            sum = self.sets_off(&poses, false)?;
+            if self.sliding(&poses, &sum) != self.slides {
+                road.course = Some(Course::at_rest());
+                return Ok(());
+            }
         }
         let moves = |b: usize, along: T| self.velocity(&poses, &sum, b, along);
         let turning = |b: usize| sum[b][2];
@@ -840,12 +1002,42 @@ impl<'a, T: Real> Account<'a, T> {
         self.all(&poses, &still, &moves, &turning, road)
     }
 
-    /// Accelerations from rest, of any number of freedoms: a sum of the motions that the joints allow, from the balances of the
-    /// virtual motions in which normal forces and their friction do no work.
-    fn sets_off(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
+    /// An instant of bodies of which the leading one turns as it is driven: the couple is what the balance lacks.
+    fn driven(&mut self, spin: T, alpha: T, road: &mut Road<T>) -> Result<(), Refusal> {
+        let poses = self.poses(T::zero())?;
+        let sense = self.counts(self.lead);
+        let (unit, bend) = poses[self.lead].turn();
+        let second = (alpha.signed(sense) - bend * spin.square()) / unit;
+        let rate = if spin.is_zero() { second } else { spin };
+        let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * rate)).collect();
+        self.slides = self.sliding(&poses, &motion);
+        self.press(&|account, joint| {
+            account.drives(&poses, second, spin.square())?;
+            let moves = |b: usize, along: T| account.accelerates(&poses, b, along, second, spin.square());
+            Ok(account.reaction(&poses, joint, &moves, false).map(|force| force[0].0))
+        })?;
+        let moment = self.drives(&poses, second, spin.square())?;
+        self.say(road, Quantity::Drive, Owner::Body(self.lead), moment.signed(sense));
+        self.tell(&poses, spin, second, road)
+    }
+
+    /// The couple on the leading body that the balance lacks where its angle has this second derivative; it acts from now on.
+    fn drives(&self, poses: &Poses<T>, second: T, square: T) -> Result<T, Refusal> {
+        self.drive.set(None);
+        let own = self.across_friction(poses)?;
+        let balance = self.balance(poses, &own)?;
+        let missing = (balance.inertia * second).balance(balance.bend * square).balance(-balance.force);
+        let moment = plant!("energy: couple of a drive", missing / own[self.lead][2]);
+        self.drive.set(Some(moment));
+        Ok(moment)
+    }
+
+    /// Accelerations from rest, or the velocities that blows give, of any number of freedoms: a sum of the motions that the joints
+    /// allow, from the balances of the virtual motions in which normal forces and their friction do no work.
+    fn sets_off(&self, poses: &Poses<T>, blows: bool) -> Result<Motion<T>, Refusal> {
         let bodies = self.scene.bodies.len();
         let modes = |virtually: bool| -> Vec<Motion<T>> {
-            let reduced = self.conditions(poses, virtually).0.reduce(&[]);
+            let reduced = self.settled(|| self.conditions(poses, virtually).0.reduce(&[]));
             let mode = |which: usize| {
                 (0..bodies).map(|b| [0, 1, 2].map(|i| reduced.in_mode(which, 3 * b + i))).collect()
             };
@@ -866,12 +1058,12 @@ impl<'a, T: Real> Account<'a, T> {
                     }
                 }
             }
-            let powers = self.powers(poses, one);
+            let powers = self.powers(poses, one, blows);
             let size = powers.iter().map(|p| p.size()).sum();
             row[modes.len()] = powers.into_iter().fold(T::zero(), |sum, p| sum + p).cleared(size);
             rows.sized(size);
         }
-        let rates = rows.reduce(&[]).solution().ok_or(Refusal::Freedoms(modes.len()))?;
+        let rates = self.settled(|| rows.reduce(&[]).solution()).ok_or(Refusal::Freedoms(modes.len()))?;
         let mut sum: Motion<T> = smallvec![[T::zero(); 3]; bodies];
         for (mode, rate) in modes.iter().zip(&rates) {
             for (s, m) in sum.iter_mut().zip(mode) {
@@ -883,18 +1075,101 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(sum)
     }
 
-    /// Everything of one place: the velocities, accelerations of points, angular accelerations counter-clockwise.
-    fn all(
+    /// How the power of all forces at unit rate of the leading angle changes with that angle: less `V''`.
+    fn softens(&self, poses: &Poses<T>) -> T {
+        let second = |p: pose::Point<T>| p.map(|x| x.second);
+        let first = |p: pose::Point<T>| p.map(|x| x.first);
+        let mut sum = T::zero();
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let [_, up] = second(self.centre(poses, b));
+            sum = sum - plant!("energy: weight on the bend of a way", numbers.mass * self.n.gravity * up);
+        }
+        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
+            let (at, u) = (self.point(poses, push.at), Self::push(poses, push, *direction));
+            let turn = if push.turns { poses[push.at.body].turn().0 } else { T::zero() };
+            let turned = [-u[1] * turn, u[0] * turn];
+            sum = sum + self.n.massive(push.force_n) * (dot(u, second(at)) + dot(turned, first(at)));
+        }
+        for c in &self.scene.couples {
+            let bend = poses[c.body].turn().1.signed(self.counts(c.body));
+            sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
+        }
+        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
+            let long = self.length(poses, strut.at, &strut.to);
+            let bend = long.first.square() + (long.value - *natural) * long.second;
+            sum = sum
+                - plant!("energy: spring on the bend of a way", self.n.massive(strut.stiffness_n_m)) * bend;
+        }
+        sum
+    }
+
+    /// The stable equilibrium toward which the bodies set off from rest, where the potential energy is least, and small oscillations
+    /// about it: `omega^2 = V'' / M`.
+    fn rest(&mut self, road: &mut Road<T>) -> Result<(), Refusal> {
+        let power = |way: T| {
+            let poses = self.poses(way)?;
+            let balance = self.balance(&poses, &self.rates(&poses))?;
+            Ok::<_, Refusal>(balance.force)
+        };
+        let sense = power(T::zero())?.sign();
+        let full = T::constant(Dd::PI.scale2(1));
+        let found = if sense == 0.0 {
+            Some(T::zero())
+        } else {
+            let way = self.first(full, false, &|way| Ok(power(way.signed(sense))?.signed(sense)))?;
+            way.map(|way| way.signed(sense))
+        };
+        let stiffness = match found {
+            Some(way) => {
+                let poses = self.poses(way)?;
+                -self.softens(&poses) / self.inertia(&poses)
+            }
+            None => T::zero(),
+        };
+        let (Some(way), true) = (found, stiffness.sign() > 0.0) else {
+            road.course = Some(Course::nowhere());
+            return Ok(());
+        };
+        let (of, frequency) = (Owner::Body(self.lead), stiffness.root());
+        self.say(road, Quantity::OmegaSmall, of, frequency);
+        self.say(road, Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+        self.say(road, Quantity::Phi, of, way.abs());
+        let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
+        for b in 0..self.scene.bodies.len() {
+            let risen = self.centre(&poses, b)[1].value - self.centre(&first, b)[1].value;
+            self.say(road, Quantity::Rise, Owner::Body(b), risen);
+        }
+        let still = |_: usize, _: T| [T::zero(); 2];
+        self.tell_forces(&poses, &still, road);
+        Ok(())
+    }
+
+    /// The impulses of the joints at blows that give this motion.
+    fn tell_blow(&self, poses: &Poses<T>, jump: &Motion<T>, road: &mut Road<T>) {
+        let moves = |b: usize, along: T| self.velocity(poses, jump, b, along);
+        for (j, joint) in self.scene.joints.iter().enumerate() {
+            let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
+            match self.reaction(poses, j, &moves, true) {
+                Some(impulses) => {
+                    for (quantity, (impulse, _)) in quantities.iter().zip(&impulses) {
+                        self.say(road, *quantity, of, *impulse);
+                    }
+                }
+                None => road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of })),
+            }
+        }
+    }
+
+    /// Velocities and energy, with the accelerations of points and the angular ones where they are told.
+    fn tell_motion(
         &self,
         poses: &Poses<T>,
         motion: &Motion<T>,
-        moves: &dyn Fn(usize, T) -> Vector<T>,
-        turning: &dyn Fn(usize) -> T,
+        rates: Option<Accelerations<T>>,
         road: &mut Road<T>,
-    ) -> Result<(), Refusal> {
-        let scene = self.scene;
+    ) {
         let mut energy = T::zero();
-        for (b, body) in scene.bodies.iter().enumerate() {
+        for (b, body) in self.scene.bodies.iter().enumerate() {
             let (of, (centre, gyration)) = (Owner::Body(b), self.centres[b]);
             let [vx, vy] = self.velocity(poses, motion, b, centre);
             for along in [centre + gyration, centre - gyration] {
@@ -906,12 +1181,16 @@ impl<'a, T: Real> Account<'a, T> {
             self.say(road, Quantity::V, of, (vx.square() + vy.square()).root());
             self.say(road, Quantity::VX, of, vx);
             self.say(road, Quantity::VY, of, vy);
-            let [ax, ay] = moves(b, centre);
-            self.say(road, Quantity::AX, of, ax);
-            self.say(road, Quantity::AY, of, ay);
+            if let Some((moves, _)) = rates {
+                let [ax, ay] = moves(b, centre);
+                self.say(road, Quantity::AX, of, ax);
+                self.say(road, Quantity::AY, of, ay);
+            }
             if body.turns {
                 self.say(road, Quantity::Omega, of, motion[b][2].abs());
-                self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
+                if let Some((_, turning)) = rates {
+                    self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
+                }
             }
             let points = body.planar.as_ref().map_or(0, |p| p.points.len());
             for spot in (0..points).map(|point| Spot { body: b, point }) {
@@ -920,10 +1199,29 @@ impl<'a, T: Real> Account<'a, T> {
             }
         }
         self.say(road, Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
+    }
+
+    /// Everything of one place: the velocities, accelerations of points, angular accelerations counter-clockwise.
+    fn all(
+        &self,
+        poses: &Poses<T>,
+        motion: &Motion<T>,
+        moves: &dyn Fn(usize, T) -> Vector<T>,
+        turning: &dyn Fn(usize) -> T,
+        road: &mut Road<T>,
+    ) -> Result<(), Refusal> {
+        self.tell_motion(poses, motion, Some((moves, turning)), road);
+        self.tell_forces(poses, moves, road);
+        Ok(())
+    }
+
+    /// The forces of joints and springs, with these accelerations of points.
+    fn tell_forces(&self, poses: &Poses<T>, moves: &dyn Fn(usize, T) -> Vector<T>, road: &mut Road<T>) {
+        let scene = self.scene;
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
-            let Some(forces) = self.reaction(poses, j, moves) else {
+            let Some(forces) = self.reaction(poses, j, moves, false) else {
                 road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
                 continue;
             };
@@ -935,9 +1233,9 @@ impl<'a, T: Real> Account<'a, T> {
             {
                 let up = pose::upward(pose::direction(self.n, direction_deg));
                 let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
-                self.say(road, Quantity::Friction, of, -most.signed(self.sliding[j]).signed(up));
+                self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));
             }
-            if let ([(x, _), (y, _)], [_, Quantity::PinY]) = (forces.as_slice(), quantities) {
+            if let ([(x, _), (y, _), ..], [_, Quantity::PinY, ..]) = (forces.as_slice(), quantities) {
                 self.say(road, Quantity::PinForce, of, (x.square() + y.square()).root());
             }
         }
@@ -946,6 +1244,5 @@ impl<'a, T: Real> Account<'a, T> {
             let force = self.n.massive(strut.stiffness_n_m) * length.balance(-*natural);
             self.say(road, Quantity::SpringForce, Owner::Strut(s), force);
         }
-        Ok(())
     }
 }

@@ -38,15 +38,20 @@ use std::cell::Cell;
 ///
 /// Errors: ties that hold the ending coordinate fast, a start that contradicts them or leaves open what is asked.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    road_of(scene, data, Scope::ALL)
+}
+
+/// The same without the time of joined bodies if that is not asked: it is a quadrature of its own. Errors: those of [`road`].
+pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     match &scene.formulas.found {
         Some(found) => found::road(found, data, &Here(scene)),
-        None => answered(scene, data),
+        None => answered(scene, data, asked),
     }
 }
 
-/// [`road`] with all data given.
-fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
-    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+/// [`road_of`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(alone(scene, data, asked)?.answering(scene, data, &|other| alone(other, data, Scope::ALL)))
 }
 
 /// This road of a scene, for the search of what is found from a measurement.
@@ -54,19 +59,19 @@ struct Here<'s>(&'s Scene);
 
 impl<T: Real> Forward<T> for Here<'_> {
     fn rough(&self, data: &[f64], label: Label) -> f64 {
-        let road = alone::<Fast>(self.0, data).ok();
+        let road = alone::<Fast>(self.0, data, Scope::only([label.quantity])).ok();
         road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
     }
     fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
-        answered(self.0, data)
+        answered(self.0, data, Scope::ALL)
     }
 }
 
 /// [`road`] without what is asked by formulas.
-fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
-        return Ok(joined::road(scene, &n)?.0);
+        return Ok(joined::road(scene, &n, asked)?.0);
     }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
@@ -117,7 +122,7 @@ pub fn road_by<T: Real>(
         };
     }
     let (road, count) = alone_by(scene, data, points)?;
-    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -130,7 +135,7 @@ fn alone_by<T: Real>(
     if scene.lead().is_some() {
         return match points {
             Some(_) => Err(Refusal::NoMethod { method: Method::Gauss }),
-            None => joined::road(scene, &n),
+            None => joined::road(scene, &n, Scope::ALL),
         };
     }
     if let Some((body, pin)) = scene.pinned() {
@@ -599,7 +604,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => None,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),

@@ -259,7 +259,12 @@ impl<'c, T: Real> Motion<'c, T> {
                 let wanted = n.get(w).square() * self.store.doubled;
                 self.way_to_energy(wanted.scale2(-1), turning.unwrap_or_else(Self::horizon))?
             }
-            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) | End::Leaves(_) => None,
+            End::AtOnce
+            | End::Travel(..)
+            | End::Position(..)
+            | End::Rolling(_)
+            | End::Leaves(_)
+            | End::Equilibrium => None,
         })
     }
 

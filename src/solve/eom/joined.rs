@@ -1,28 +1,42 @@
 //! The motion of joined bodies in the plane: the rate of the leading angle and the time, integrated over that angle.
 //!
 //! The equations of motion give `q'' = A(q) + B(q) q'^2`, a linear equation for `y = q'^2 / 2` over the angle,
-//! `dy/dq = A + 2 B y`, solved with its integrating factor `exp(-2 int B dq)` panel by panel. From rest the angle goes as the
-//! square of the variable, which takes the root singularity out of the time; the last half of a way that ends at rest is summed
-//! as the way back from there.
-use crate::num::gauss::{self, PerNode, Unsettled};
+//! `dy/dq = A + 2 B y`, solved with its integrating factor `exp(-2 int B dq)` panel by panel. Where nothing rubs that is the inertia
+//! over the angle, up to a constant, and `A` alone is needed. From rest the angle goes as the square of the variable, which takes
+//! the root singularity out of the time, or beside an equilibrium as the square of its hyperbolic sine, as the time itself would
+//! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
+use crate::num::dd::pow2;
+use crate::num::gauss::{self, PerNode, Unsettled, long};
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
-use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot, Start};
+use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
 use crate::solve::eom::planar::{Mechanism, Response, State};
-use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope};
+use crate::solve::outcome::{self, Course, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::SmallVec;
 use std::cell::Cell;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
-/// Angle after which a panel ends at the latest, radians, in numbers of 32 digits and in doubles.
-const STRIDE: [f64; 2] = [0.5, 2.0];
-/// Legendre coefficients below this share are rounding of the answer: see [`gauss::smooth`]; likewise.
+/// Angle after which a panel ends at the latest, radians.
+const STRIDE: f64 = 1.0;
+/// Legendre coefficients below this share are rounding of the answer, in numbers of 32 digits and in doubles: see
+/// [`gauss::Rule::rough`].
 const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
 /// Panels of a motion at most: the way to a singularity takes fewer, what takes more is rough by its rounding.
 const PANELS: u32 = 100;
+
+/// Way on which it is seen whether the drive grows, radians.
+const BESIDE: f64 = 1.0 / 4096.0;
+/// An equilibrium farther away than this leaves the time smooth, radians.
+const NEAR: f64 = 0.25;
+
+/// The degree of coefficients that fall as those of a panel do.
+const DEGREE: f64 = 32.0;
+
+/// A panel is no shorter than this share of the way: a singularity so far away is still seen.
+const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// A normal force below this share of all weights does not press.
 const PUSHES: f64 = 1e-9;
@@ -35,34 +49,54 @@ struct Motion<'m, 'a, T: Real> {
     start: T,
     /// 1 if the leading angle grows, -1 if it shrinks.
     sense: f64,
-    /// Half the square of the rate at the start.
-    half_square: T,
+    /// What it has there.
+    from: Gain<T>,
+    /// Beside an equilibrium: root of the way on which the drive would be doubled twice; else 0.
+    near: T,
     /// For each joint: sense in which its point slides where it rubs, else 0.
-    sliding: SmallVec<[f64; 4]>,
+    slides: SmallVec<[f64; 4]>,
+    /// The same times the side of the guide to which it presses, 1 or -1: see [`rubbing`].
+    rubs: SmallVec<[f64; 4]>,
     /// Panels that may still be made.
     panels: Cell<u32>,
+}
+
+/// What the rate has come to.
+#[derive(Debug, Clone, Copy)]
+struct Gain<T> {
+    /// Half its square.
+    half_square: T,
+    /// The integrating factor: the inertia over the angle where nothing rubs, else 1 at the start of each panel.
+    factor: T,
 }
 
 /// A part of the way on which everything is smooth, told by a variable of which the way is the square where it starts from rest.
 struct Panel<T> {
     /// The variable at its ends.
     ends: (T, T),
-    /// Half the square of the rate at its nodes, and at its end.
+    /// Half the square of the rate at its nodes.
     squares: PerNode<T>,
-    last: T,
-    /// Integral of the time over it.
-    time: T,
-    /// For each joint that can only push: its normal force at the nodes.
+    /// What the rate comes to at its end.
+    last: Gain<T>,
+    /// The time over it, per share of it, at its nodes.
+    times: PerNode<T>,
+    /// For each joint that can only push or rubs: its normal force at the nodes.
     pushes: Watched<T>,
-    smooth: bool,
-    /// Is the time smooth too?
-    timely: bool,
+    /// Do all points that rub slide as at the start, at the nodes?
+    slides_on: PerNode<bool>,
+    /// How far the last coefficients are above what is smooth.
+    rough: f64,
+    /// The same of the time.
+    uneven: f64,
 }
 
-/// Something of each joint that can only push, at the nodes of a panel.
+/// Something of each joint that can only push or rubs, at the nodes of a panel.
 type Watched<T> = SmallVec<[(usize, PerNode<T>); 2]>;
-/// Sees a panel and the half square of the rate at its start; true ends the march.
-type Visit<'v, T> = dyn FnMut(&Panel<T>, T) -> Result<bool, Refusal> + 'v;
+/// Sees a panel and what the rate has come to at its start; true ends the march.
+type Visit<'v, T> = dyn FnMut(&Panel<T>, Gain<T>) -> Result<bool, Refusal> + 'v;
+
+/// What bodies do with these senses of friction.
+type Responds<'r, T> = dyn Fn(&[f64]) -> Result<Response<T>, Refusal> + 'r;
 
 /// Where a motion stops.
 #[derive(Debug, Clone, Copy)]
@@ -73,7 +107,7 @@ struct Stop<T> {
     half_square: T,
     /// What stops it.
     why: Why,
-    /// The time until then, where the panels gave it.
+    /// The time until then, where the panels give it.
     time: Option<T>,
 }
 
@@ -96,50 +130,104 @@ enum Why {
 pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
     let mechanism = Mechanism::new(scene, n)?;
     let mut teller = Teller { scene, n, mechanism: &mechanism, asked, road: Road::new(asked) };
-    let given = scene.start.iter().find_map(|s| match s {
-        Start::Speed(c, w) if c.body == mechanism.lead => Some(n.get(*w)),
-        _ => None,
-    });
-    let spin = given.map_or_else(T::zero, |w| w / mechanism.ratio());
+    let mut spin = mechanism.start_rate()?;
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
         let state = mechanism.state(T::zero(), !spin.is_zero())?;
+        if scene.is_struck() {
+            let jumps = mechanism.struck(&state)?;
+            teller.tell_blow(&jumps);
+            teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
+            return Ok(teller.road);
+        }
+        if let Some(alpha) = scene.driven() {
+            // From rest it sets off as it is driven.
+            let alpha = n.get(alpha);
+            let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
+            let state = mechanism.state(T::zero(), true)?;
+            let slides = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
+            let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
+            let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
+            let (response, moment) = driven(&rubs)?;
+            let size = moment.size() + teller.pulls(&state) * mechanism.size();
+            teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
+            teller.watch(&response, spin.square());
+            let lead = mechanism.leading(&response);
+            teller.tell(&state, &response, (spin, lead), &rubs)?;
+            return Ok(teller.road);
+        }
         let smooth = mechanism.respond(&state, &nothing)?;
-        // What starts from rest slides as it would without friction.
-        let senses = if spin.is_zero() {
-            sliding(&mechanism, &|at| mechanism.pull_off(&state, &smooth, at))
+        // What starts from rest slides as it would without friction, if friction lets it.
+        let from_rest = |response| sliding(&mechanism, &|at| mechanism.pull_off(&state, response, at));
+        let slides = if spin.is_zero() {
+            from_rest(&smooth)
         } else {
             sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
         };
-        let response = mechanism.respond(&state, &senses)?;
+        let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
+        let response = mechanism.respond(&state, &rubs)?;
+        if spin.is_zero() && from_rest(&response) != slides {
+            teller.road.course = Some(Course::at_rest());
+            return Ok(teller.road);
+        }
+        teller.watch(&response, spin.square());
         let lead = mechanism.leading(&response);
-        teller.tell(&state, &response, (spin, lead), &senses)?;
+        teller.tell(&state, &response, (spin, lead), &rubs)?;
+        return Ok(teller.road);
+    }
+    if scene.end == End::Equilibrium {
+        teller.tell_equilibrium(&nothing)?;
         return Ok(teller.road);
     }
     let state = mechanism.state(T::zero(), true)?;
+    if scene.is_struck() {
+        let jumps = mechanism.struck(&state)?;
+        spin = spin.balance(mechanism.leading(&jumps).0);
+        teller.tell_blow(&jumps);
+    }
     let free = mechanism.respond(&state, &nothing)?;
     let (a, b) = mechanism.leading(&free);
     let first = a.balance(b * spin.square());
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let sliding = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let slides = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
+    let rubbed = slides.iter().any(|s| *s != 0.0);
+    let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
     let motion = Motion {
         mechanism: &mechanism,
         start: T::zero(),
         sense,
-        half_square: spin.square().scale2(-1),
-        sliding,
+        from: Gain { half_square: spin.square().scale2(-1), factor },
+        near: T::zero(),
+        slides,
+        rubs,
         panels: Cell::new(PANELS),
     };
     // Friction may hold what would set off without it.
-    let rubbed = mechanism.respond(&state, &motion.sliding)?;
-    let (a, b) = mechanism.leading(&rubbed);
+    let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
     let sets_off = a.balance(b * spin.square()).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
         return Ok(teller.road);
     }
-    motion.to_its_end(&mut teller)?;
+    motion.set_off(&state)?.to_its_end(&mut teller)?;
     Ok(teller.road)
+}
+
+/// The slope of a function, by differences over ever smaller spans from which the error is extrapolated.
+fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T) -> Result<T, Refusal> {
+    const SPANS: i32 = 7;
+    let mut row: Vec<T> = Vec::new();
+    for i in 0..SPANS {
+        let span = T::of(1.0).scale2(-4 - i);
+        let mut next = vec![(value(at + span)? - value(at - span)?) / span.scale2(1)];
+        for (k, coarse) in row.iter().enumerate() {
+            let finer = next[k];
+            next.push(finer + (finer - *coarse) / T::of(pow2(2 * k as i32 + 2) - 1.0));
+        }
+        row = next;
+    }
+    Ok(row.last().copied().unwrap_or_else(T::zero))
 }
 
 /// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
@@ -155,136 +243,240 @@ fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: &dyn Fn(Spot) -> [T; 2]) ->
     mechanism.scene.joints.iter().map(|j| of(&j.kind)).collect()
 }
 
+/// The senses of friction per normal force: those of sliding, turned about where a guide that holds on both sides presses to its
+/// right, at this square of the rate. Errors: which side it presses to is open.
+fn rubbing<T: Real>(
+    mechanism: &Mechanism<T>,
+    slides: &SmallVec<[f64; 4]>,
+    square: T,
+    respond: &Responds<T>,
+) -> Result<SmallVec<[f64; 4]>, Refusal> {
+    let rubs_on_both =
+        |j: &usize| slides[*j] != 0.0 && matches!(mechanism.scene.joints[*j].kind.rubs(), Some((_, true)));
+    let both: SmallVec<[usize; 4]> = (0..slides.len()).filter(rubs_on_both).collect();
+    let turned = |sides: &[f64]| {
+        let mut all = slides.clone();
+        both.iter().zip(sides).for_each(|(j, side)| all[*j] *= side);
+        all
+    };
+    let sides = outcome::sides(both.len(), |sides| {
+        let response = respond(&turned(sides))?;
+        let fits = |(j, side): (&usize, &f64)| {
+            let force = mechanism.reaction(&response, *j, square);
+            force.is_none_or(|force| force[0].signed(*side).sign() >= 0.0)
+        };
+        Ok(both.iter().zip(sides).all(fits))
+    })?;
+    Ok(turned(&sides))
+}
+
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
-    fn n(&self) -> &Numbers<'a, T> {
-        self.mechanism.n
-    }
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
     }
+    /// Sum of all weights.
+    fn weights(&self) -> f64 {
+        let n = self.mechanism.n;
+        n.bodies.iter().fold(0.0, |sum, b| sum + (b.mass * n.gravity).size())
+    }
     fn rests(&self) -> bool {
-        self.half_square.is_zero()
+        self.from.half_square.is_zero()
+    }
+    fn is_rubbed(&self) -> bool {
+        self.slides.iter().any(|s| *s != 0.0)
     }
     /// The way at this value of the variable, and its derivative.
     fn way(&self, x: T) -> (T, T) {
-        if self.rests() { (x.square(), x.scale2(1)) } else { (x, T::of(1.0)) }
+        if !self.rests() {
+            return (x, T::of(1.0));
+        }
+        if self.near.is_zero() {
+            return (x.square(), x.scale2(1));
+        }
+        let grown = trig::exp_of(x / self.near);
+        let shrunk = T::of(1.0) / grown;
+        let sine = (grown - shrunk).scale2(-1) * self.near;
+        (sine.square(), sine * (grown + shrunk))
     }
     /// The variable at this way.
     fn variable(&self, way: T) -> T {
-        if self.rests() { way.root() } else { way }
+        if !self.rests() {
+            return way;
+        }
+        if self.near.is_zero() {
+            return way.root();
+        }
+        let sine = way.f64().sqrt() / self.near.f64();
+        let mut x = T::of(trig::ln(sine + (1.0 + sine * sine).sqrt())) * self.near;
+        for _ in 0..2 {
+            let (here, slope) = self.way(x);
+            x = if slope.is_zero() { x } else { x + (way - here) / slope };
+        }
+        x
+    }
+    /// The same motion from rest, with the variable that suits it.
+    fn set_off(mut self, begin: &State<T>) -> Result<Self, Refusal> {
+        if self.rests() && !self.is_rubbed() {
+            let beside = self.mechanism.state(self.angle(T::of(BESIDE)), true)?;
+            let (first, then) = (self.mechanism.drive(begin), self.mechanism.drive(&beside));
+            let doubled = first.f64() * 2.0 * BESIDE / (then - first).f64();
+            if doubled > 0.0 && doubled < NEAR {
+                self.near = T::of(doubled.sqrt());
+            }
+        }
+        Ok(self)
     }
     fn at(&self, way: T) -> Result<(State<T>, Response<T>), Refusal> {
         let state = self.mechanism.state(self.angle(way), true)?;
-        let response = self.mechanism.respond(&state, &self.sliding)?;
+        let response = self.mechanism.respond(&state, &self.rubs)?;
         Ok((state, response))
     }
+    /// Do all points that rub slide as at the start?
+    fn slides_on(&self, state: &State<T>) -> bool {
+        let now = |at| self.mechanism.speed(state, at).map(|v| v.signed(self.sense));
+        sliding(self.mechanism, &now) == self.slides
+    }
+    /// Does this normal force press to the side to which it pressed at the start?
+    fn presses_on(&self, joint: usize, force: T) -> bool {
+        let pushes = self.mechanism.scene.joints[joint].kind.only_pushes();
+        let side = if pushes { 1.0 } else { self.rubs[joint] * self.slides[joint] };
+        force.signed(side).sign() > 0.0
+    }
 
-    fn panel(&self, ends: (T, T), from: T) -> Result<Panel<T>, Refusal> {
+    fn panel(&self, ends: (T, T), from: Gain<T>) -> Result<Panel<T>, Refusal> {
         let (width, share) = (ends.1 - ends.0, SMOOTH[usize::from(T::is_double())]);
-        let (mut drives, mut growths, mut slopes) = (PerNode::new(), PerNode::new(), PerNode::new());
+        let (mechanism, joints) = (self.mechanism, &self.mechanism.scene.joints);
+        let watched = joints.iter().any(|j| j.kind.only_pushes() || j.kind.rubs().is_some());
+        let [mut drives, mut growths, mut slopes, mut inertias] =
+            [(); 4].map(|()| PerNode::with_capacity(long::<T>().nodes.len()));
+        let mut slides_on = PerNode::new();
         let mut pushes: Watched<(T, T)> = SmallVec::new();
-        for node in gauss::nodes() {
+        let mut state = mechanism.state(self.angle(self.way(ends.1).0), true)?;
+        let mut last = mechanism.inertia(&state);
+        for node in long::<T>().nodes.iter() {
             let (way, slope) = self.way(ends.0 + width * T::constant(*node));
             let slope = slope * width;
-            let (_, response) = self.at(way)?;
-            for joint in 0..self.mechanism.scene.joints.len() {
-                if let Some(parts) = self.mechanism.push(&response, joint) {
-                    match pushes.iter_mut().find(|p| p.0 == joint) {
-                        Some((_, list)) => list.push(parts),
-                        None => pushes.push((joint, vec![parts])),
+            mechanism.next(self.angle(way), &mut state)?;
+            let inertia = mechanism.inertia(&state);
+            let mut drive = mechanism.drive(&state);
+            if watched || self.is_rubbed() {
+                let response = mechanism.respond(&state, &self.rubs)?;
+                slides_on.push(self.slides_on(&state));
+                for joint in 0..joints.len() {
+                    if let Some(parts) = mechanism.push(&response, joint) {
+                        match pushes.iter_mut().find(|p| p.0 == joint) {
+                            Some((_, list)) => list.push(parts),
+                            None => pushes.push((joint, vec![parts])),
+                        }
                     }
                 }
+                if self.is_rubbed() {
+                    let (a, b) = mechanism.leading(&response);
+                    let b = plant!("eom: centripetal share over the angle", b.signed(self.sense));
+                    growths.push(b.scale2(1) * slope);
+                    drive = a;
+                }
             }
-            let (a, b) = self.mechanism.leading(&response);
-            drives.push(plant!("eom: acceleration over the angle", a.signed(self.sense)) * slope);
-            growths.push(
-                plant!("eom: centripetal share over the angle", b.signed(self.sense)).scale2(1) * slope,
-            );
+            drives.push(plant!("eom: acceleration over the angle", drive.signed(self.sense)) * slope);
+            inertias.push(inertia);
             slopes.push(slope);
         }
-        let factors: PerNode<T> = gauss::running(&growths).into_iter().map(|x| trig::exp_of(-x)).collect();
-        let whole = trig::exp_of(-gauss::mean(&growths));
-        let driven: PerNode<T> = drives.iter().zip(&factors).map(|(a, e)| *a * *e).collect();
-        let squares: PerNode<T> =
-            gauss::running(&driven).into_iter().zip(&factors).map(|(g, e)| (from + g) / *e).collect();
+        // The integrating factor where something rubs. Growths are exponents: beside 1 they count.
+        let mut rough = 0.0;
+        if self.is_rubbed() {
+            rough = long::<T>().rough(&growths, share, 1.0);
+            inertias = long::<T>().running(&growths).into_iter().map(|x| trig::exp_of(-x)).collect();
+            last = trig::exp_of(-long::<T>().mean(&growths));
+            drives.iter_mut().zip(&inertias).for_each(|(a, e)| *a = *a * *e);
+        }
+        let start = from.half_square * from.factor;
+        let squares = long::<T>().running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
+        let squares: PerNode<T> = squares.collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
         let force = |(constant, share): &(T, T), square: &T| *constant + *share * square.scale2(1);
-        let pushes = pushes
-            .iter()
-            .map(|(joint, parts)| (*joint, parts.iter().zip(&squares).map(|(p, y)| force(p, y)).collect()))
-            .collect();
-        Ok(Panel {
-            ends,
-            pushes,
-            last: (from + gauss::mean(&driven)) / whole,
-            time: gauss::mean(&times),
-            // Growths are exponents: beside 1 they count.
-            smooth: gauss::smooth_beside(&growths, share, 1.0)
-                && gauss::smooth_beside(&driven, share, from.size()),
-            timely: gauss::smooth(&times, gauss::SMOOTH),
-            squares,
-        })
+        let forces = |parts: &[(T, T)]| parts.iter().zip(&squares).map(|(p, y)| force(p, y)).collect();
+        let pushes: Watched<T> = pushes.iter().map(|(joint, parts)| (*joint, forces(parts))).collect();
+        for (values, beside) in [(&drives, start.size()), (&squares, 0.0)]
+            .into_iter()
+            .chain(pushes.iter().map(|p| (&p.1, self.weights())))
+        {
+            rough = f64::max(rough, long::<T>().rough(values, share, beside));
+        }
+        let half_square = (start + long::<T>().mean(&drives)) / last;
+        let factor = if self.is_rubbed() { T::of(1.0) } else { last };
+        let uneven = long::<T>().rough(&times, gauss::SMOOTH, 0.0);
+        let last = Gain { half_square, factor };
+        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares })
     }
 
-    /// Shows smooth panels one after the other until `visit` has seen enough; gives half the square of the rate at the end.
+    /// Shows smooth panels one after the other until `visit` has seen enough; gives what the rate comes to at the end.
     fn over(
         &self,
-        ends: (T, T),
-        from: T,
+        (mut at, end): (T, T),
+        mut from: Gain<T>,
         timely: bool,
-        left: u32,
         visit: &mut Visit<T>,
-    ) -> Result<Option<T>, Refusal> {
-        let panel = self.panel(ends, from)?;
-        if panel.smooth && (panel.timely || !timely) {
-            return Ok((!visit(&panel, from)?).then_some(panel.last));
+    ) -> Result<Option<Gain<T>>, Refusal> {
+        let mut width = end - at;
+        let least = width.size() * SHORTEST;
+        while at.below(end) {
+            let far = self.variable(self.way(at).0 + T::of(STRIDE));
+            let next = [at + width, far].into_iter().fold(end, |a, b| if b.below(a) { b } else { a });
+            let panel = self.panel((at, next), from)?;
+            // Beyond where it comes to rest no time is smooth.
+            let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
+            let rough = if timely && moves { f64::max(panel.rough, panel.uneven) } else { panel.rough };
+            // The coefficients fall geometrically, the faster the farther away a singularity is in lengths of the panel.
+            let fit = 0.9 * trig::power(rough, -1.0 / DEGREE);
+            width = next - at;
+            if rough <= 1.0 {
+                if visit(&panel, from)? {
+                    return Ok(None);
+                }
+                (at, from) = (next, panel.last);
+                width = width * T::of(fit.clamp(0.5, 2.0));
+            } else {
+                let panels = self.panels.get();
+                if panels == 0 || width.size() <= least {
+                    let value = panel.last.half_square.f64();
+                    return Err(Unsettled { value, gap: f64::INFINITY }.into());
+                }
+                self.panels.set(panels - 1);
+                width = width * T::of(fit.clamp(0.1, 0.7));
+            }
         }
-        let panels = self.panels.get();
-        self.panels.set(panels.saturating_sub(1));
-        if left == 0 || panels == 0 {
-            return Err(Unsettled { value: panel.last.f64(), gap: f64::INFINITY }.into());
-        }
-        let middle = (ends.0 + ends.1).scale2(-1);
-        match self.over((ends.0, middle), from, timely, left - 1, visit)? {
-            Some(half) => self.over((middle, ends.1), half, timely, left - 1, visit),
-            None => Ok(None),
-        }
+        Ok(Some(from))
     }
 
-    /// Normal force of a joint that can only push, at this place.
-    fn contact(&self, joint: usize, way: T, half_square: T) -> Result<T, Refusal> {
-        let (_, response) = self.at(way)?;
-        let parts = self.mechanism.push(&response, joint);
-        Ok(parts.map_or_else(T::zero, |(constant, share)| constant + share * half_square.scale2(1)))
+    /// Normal force of a joint that can only push.
+    fn pushed(&self, response: &Response<T>, joint: usize, half_square: T) -> T {
+        let parts = self.mechanism.push(response, joint);
+        parts.map_or_else(T::zero, |(constant, share)| constant + share * half_square.scale2(1))
     }
 
     /// Where it first stops within `far`: at rest, at this half square of the rate, or where a joint stops pushing.
-    fn stop(&self, far: T, level: Option<T>, least: &mut [(usize, f64, f64)]) -> Result<Stop<T>, Refusal> {
-        let (mut x, mut square) = (T::zero(), self.half_square);
-        let last = self.variable(far);
+    fn stop(
+        &self,
+        far: T,
+        level: Option<T>,
+        timely: bool,
+        least: &mut [(usize, f64, f64)],
+    ) -> Result<Stop<T>, Refusal> {
         let mut found: Option<Stop<T>> = None;
         let mut time = Some(T::zero());
-        while x.below(last) && found.is_none() {
-            let (way, _) = self.way(x);
-            let next = self.variable(way + T::of(STRIDE[usize::from(T::is_double())]));
-            let next = if next.below(last) { next } else { last };
-            let mut visit = |panel: &Panel<T>, from: T| {
-                found = self.stopped(panel, from, level, least)?;
-                time = match &found {
-                    Some(stop) => sum(time, stop.time),
-                    None => {
-                        sum(time, panel.timely.then_some(plant!("eom: time of joined bodies", panel.time)))
-                    }
-                };
-                Ok(found.is_some())
+        let mut visit = |panel: &Panel<T>, from: Gain<T>| {
+            found = self.stopped(panel, from.half_square, level, least)?;
+            let part = match &found {
+                Some(stop) => stop.time,
+                None => (panel.uneven <= 1.0).then(|| long::<T>().mean(&panel.times)),
             };
-            match self.over((x, next), square, false, gauss::halvings(), &mut visit)? {
-                Some(end) => (x, square) = (next, end),
-                None => break,
-            }
-        }
-        let stop = found.unwrap_or(Stop { way: far, half_square: square, why: Why::Far, time: None });
+            time = time.zip(part).map(|(sum, part)| sum + plant!("eom: time of joined bodies", part));
+            Ok(found.is_some())
+        };
+        let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
+        let half_square = end.unwrap_or(self.from).half_square;
+        let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None });
         Ok(Stop { time, ..stop })
     }
 
@@ -297,11 +489,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         least: &mut [(usize, f64, f64)],
     ) -> Result<Option<Stop<T>>, Refusal> {
         let (a, b) = panel.ends;
-        let nodes = gauss::nodes().iter().map(|s| a + (b - a) * T::constant(*s));
+        let nodes = long::<T>().nodes.iter().map(|s| a + (b - a) * T::constant(*s));
         let rising = level.map(|l| from.below(l));
         let mut before = a;
         let squares = panel.squares.iter().copied();
-        for (i, (x, square)) in nodes.zip(squares).chain([(b, panel.last)]).enumerate() {
+        for (i, (x, square)) in nodes.zip(squares).chain([(b, panel.last.half_square)]).enumerate() {
             let mut why = None;
             if square.sign() < 0.0 {
                 why = Some(Why::Rest);
@@ -316,28 +508,39 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                         (least.1, least.2) =
                             (f64::min(least.1, force.f64()), f64::max(least.2, force.size()));
                     }
-                    if force.sign() <= 0.0 {
+                    if !self.presses_on(*joint, *force) {
                         why = Some(Why::Leaves(*joint));
                         break;
                     }
                 }
             }
+            let slides_on = panel.slides_on.get(i).copied().unwrap_or(true);
+            let turned =
+                matches!(why, Some(Why::Leaves(j)) if !self.mechanism.scene.joints[j].kind.only_pushes());
+            if turned || why.is_none() && !slides_on {
+                return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+            }
             if let Some(why) = why {
-                let value = |x: T, square: T| match why {
-                    Why::Leaves(joint) => self.contact(joint, self.way(x).0, square),
-                    Why::Speed => Ok(square - level.unwrap_or_else(T::zero)),
-                    _ => Ok(square),
+                let share = |x: T| (x - a) / (b - a);
+                let square = |x: T| long::<T>().at(&panel.squares, share(x));
+                let forces = panel.pushes.iter().find(|(joint, _)| why == Why::Leaves(*joint));
+                let value = |x: T| {
+                    let value =
+                        forces.map_or_else(|| square(x), |(_, forces)| long::<T>().at(forces, share(x)));
+                    Ok(if why == Why::Speed { value - level.unwrap_or_else(T::zero) } else { value })
                 };
-                let between = |x: T| value(x, gauss::at(&panel.squares, (x - a) / (b - a)));
-                let rough = secant(before, x, why == Why::Speed && rising == Some(true), &between)?;
-                // What the interpolation leaves is taken off by one step with the panel up to there.
-                let step = (x - before).scale2(-20);
-                let slope = (between(rough)? - between(rough - step)?) / step;
-                let x = rough - value(rough, self.panel((a, rough), from)?.last)? / slope;
-                let part = self.panel((a, x), from)?;
-                let half_square = if why == Why::Rest { T::zero() } else { part.last };
-                let time = (part.timely && why != Why::Rest)
-                    .then_some(plant!("eom: time of joined bodies", part.time));
+                let mut x = secant(before, x, why == Why::Speed && rising == Some(true), &value)?;
+                if let Why::Leaves(joint) = why {
+                    // What the interpolation leaves of the force is taken off by one step.
+                    let step = (x - before).scale2(-20);
+                    let slope = (value(x)? - value(x - step)?) / step;
+                    let (_, response) = self.at(self.way(x).0)?;
+                    x = x - self.pushed(&response, joint, square(x)) / slope;
+                }
+                let fine = why != Why::Rest
+                    && long::<T>().rough(&panel.times, SMOOTH[usize::from(T::is_double())], 0.0) <= 1.0;
+                let half_square = if why == Why::Rest { T::zero() } else { square(x) };
+                let time = fine.then(|| long::<T>().until(&panel.times, share(x)));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
             before = x;
@@ -353,16 +556,18 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if rest {
             // The last half is the way back from the turning point.
             let half = way.scale2(-1);
-            let back =
-                Motion { start: self.angle(way), sense: -self.sense, half_square: T::zero(), ..self.clone() };
+            let from = Gain { half_square: T::zero(), factor: T::of(1.0) };
+            let (start, near) = (self.angle(way), T::zero());
+            let back = Motion { start, sense: -self.sense, from, near, ..self.clone() };
+            let back = back.set_off(&self.mechanism.state(start, true)?)?;
             return Ok(self.time(half, false)? + back.time(half, false)?);
         }
         let mut time = T::zero();
-        let mut visit = |panel: &Panel<T>, _: T| {
-            time = time + panel.time;
+        let mut visit = |panel: &Panel<T>, _: Gain<T>| {
+            time = time + long::<T>().mean(&panel.times);
             Ok(false)
         };
-        self.over((T::zero(), self.variable(way)), self.half_square, true, gauss::halvings(), &mut visit)?;
+        self.over((T::zero(), self.variable(way)), self.from, true, &mut visit)?;
         Ok(plant!("eom: time of joined bodies", time))
     }
 
@@ -392,9 +597,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             _ => None,
         };
         // What does not push at the start is not touched.
-        let weights = self.n().bodies.iter().fold(0.0, |sum, b| sum + (b.mass * self.n().gravity).size());
+        let weights = self.weights();
+        let (first, begin) = self.at(T::zero())?;
         for joint in (0..scene.joints.len()).filter(|j| scene.joints[*j].kind.only_pushes()) {
-            let force = self.contact(joint, T::zero(), self.half_square)?;
+            let force = self.pushed(&begin, joint, self.from.half_square);
             if force.below(T::of(PUSHES * weights)) {
                 let drive = (T::zero(), T::zero());
                 teller.road.course =
@@ -403,13 +609,15 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 return Ok(());
             }
         }
-        let mut least: Vec<(usize, f64, f64)> =
+        let nothing: Vec<(usize, f64, f64)> =
             (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
+        let mut least = nothing.clone();
         let backward = far.sign() < 0.0;
         let mut stop = if backward {
-            Stop { way: T::zero(), half_square: self.half_square, why: Why::Far, time: None }
+            Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None }
         } else {
-            self.stop(far, level, &mut least)?
+            // Whether the time is asked changes no other answer, not even by its rounding.
+            self.stop(far, level, matches!(scene.end, End::Time(..)), &mut least)?
         };
         let mut time = stop.time;
         if let End::Time(_, t) = scene.end {
@@ -420,7 +628,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             };
             if t.at_most(most) {
                 let way = secant(T::zero(), stop.way, true, &|way| Ok(self.time(way, false)? - t))?;
-                stop = Stop { way, half_square: self.gained(way)?, why: Why::Far, time: Some(t) };
+                // What pushes is watched up to there alone.
+                least = nothing;
+                stop = Stop { why: Why::Far, ..self.stop(way, None, false, &mut least)? };
                 time = Some(t);
             } else {
                 (stop.why, time) = (Why::Rest, None);
@@ -446,6 +656,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         for (joint, least, most) in least {
             let one_sided = scene.joints[joint].kind.only_pushes();
             if one_sided && least.is_finite() && leaving != Some(joint) {
+                let [least, most] = [least, most].map(|x| n.publish(Quantity::Normal, T::of(x)).f64());
                 teller.road.held.push(Held::Touching(joint, least, most));
             }
         }
@@ -467,8 +678,15 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             teller.say(Quantity::T, Owner::Scene, time);
         }
         teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), stop.way);
-        let (first, _) = self.at(T::zero())?;
         let (state, response) = self.at(stop.way)?;
+        let presses_on = |j: usize| {
+            let force = self.mechanism.reaction(&response, j, stop.half_square.scale2(1));
+            force.is_none_or(|force| self.presses_on(j, force[0]))
+        };
+        let rubs = (0..scene.joints.len()).filter(|j| self.slides[*j] != 0.0 && leaving != Some(*j));
+        if !self.slides_on(&state) || !rubs.into_iter().all(presses_on) {
+            return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        }
         let size = self.mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
             let (high, low) = (self.mechanism.height(&state, b), self.mechanism.height(&first, b));
@@ -478,20 +696,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
         let speed = stop.half_square.scale2(1).root().signed(self.sense);
         let lead = self.mechanism.leading(&response);
-        teller.tell(&state, &response, (speed, lead), &self.sliding)
+        teller.tell(&state, &response, (speed, lead), &self.rubs)
     }
-
-    /// Half the square of the rate after this way.
-    fn gained(&self, way: T) -> Result<T, Refusal> {
-        let mut see = |_: &Panel<T>, _: T| Ok(false);
-        let end =
-            self.over((T::zero(), self.variable(way)), self.half_square, false, gauss::halvings(), &mut see)?;
-        Ok(end.unwrap_or(self.half_square))
-    }
-}
-
-fn sum<T: Real>(one: Option<T>, other: Option<T>) -> Option<T> {
-    Some(one? + other?)
 }
 
 /// The root of a function without a known slope between two places: by the secant of the last two values, never out of its bracket.
@@ -532,24 +738,83 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
-    /// Everything at a place, at this rate of the leading angle.
-    fn tell(
-        &mut self,
-        state: &State<T>,
-        response: &Response<T>,
-        (rate, lead): (T, (T, T)),
-        sliding: &[f64],
-    ) -> Result<(), Refusal> {
+    /// The stable equilibrium toward which the bodies set off from rest, and small oscillations about it: `q'' = A'(q_e) (q - q_e)`.
+    fn tell_equilibrium(&mut self, smooth: &[f64]) -> Result<(), Refusal> {
         let (scene, mechanism) = (self.scene, self.mechanism);
-        let square = rate.square();
-        // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
-        let size = mechanism.size();
-        let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
-        let terms = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
-        // Forces that may cancel wherever a force or an acceleration vanishes.
-        let weights = self.n.bodies.iter().map(|b| (b.mass * self.n.gravity).size());
-        let springs = (0..scene.struts.len()).map(|s| mechanism.tension(state, s).size());
-        let pulls: f64 = weights.chain(springs).sum();
+        let at = |way: T| {
+            let state = mechanism.state(way, true)?;
+            let response = mechanism.respond(&state, smooth)?;
+            Ok::<_, Refusal>((state, response))
+        };
+        let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
+        let sense = drive(T::zero())?.sign();
+        let mut found = (sense == 0.0).then(T::zero);
+        let (mut before, full) = (T::zero(), T::constant(Dd::PI.scale2(1)));
+        while sense != 0.0 && found.is_none() && before.below(full) {
+            let next = before + T::of(STRIDE / 16.0);
+            if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
+                let way = secant(before, next, false, &|x| Ok(drive(x.signed(sense))?.signed(sense)))?;
+                found = Some(way.signed(sense));
+            }
+            before = next;
+        }
+        let stiffness = match found {
+            Some(way) => -plant!("eom: slope of the acceleration at equilibrium", slope(&drive, way)?),
+            None => T::zero(),
+        };
+        let (Some(way), true) = (found, stiffness.sign() > 0.0) else {
+            self.road.course = Some(Course::nowhere());
+            return Ok(());
+        };
+        let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
+        self.say(Quantity::OmegaSmall, of, frequency);
+        self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+        self.say_scaled(Quantity::Phi, of, way.abs(), 1.0);
+        let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
+        for b in 0..scene.bodies.len() {
+            let risen = mechanism.height(&state, b) - mechanism.height(&first, b);
+            self.say_scaled(Quantity::Rise, Owner::Body(b), risen, mechanism.size());
+        }
+        self.tell_forces(&state, &response, T::zero(), smooth);
+        self.watch(&response, T::zero());
+        Ok(())
+    }
+
+    /// Do the joints that can only push or only pull do so, at this square of the rate?
+    fn watch(&mut self, response: &Response<T>, square: T) {
+        for (j, _) in self.scene.joints.iter().enumerate().filter(|(_, j)| j.kind.is_one_sided()) {
+            if let Some(force) = self.mechanism.reaction(response, j, square) {
+                let force = self.n.publish(Quantity::Normal, force[0]);
+                self.road.held.push(Held::Touching(j, force.f64(), force.size()));
+            }
+        }
+    }
+
+    /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
+    fn tell_blow(&mut self, jumps: &Response<T>) {
+        let blows = self.scene.pushes.iter().filter(|p| p.blow);
+        let all: f64 = blows.map(|p| self.n.massive(p.force_n).size()).sum();
+        for (j, joint) in self.scene.joints.iter().enumerate() {
+            let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
+            let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
+                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                continue;
+            };
+            for (quantity, impulse) in quantities.iter().zip(&impulses) {
+                let impulse = plant!("eom: impulse of a joint", *impulse);
+                self.say_scaled(*quantity, of, impulse, impulse.size() + all);
+            }
+            if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
+                let [pull, all] =
+                    [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
+                self.road.held.push(Held::Touching(j, pull, all));
+            }
+        }
+    }
+
+    /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
+    fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, f64, f64)>) {
+        let (scene, mechanism) = (self.scene, self.mechanism);
         let mut energy = T::zero();
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();
@@ -562,20 +827,24 @@ impl<T: Real> Teller<'_, '_, T> {
             self.say_scaled(Quantity::V, of, speed, fastest);
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
-            let [ax, ay] = mechanism.acceleration(response, b, square);
-            let size = ax.size()
-                + ay.size()
-                + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
-            self.say_scaled(Quantity::AX, of, ax, size);
-            self.say_scaled(Quantity::AY, of, ay, size);
+            if let Some((response, pulls, _)) = response {
+                let [ax, ay] = mechanism.acceleration(response, b, rate.square());
+                let size = ax.size()
+                    + ay.size()
+                    + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
+                self.say_scaled(Quantity::AX, of, ax, size);
+                self.say_scaled(Quantity::AY, of, ay, size);
+            }
             if body.turns {
                 let spin = mechanism.spin(state, b) * rate;
                 energy = energy + numbers.inertia * spin.square();
-                self.say(Quantity::Omega, of, spin.abs());
-                let (constant, by_square) = mechanism.turning(response, b);
-                let alpha = constant.balance(by_square * square);
-                let own = constant.size() + by_square.size() * square.size();
-                self.say_scaled(Quantity::Alpha, of, alpha, f64::max(own, terms));
+                self.say_scaled(Quantity::Omega, of, spin.abs(), f64::max(spin.size(), rate.size()));
+                if let Some((response, _, terms)) = response {
+                    let (constant, by_square) = mechanism.turning(response, b);
+                    let alpha = constant.balance(by_square * rate.square());
+                    let own = constant.size() + by_square.size() * rate.square().size();
+                    self.say_scaled(Quantity::Alpha, of, alpha, f64::max(own, terms));
+                }
             }
             let points = body.planar.as_ref().map_or(0, |p| p.points.len());
             for spot in (0..points).map(|point| Spot { body: b, point }) {
@@ -584,6 +853,36 @@ impl<T: Real> Teller<'_, '_, T> {
             }
         }
         self.say(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
+    }
+
+    /// Everything at a place, at this rate of the leading angle.
+    fn tell(
+        &mut self,
+        state: &State<T>,
+        response: &Response<T>,
+        (rate, lead): (T, (T, T)),
+        sliding: &[f64],
+    ) -> Result<(), Refusal> {
+        let square = rate.square();
+        // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
+        let size = self.mechanism.size();
+        let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
+        let terms = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
+        self.tell_motion(state, rate, Some((response, self.pulls(state), terms)));
+        self.tell_forces(state, response, square, sliding);
+        Ok(())
+    }
+
+    /// Forces that may cancel wherever a force or an acceleration vanishes.
+    fn pulls(&self, state: &State<T>) -> f64 {
+        let weights = self.n.bodies.iter().map(|b| (b.mass * self.n.gravity).size());
+        let springs = (0..self.scene.struts.len()).map(|s| self.mechanism.tension(state, s).size());
+        weights.chain(springs).sum()
+    }
+
+    /// The forces of joints and springs at this square of the rate of the leading angle.
+    fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
+        let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls(state));
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
@@ -602,7 +901,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 let friction = -most.signed(sliding[j]).signed(up);
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
             }
-            if let ([x, y], [_, Quantity::PinY]) = (force.as_slice(), quantities) {
+            if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
                 self.say(Quantity::PinForce, of, (x.square() + y.square()).root());
             }
         }
@@ -610,6 +909,5 @@ impl<T: Real> Teller<'_, '_, T> {
             let force = mechanism.tension(state, s);
             self.say_scaled(Quantity::SpringForce, Owner::Strut(s), force, force.size() + pulls);
         }
-        Ok(())
     }
 }

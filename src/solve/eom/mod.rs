@@ -666,7 +666,9 @@ impl<'a, T: Real> Walk<'a, T> {
                     if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
                 }
                 End::TurningPoint(_) => Event::Fall(0.0),
-                End::Angle(..) | End::Rolling(_) | End::AtOnce | End::Leaves(_) => return None,
+                End::Angle(..) | End::Rolling(_) | End::AtOnce | End::Leaves(_) | End::Equilibrium => {
+                    return None;
+                }
             };
             Some((event, s))
         });
@@ -694,7 +696,9 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {
+                (None, None)
+            }
         }
     }
 

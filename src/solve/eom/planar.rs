@@ -9,13 +9,15 @@
 //!                                              point moves at a hinge, on a circle at the end of a cord
 //! ```
 //! The angular velocities are those that the joints leave, in proportion to that of the leading body, so the right-hand side is
-//! affine in its square, and so are all accelerations and reactions.
+//! affine in its square, and so are all accelerations and reactions. Where one angle tells all velocities, `a = v q'' + b q'^2`
+//! with the `v` and `b` of the joints, and the equations of the bodies are left for `q''` and the forces. Times `v` these fall out
+//! where nothing rubs: `(sum of m v^2) q'' = sum of F . v` while the rate is 0.
 //! Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, articles 5/6 (relative acceleration) and 6/5 (general plane motion).
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
-use crate::scene::pose::{self, Layout, Poses};
+use crate::scene::pose::{self, Layout};
 use crate::scene::{JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
@@ -37,45 +39,55 @@ pub struct Mechanism<'a, T: Real> {
     pub n: &'a Numbers<'a, T>,
     /// Index of the leading body.
     pub lead: usize,
-    /// First unknown of each body: two accelerations, and an angular one if it turns.
+    /// First velocity of each body: two of its mass centre, and an angular one if it turns.
     first: SmallVec<[usize; 3]>,
-    /// First unknown of each joint.
+    /// First row of each joint.
     held: SmallVec<[usize; 4]>,
-    unknowns: usize,
+    /// How many velocities there are.
+    columns: usize,
     layout: Layout<'a, T>,
-    /// For each body: what a unit force and a unit moment make it accelerate; `None` where a body has no inertia against a turn.
-    mobility: Option<SmallVec<[[T; 3]; 2]>>,
     /// Natural length of each spring.
     natural: SmallVec<[T; 2]>,
 }
+
+/// Where all bodies are.
+type Poses<T> = pose::Poses<T>;
+/// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise.
+type Rates<T> = SmallVec<[[T; 3]; 3]>;
 
 /// Where all bodies are, and how fast they move for a unit rate of the leading angle.
 #[derive(Debug, Clone)]
 pub struct State<T> {
     poses: Poses<T>,
-    /// For each body: velocity of the mass centre and angular velocity counter-clockwise.
-    rates: SmallVec<[[T; 3]; 2]>,
+    rates: Rates<T>,
+    /// What the joints hold, and that nothing drifts where only that holds it.
     rows: Vec<Row<T>>,
-    /// What moves at unit rate with the leading angle.
-    leads: Row<T>,
+    /// What moves with the leading angle at its unit rate, and how fast.
+    leads: (Row<T>, T),
+    /// Factors of the rows as conditions of the velocities, the leading one last.
+    kinematics: Factors<T>,
+    /// Do these determine all velocities?
+    determined: bool,
 }
 
 /// Accelerations and reactions at one place, affine in the square of the rate of the leading angle.
 #[derive(Debug, Clone)]
 pub struct Response<T> {
-    /// For each unknown: constant part, and per square of the rate; `None` where the joints leave it open.
-    values: Vec<Option<(T, T)>>,
+    /// For each row: constant part of its force, and per square of the rate; `None` where the joints leave it open.
+    forces: SmallVec<[Option<(T, T)>; 8]>,
     /// The leading angle's second derivative likewise.
     lead: (T, T),
+    /// Accelerations: constant part, and per square of the rate.
+    moves: [Rates<T>; 2],
 }
 
 /// What a joint holds: a row of the constraint, which is also the direction of its force.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 struct Row<T> {
-    ends: SmallVec<[End<T>; 2]>,
-    /// The joint, and the unknown of the force.
+    /// One, or at a hinge two.
+    ends: ([End<T>; 2], usize),
+    /// The joint; beyond the last one for what no joint holds.
     joint: usize,
-    unknown: usize,
     /// Curvature of the way of its point toward its direction.
     toward: T,
     /// Direction of friction per normal force; zero where nothing rubs.
@@ -83,7 +95,7 @@ struct Row<T> {
 }
 
 /// What a row is for one body.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 struct End<T> {
     body: usize,
     /// Direction of the force.
@@ -100,6 +112,16 @@ impl<T: Real> End<T> {
     }
 }
 
+impl<T: Real> Row<T> {
+    fn new(joint: usize, one: End<T>, other: Option<End<T>>, toward: T) -> Self {
+        let ends = ([one, other.unwrap_or(one)], 1 + usize::from(other.is_some()));
+        Self { ends, joint, toward, rubs: [T::zero(); 2] }
+    }
+    fn ends(&self) -> &[End<T>] {
+        &self.ends.0[..self.ends.1]
+    }
+}
+
 fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
@@ -107,49 +129,30 @@ fn cross<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// The unknowns of equations that are given row by row, each with its right-hand side; `None` where they leave some open.
-fn solved<T: Real>(cells: &[T], unknowns: usize) -> Option<SmallVec<[T; 8]>> {
-    let rows = cells.chunks_exact(unknowns + 1);
-    if rows.len() == unknowns {
-        let left = rows.clone().flat_map(|row| row[..unknowns].iter().copied()).collect();
-        if let Some(factors) = Factors::new(unknowns, left) {
-            let right: SmallVec<[T; 8]> = rows.map(|row| row[unknowns]).collect();
-            return Some(factors.solve(&right));
-        }
-    }
-    // Joints that repeat each other, or a place near to where they do.
-    let mut equations = Equations::new(unknowns);
-    rows.for_each(|row| equations.row().copy_from_slice(row));
-    let reduced = equations.reduce(&[]);
-    (0..unknowns).map(|i| reduced.value(i)).collect()
-}
-
 impl<'a, T: Real> Mechanism<'a, T> {
     /// Reads the scene. Errors: no body leads, or joints do not place a body.
     pub fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Result<Self, Refusal> {
         let lead = scene.lead().ok_or(Refusal::Freedoms(0))?;
-        let mut unknowns = 0;
-        let mut next = |count: usize| {
-            unknowns += count;
-            unknowns - count
+        let sums = |sum: &mut usize, count: usize| {
+            *sum += count;
+            Some(*sum - count)
         };
-        let first = scene.bodies.iter().map(|b| next(if b.turns { 3 } else { 2 })).collect();
-        let held = scene.joints.iter().map(|j| next(j.kind.forces().len())).collect();
+        let first = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 });
+        let held = scene.joints.iter().map(|j| j.kind.forces().len());
         let layout = Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?;
-        let one = T::of(1.0);
-        let mobility = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
-            let mass = one / plant!("eom: mass of a body in the plane", numbers.mass);
-            let turns = !body.turns || !numbers.inertia.is_zero();
-            let turn = if body.turns {
-                one / plant!("eom: inertia of a body in the plane", numbers.inertia)
-            } else {
-                T::zero()
-            };
-            turns.then_some([mass, mass, turn])
-        });
-        let mobility = mobility.collect();
-        let natural = SmallVec::new();
-        let mut mechanism = Self { scene, n, lead, first, held, unknowns, layout, mobility, natural };
+        let mut mechanism = Self {
+            scene,
+            n,
+            lead,
+            columns: first.clone().sum(),
+            first: first.scan(0, sums).collect(),
+            held: held.scan(0, sums).collect(),
+            layout,
+            natural: SmallVec::new(),
+        };
+        if scene.struts.is_empty() {
+            return Ok(mechanism);
+        }
         let start = mechanism.poses(T::zero(), true)?;
         for strut in &scene.struts {
             let length = {
@@ -170,6 +173,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn poses(&self, way: T, at_start: bool) -> Result<Poses<T>, Refusal> {
         self.layout.poses(way, at_start).ok_or(Refusal::Freedoms(2))
     }
+    /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
+    pub fn start_rate(&self) -> Result<T, Refusal> {
+        self.layout.start_rate().ok_or(Refusal::Freedoms(2))
+    }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
         self.layout.ratio()
@@ -179,17 +186,25 @@ impl<'a, T: Real> Mechanism<'a, T> {
         self.scene.bodies[body].turns
     }
     fn place(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
-        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot)).map(|x| x.value)
+        poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
     fn centre(&self, poses: &Poses<T>, body: usize) -> Vector<T> {
         let along =
             self.scene.bodies[body].planar.as_ref().map_or_else(T::zero, |p| pose::along(self.n, p.centre));
-        poses[body].point(along).map(|x| x.value)
+        poses[body].point([along, T::zero()])
     }
     /// From the mass centre to a point.
     fn lever(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
-        let (p, g) = (self.place(poses, spot), self.centre(poses, spot.body));
-        [p[0] - g[0], p[1] - g[1]]
+        let centre = self.scene.bodies[spot.body]
+            .planar
+            .as_ref()
+            .map_or_else(T::zero, |p| pose::along(self.n, p.centre));
+        let [along, aside] = pose::of_spot(self.scene, self.n, spot);
+        let ([c, s], apart) = (poses[spot.body].axis, along - centre);
+        if aside.is_zero() {
+            return [c * apart, s * apart];
+        }
+        [c * apart - s * aside, s * apart + c * aside]
     }
     /// The far end of a spring if it is a point of a body, its lever there, and the vector to it from the near end.
     fn strut(&self, poses: &Poses<T>, at: Spot, to: &StrutEnd) -> (Option<Spot>, Vector<T>, Vector<T>) {
@@ -206,51 +221,61 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
 
     /// The rows of all joints.
-    fn rows(&self, poses: &Poses<T>) -> Vec<Row<T>> {
+    fn rows(&self, poses: &Poses<T>, rows: &mut Vec<Row<T>>) {
         let (zero, one) = (T::zero(), T::of(1.0));
-        let both = [[one, zero], [zero, one]];
-        let mut rows = Vec::with_capacity(self.scene.joints.len() * 2);
+        let (both, one_turn) = ([[one, zero], [zero, one]], one);
         let end = |spot: Spot, along: Vector<T>, radius: T| End {
             body: spot.body,
             along,
             lever: self.lever(poses, spot),
             radius,
         };
+        rows.clear();
         for (joint, held) in self.scene.joints.iter().enumerate() {
-            let first = self.held[joint];
-            let mut add = |ends: SmallVec<[End<T>; 2]>, i: usize, toward: T| {
-                rows.push(Row { ends, joint, unknown: first + i, toward, rubs: [zero; 2] });
-            };
             match held.kind {
                 JointKind::Pin { at, .. } => {
-                    (0..2).for_each(|i| add(smallvec![end(at, both[i], zero)], i, zero));
+                    let end = end(at, both[0], zero);
+                    for along in both {
+                        rows.push(Row::new(joint, End { along, ..end }, None, zero));
+                    }
                 }
-                JointKind::Hinge { one, other } => (0..2).for_each(|i| {
-                    let ends = smallvec![end(one, both[i], zero), end(other, both[i].map(|x| -x), zero)];
-                    add(ends, i, zero);
-                }),
+                JointKind::Hinge { one, other, turned_deg } => {
+                    let (one, other) = (end(one, both[0], zero), end(other, both[0], zero));
+                    for along in both {
+                        let back = End { along: along.map(|x| -x), ..other };
+                        rows.push(Row::new(joint, End { along, ..one }, Some(back), zero));
+                    }
+                    if turned_deg.is_some() {
+                        let turn = plant!("eom: turn of a weld", -one_turn);
+                        let [one, other] = [(one, one_turn), (other, turn)].map(|(end, radius)| End {
+                            along: [zero; 2],
+                            radius,
+                            ..end
+                        });
+                        rows.push(Row::new(joint, one, Some(other), zero));
+                    }
+                }
                 JointKind::Guide { at, .. } => {
                     let [c, s] = self.layout.lines[joint];
-                    add(smallvec![end(at, [-s, c], zero)], 0, zero);
+                    rows.push(Row::new(joint, end(at, [-s, c], zero), None, zero));
                 }
                 JointKind::Contact { at, rolls, .. } => {
                     // The centre keeps its distance; rolling, its speed along the surface is the radius times the turn.
                     let Some(touch) = self.layout.touch(joint, self.place(poses, at)) else { continue };
-                    add(smallvec![end(at, touch.normal, zero)], 0, -touch.bend);
+                    rows.push(Row::new(joint, end(at, touch.normal, zero), None, -touch.bend));
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
-                        add(smallvec![end(at, touch.along, radius)], 1, zero);
+                        rows.push(Row::new(joint, end(at, touch.along, radius), None, zero));
                     }
                 }
                 JointKind::Cord { at, place_m } => {
                     let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
                     let apart = [far[0] - near[0], far[1] - near[1]];
                     let length = dot(apart, apart).root();
-                    add(smallvec![end(at, apart.map(|x| x / length), zero)], 0, one / length);
+                    rows.push(Row::new(joint, end(at, apart.map(|x| x / length), zero), None, one / length));
                 }
             }
         }
-        rows
     }
 
     /// What moves with the leading angle: the turn of the body, or its centre about the axis of a cylinder. The speed at its unit
@@ -271,8 +296,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 (End { body: self.lead, along: none, lever: none, radius: T::of(1.0) }, T::of(1.0))
             }
         };
-        let row = Row { ends: smallvec![end], joint: 0, unknown: 0, toward: zero, rubs: [zero; 2] };
-        (row, speed * self.sense(self.lead))
+        (Row::new(0, end, None, zero), speed.signed(self.sense(self.lead)))
     }
 
     /// How fast everything moves for a unit rate of the leading angle, by what the joints hold.
@@ -280,22 +304,40 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Errors: joints that leave more than that, or hold it fast.
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
-        let bodies = self.scene.bodies.len();
-        let rates: SmallVec<[[T; 3]; 2]> = smallvec![[T::zero(); 3]; bodies];
-        let (leads, speed) = self.leads(&poses);
-        let rows = self.rows(&poses);
-        let mut state = State { poses, rates, rows, leads };
+        let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
+        let leads = self.leads(&poses);
+        let rows = Vec::with_capacity(self.columns);
+        let mut state = State { poses, rates, rows, leads, kinematics: Factors::none(), determined: false };
+        self.look(&mut state, moving)?;
+        Ok(state)
+    }
+
+    /// [`Self::state`] in the place of another one of a motion.
+    ///
+    /// Errors: those of it.
+    pub fn next(&self, way: T, state: &mut State<T>) -> Result<(), Refusal> {
+        state.poses = self.poses(way, false)?;
+        state.leads = self.leads(&state.poses);
+        self.look(state, true)
+    }
+
+    /// Fills in what follows from the poses.
+    fn look(&self, state: &mut State<T>, moving: bool) -> Result<(), Refusal> {
+        self.rows(&state.poses, &mut state.rows);
         if !moving {
-            return Ok(state);
+            return Ok(());
         }
-        let columns: usize = self.scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 }).sum();
-        let width = columns + 1;
-        let mut cells: SmallVec<[T; 64]> = SmallVec::new();
-        for held in state.rows.iter().chain([&state.leads]) {
-            let start = cells.len();
-            cells.resize(start + width, T::zero());
-            let row = &mut cells[start..];
-            for end in &held.ends {
+        if let Some(direction) = self.scene.drifts() {
+            // Nothing pushes it along the guide: from rest its mass centre does not move that way.
+            let zero = T::zero();
+            let along = pose::direction(self.n, direction);
+            let end = End { body: self.lead, along, lever: [zero; 2], radius: zero };
+            state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
+        }
+        let (columns, count) = (self.columns, state.rows.len() + 1);
+        let held = || state.rows.iter().chain([&state.leads.0]);
+        let fill = |row: &mut [T], held: &Row<T>| {
+            for end in held.ends() {
                 let at = self.first[end.body];
                 row[at] = row[at] + end.along[0];
                 row[at + 1] = row[at + 1] + end.along[1];
@@ -304,39 +346,62 @@ impl<'a, T: Real> Mechanism<'a, T> {
                         row[at + 2] + plant!("eom: speed of a joint about the mass centre", end.turn());
                 }
             }
+        };
+        let mut speeds: SmallVec<[T; 12]> = smallvec![T::zero(); count];
+        speeds[count - 1] = state.leads.1;
+        state.determined = count == columns && {
+            let cells = state.kinematics.room(columns);
+            cells.chunks_exact_mut(columns).zip(held()).for_each(|(row, held)| fill(row, held));
+            state.kinematics.reduce()
+        };
+        if state.determined {
+            state.kinematics.solve(&mut speeds);
+        } else {
+            // Joints that repeat each other, or a place near to where they do.
+            let mut equations = Equations::new(columns);
+            for (held, speed) in held().zip(&speeds) {
+                let row = equations.row();
+                fill(row, held);
+                row[columns] = *speed;
+            }
+            let reduced = equations.reduce(&[]);
+            let found: Option<_> = (0..columns).map(|i| reduced.value(i)).collect();
+            speeds = found.ok_or(Refusal::Freedoms(2))?;
         }
-        let leading = cells.len() - 1;
-        cells[leading] = speed;
-        if let Some([c, s]) = self.drifts() {
-            // Nothing pushes it along the guide: from rest its mass centre does not move that way.
-            let start = cells.len() + self.first[self.lead];
-            cells.resize(cells.len() + width, T::zero());
-            (cells[start], cells[start + 1]) = (c, s);
-        }
-        let found = solved(&cells, columns).ok_or(Refusal::Freedoms(2))?;
-        for (b, rate) in state.rates.iter_mut().enumerate() {
+        self.per_body(&speeds, &mut state.rates);
+        Ok(())
+    }
+
+    /// Sorts velocities or accelerations by bodies.
+    fn per_body(&self, all: &[T], rates: &mut Rates<T>) {
+        for (b, rate) in rates.iter_mut().enumerate() {
             let own = if self.turns(b) { 3 } else { 2 };
-            rate[..own].copy_from_slice(&found[self.first[b]..][..own]);
+            rate[..own].copy_from_slice(&all[self.first[b]..][..own]);
         }
-        Ok(state)
+    }
+
+    /// Twice the kinetic energy at unit rate of the leading angle.
+    pub fn inertia(&self, state: &State<T>) -> T {
+        let mut sum = T::zero();
+        for (numbers, [x, y, turn]) in self.n.bodies.iter().zip(&state.rates) {
+            sum = sum + numbers.mass * (x.square() + y.square()) + numbers.inertia * turn.square();
+        }
+        sum
     }
 
     /// 1 where the angle of a body counts counter-clockwise, else -1.
-    fn sense(&self, body: usize) -> T {
+    fn sense(&self, body: usize) -> f64 {
         let clockwise = self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise);
-        T::of(if clockwise { -1.0 } else { 1.0 })
+        if clockwise { -1.0 } else { 1.0 }
     }
 
-    /// The direction along which the leading body could drift, if it has one guide alone.
-    fn drifts(&self) -> Option<Vector<T>> {
-        self.scene.drifts().map(|direction| pose::direction(self.n, direction))
-    }
-
-    /// For each body: the forces on it and their moment about the mass centre, save those of joints.
-    fn forces(&self, poses: &Poses<T>) -> SmallVec<[[T; 3]; 2]> {
+    /// For each body: the forces on it and their moment about the mass centre, save those of joints; or the impulses of blows.
+    fn forces(&self, poses: &Poses<T>, blows: bool) -> SmallVec<[[T; 3]; 2]> {
         let mut forces: SmallVec<[[T; 3]; 2]> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
-        for (force, numbers) in forces.iter_mut().zip(&self.n.bodies) {
-            force[1] = -plant!("eom: weight in the plane", numbers.mass * self.n.gravity);
+        if !blows {
+            for (force, numbers) in forces.iter_mut().zip(&self.n.bodies) {
+                force[1] = -plant!("eom: weight in the plane", numbers.mass * self.n.gravity);
+            }
         }
         let mut force = |body: usize, f: Vector<T>, r: Vector<T>| {
             let on: &mut [T; 3] = &mut forces[body];
@@ -344,10 +409,16 @@ impl<'a, T: Real> Mechanism<'a, T> {
             on[2] = on[2].balance(plant!("eom: moment of a force about the mass centre", cross(r, f)));
         };
         for (push, [c, s]) in self.scene.pushes.iter().zip(self.layout.pushes.iter().copied()) {
-            let axis = poses[push.at.body].axis.map(|x| x.value);
+            if push.blow != blows {
+                continue;
+            }
+            let axis = poses[push.at.body].axis;
             let u = if push.turns { [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s] } else { [c, s] };
             let p = plant!("eom: force on a point", self.n.massive(push.force_n));
             force(push.at.body, u.map(|x| x * p), self.lever(poses, push.at));
+        }
+        if blows {
+            return forces;
         }
         for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
             let (other, _, apart) = self.strut(poses, strut.at, &strut.to);
@@ -365,7 +436,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         for c in &self.scene.couples {
             let moment = plant!("eom: moment of a couple in the plane", self.n.massive(c.moment_n_m));
-            let moment = moment * self.sense(c.body);
+            let moment = moment.signed(self.sense(c.body));
             forces[c.body][2] = forces[c.body][2].balance(if c.forward { moment } else { -moment });
         }
         forces
@@ -374,7 +445,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// What a row's points accelerate toward its direction by their motion alone, per square of the rate.
     fn inward(&self, state: &State<T>, row: &Row<T>) -> T {
         let mut sum = T::zero();
-        for End { body, along, lever: r, .. } in &row.ends {
+        for End { body, along, lever: r, .. } in row.ends() {
             let [vx, vy, spin] = state.rates[*body];
             sum = sum + dot(*along, *r) * spin.square();
             if !row.toward.is_zero() {
@@ -390,7 +461,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     fn rubbing(&self, state: &State<T>, sliding: &[f64]) -> Vec<Row<T>> {
         let mut rows = state.rows.clone();
         for row in &mut rows {
-            let sense = sliding[row.joint];
+            let Some(sense) = sliding.get(row.joint).copied() else { continue };
             if let (JointKind::Guide { mu_k: Some(mu), .. }, true) =
                 (self.scene.joints[row.joint].kind, sense != 0.0)
             {
@@ -411,6 +482,18 @@ impl<'a, T: Real> Mechanism<'a, T> {
         [u[0] + f[0], u[1] + f[1], turn + cross(end.lever, f)]
     }
 
+    /// The sum of the forces times the velocities for a unit rate of the leading angle, where nothing rubs.
+    pub fn drive(&self, state: &State<T>) -> T {
+        let forces = self.forces(&state.poses, false);
+        let terms = forces.iter().flatten().zip(state.rates.iter().flatten());
+        let (mut sum, mut size) = (T::zero(), 0.0);
+        for (force, rate) in terms.filter(|(force, rate)| !force.is_zero() && !rate.is_zero()) {
+            let power = *force * *rate;
+            (sum, size) = (sum + power, size + power.size());
+        }
+        sum.cleared(size)
+    }
+
     /// Accelerations and reactions for these senses of sliding of each joint (0 where nothing rubs).
     ///
     /// Errors: equations that do not determine them.
@@ -422,126 +505,187 @@ impl<'a, T: Real> Mechanism<'a, T> {
             rubbing = self.rubbing(state, sliding);
             &rubbing
         };
-        let forces = self.forces(&state.poses);
-        let inward: SmallVec<[T; 8]> = rows.iter().map(|row| self.inward(state, row)).collect();
-        let mut response = match self.eliminated(rows, &forces, &inward) {
-            Some(response) => response,
-            None => self.general(rows, &forces, &inward)?,
-        };
-        // The acceleration along what leads is that of its point, less what is due to the turn.
-        let (leads, speed) = self.leads(&state.poses);
-        let bend = self.inward(state, &leads);
-        let part = |square: bool| {
-            leads.ends.iter().fold(if square { -bend } else { T::zero() }, |sum, end| {
-                let of = |i: usize| {
-                    let found = response.values.get(self.first[end.body] + i).copied().flatten();
-                    found.map_or_else(T::zero, |(constant, share)| if square { share } else { constant })
-                };
-                let mut sum = sum;
-                for (i, u) in end.along.iter().enumerate().filter(|(_, u)| !u.is_zero()) {
-                    sum = sum.balance(*u * of(i));
-                }
-                if self.turns(end.body) { sum.balance(end.turn() * of(2)) } else { sum }
-            })
-        };
-        response.lead = (part(false) / speed, part(true) / speed);
-        Ok(response)
+        self.answer(state, rows, &self.forces(&state.poses, false), true)
     }
 
-    /// Accelerations eliminated first: the reactions alone. `None` where these are not well determined.
-    fn eliminated(&self, rows: &[Row<T>], forces: &[[T; 3]], inward: &[T]) -> Option<Response<T>> {
-        let mobility = self.mobility.as_ref()?;
-        let count = rows.len();
-        let mut cells: SmallVec<[T; 64]> = smallvec![T::zero(); count * count];
-        let mut rights: [SmallVec<[T; 8]>; 2] = [SmallVec::new(), inward.iter().copied().collect()];
-        let held = |end: &End<T>| {
-            let turn = plant!("eom: lever of an acceleration", end.turn());
-            let [x, y, about] = mobility[end.body];
-            [end.along[0] * x, end.along[1] * y, turn * about]
-        };
-        for (i, row) in rows.iter().enumerate() {
-            let (mut right, mut size) = (T::zero(), 0.0);
-            for end in &row.ends {
-                let own = held(end);
-                for (k, x) in own.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-                    let term = *x * forces[end.body][k];
-                    (right, size) = (right - term, size + term.size());
-                }
-                for (j, other) in rows.iter().enumerate() {
-                    for to in other.ends.iter().filter(|to| to.body == end.body) {
-                        let force = Self::reacts(other, to);
-                        let cell = &mut cells[i * count + j];
-                        for (x, f) in own.iter().zip(&force).filter(|(x, f)| !x.is_zero() && !f.is_zero()) {
-                            *cell = *cell + *x * *f;
-                        }
-                    }
-                }
-            }
-            rights[0].push(right.cleared(size));
+    /// The jumps of all velocities by the blows at the start, and the impulses of the joints: the same equations with impulses for
+    /// forces, and nothing that moves on a bend in no time.
+    ///
+    /// Errors: as for [`Self::respond`].
+    pub fn struck(&self, state: &State<T>) -> Result<Response<T>, Refusal> {
+        self.answer(state, &state.rows, &self.forces(&state.poses, true), false)
+    }
+    /// The state with the velocities that the bodies have after a blow: those at this rate before it, and their jumps.
+    pub fn after(&self, mut state: State<T>, rate: T, jumps: &Response<T>) -> State<T> {
+        for (v, jump) in state.rates.iter_mut().flatten().zip(jumps.moves[0].iter().flatten()) {
+            *v = (*v * rate).balance(*jump);
         }
-        let factors = Factors::new(count, cells)?;
-        let [constant, square] = rights.map(|right| factors.solve(&right));
-        let mut values: Vec<Option<(T, T)>> = vec![Some((T::zero(), T::zero())); self.unknowns];
+        state
+    }
+
+    /// The response with the couple on the leading body that gives it this angular acceleration at this square of the rate, and
+    /// that couple: everything is affine in it.
+    ///
+    /// Errors: as for [`Self::respond`]; a couple that cannot turn it.
+    pub fn driven(
+        &self,
+        state: &State<T>,
+        sliding: &[f64],
+        (alpha, square): (T, T),
+    ) -> Result<(Response<T>, T), Refusal> {
+        let mut response = self.respond(state, sliding)?;
+        let rows = self.rubbing(state, sliding);
+        let mut couple: SmallVec<[[T; 3]; 2]> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
+        couple[self.lead][2] = plant!("eom: couple of a drive", T::of(self.sense(self.lead)));
+        let unit = self.answer(state, &rows, &couple, false)?;
+        let (constant, by_square) = self.turning(&response, self.lead);
+        let per = self.turning(&unit, self.lead).0;
+        if per.is_zero() {
+            return Err(Refusal::Freedoms(0));
+        }
+        let moment = alpha.balance(-constant).balance(-(by_square * square)) / per;
+        let add = |value: &mut T, unit: T| *value = value.balance(unit * moment);
+        for (value, unit) in response.forces.iter_mut().zip(&unit.forces) {
+            if let (Some(value), Some(unit)) = (value, unit) {
+                add(&mut value.0, unit.0);
+            }
+        }
+        for (value, unit) in response.moves[0].iter_mut().flatten().zip(unit.moves[0].iter().flatten()) {
+            add(value, *unit);
+        }
+        add(&mut response.lead.0, unit.lead.0);
+        Ok((response, moment))
+    }
+
+    /// What bodies do under these forces, and by their motion if they `bend` their ways in time.
+    fn answer(
+        &self,
+        state: &State<T>,
+        rows: &[Row<T>],
+        forces: &[[T; 3]],
+        bend: bool,
+    ) -> Result<Response<T>, Refusal> {
+        let inward = |row: &Row<T>| if bend { self.inward(state, row) } else { T::zero() };
+        let inward: SmallVec<[T; 12]> = rows.iter().chain([&state.leads.0]).map(inward).collect();
+        match self.bodies(state, rows, forces, &inward) {
+            Some(response) => Ok(response),
+            None => self.general(state, rows, forces, &inward),
+        }
+    }
+
+    /// How hard a body is to accelerate along an axis and to turn.
+    fn inertias(&self, body: usize) -> [T; 3] {
+        let numbers = &self.n.bodies[body];
+        let mass = plant!("eom: mass of a body in the plane", numbers.mass);
+        [mass, mass, plant!("eom: inertia of a body in the plane", numbers.inertia)]
+    }
+
+    /// The equations of the bodies for the leading angle's second derivative and the forces of the joints; `None` where these are not
+    /// well determined.
+    fn bodies(
+        &self,
+        state: &State<T>,
+        rows: &[Row<T>],
+        forces: &[[T; 3]],
+        inward: &[T],
+    ) -> Option<Response<T>> {
+        if !state.determined {
+            return None;
+        }
+        let count = self.columns;
+        let mut bends: Rates<T> = smallvec![[T::zero(); 3]; forces.len()];
+        let mut bend: SmallVec<[T; 12]> = inward.iter().copied().collect();
+        state.kinematics.solve(&mut bend);
+        self.per_body(&bend, &mut bends);
+        let mut factors = Factors::none();
+        let cells = factors.room(count);
+        let mut rights: [SmallVec<[T; 12]>; 2] = [smallvec![T::zero(); count], smallvec![T::zero(); count]];
         for (b, force) in forces.iter().enumerate() {
-            for (k, given) in force.iter().enumerate().take(if self.turns(b) { 3 } else { 2 }) {
-                let (mut one, mut two) = (*given, T::zero());
-                let mut sizes = (given.size(), 0.0);
-                for (j, row) in rows.iter().enumerate() {
-                    for end in row.ends.iter().filter(|end| end.body == b) {
-                        let share = Self::reacts(row, end)[k];
-                        let terms = (share * constant[j], share * square[j]);
-                        (one, two) = (one + terms.0, two + terms.1);
-                        sizes = (sizes.0 + terms.0.size(), sizes.1 + terms.1.size());
-                    }
-                }
-                let per = mobility[b][k];
-                values[self.first[b] + k] = Some((one.cleared(sizes.0) * per, two.cleared(sizes.1) * per));
+            let inertias = self.inertias(b);
+            for k in 0..if self.turns(b) { 3 } else { 2 } {
+                let at = self.first[b] + k;
+                cells[at * count + count - 1] = inertias[k] * state.rates[b][k];
+                rights[0][at] = force[k];
+                rights[1][at] = -(inertias[k] * bends[b][k]);
             }
         }
         for (j, row) in rows.iter().enumerate() {
-            values[row.unknown] = Some((constant[j], square[j]));
-        }
-        Some(Response { values, lead: (T::zero(), T::zero()) })
-    }
-
-    /// All unknowns at once, where reactions repeat each other or bodies are very unlike.
-    fn general(&self, held: &[Row<T>], forces: &[[T; 3]], inward: &[T]) -> Result<Response<T>, Refusal> {
-        let mut rows = Linear::new(self.unknowns, 2);
-        for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let at = self.first[b];
-            for (k, force) in forces[b].iter().enumerate().take(if self.turns(b) { 3 } else { 2 }) {
-                let inertia = if k < 2 {
-                    plant!("eom: mass of a body in the plane", numbers.mass)
-                } else {
-                    plant!("eom: inertia of a body in the plane", numbers.inertia)
-                };
-                rows.term(at + k, at + k, inertia);
-                rows.right(at + k, CONSTANT, *force);
-            }
-        }
-        for (row, inward) in held.iter().zip(inward) {
-            for end in &row.ends {
-                let (own, force) = ([end.along[0], end.along[1], end.turn()], Self::reacts(row, end));
-                let at = self.first[end.body];
-                for k in 0..if self.turns(end.body) { 3 } else { 2 } {
-                    rows.term(at + k, row.unknown, -force[k]);
-                    rows.term(row.unknown, at + k, own[k]);
+            for end in row.ends() {
+                let force = Self::reacts(row, end);
+                for (k, f) in force.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
+                    let cell = &mut cells[(self.first[end.body] + k) * count + j];
+                    *cell = *cell - *f;
                 }
             }
-            rows.right(row.unknown, SQUARE, *inward);
+        }
+        if !factors.reduce() {
+            return None;
+        }
+        rights.iter_mut().for_each(|right| factors.solve(right));
+        let [constant, square] = &rights;
+        let pairs = || constant.iter().copied().zip(square.iter().copied());
+        let lead = pairs().next_back()?;
+        let mut rates = state.rates.clone();
+        for (rate, bend) in rates.iter_mut().flatten().zip(bends.iter_mut().flatten()) {
+            (*rate, *bend) = (*rate * lead.0, bend.balance(*rate * lead.1));
+        }
+        Some(Response { forces: pairs().take(rows.len()).map(Some).collect(), lead, moves: [rates, bends] })
+    }
+
+    /// All accelerations and forces at once, where there are more freedoms, or where reactions repeat each other.
+    fn general(
+        &self,
+        state: &State<T>,
+        held: &[Row<T>],
+        forces: &[[T; 3]],
+        inward: &[T],
+    ) -> Result<Response<T>, Refusal> {
+        let unknowns = self.columns + held.len();
+        let mut rows = Linear::new(unknowns, 2);
+        for (b, force) in forces.iter().enumerate() {
+            let (at, inertias) = (self.first[b], self.inertias(b));
+            for k in 0..if self.turns(b) { 3 } else { 2 } {
+                rows.term(at + k, at + k, inertias[k]);
+                rows.right(at + k, CONSTANT, force[k]);
+            }
+        }
+        for (j, (row, inward)) in held.iter().zip(inward).enumerate() {
+            let unknown = self.columns + j;
+            for end in row.ends() {
+                let turn = plant!("eom: lever of an acceleration", end.turn());
+                let (own, force) = ([end.along[0], end.along[1], turn], Self::reacts(row, end));
+                let at = self.first[end.body];
+                for k in 0..if self.turns(end.body) { 3 } else { 2 } {
+                    rows.term(at + k, unknown, -force[k]);
+                    rows.term(unknown, at + k, own[k]);
+                }
+            }
+            rows.right(unknown, SQUARE, *inward);
         }
         let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
-        let mut moving = self
-            .first
-            .iter()
-            .zip(&self.scene.bodies)
-            .flat_map(|(at, b)| *at..*at + if b.turns { 3 } else { 2 });
-        if moving.any(|i| solution.is_open(i)) {
-            return Err(Refusal::Singular { unknowns: self.unknowns, rank: self.unknowns - 1 });
+        if (0..self.columns).any(|i| solution.is_open(i)) {
+            return Err(Refusal::Singular { unknowns, rank: unknowns - 1 });
         }
-        let value =
-            |i: usize| (!solution.is_open(i)).then(|| (solution.get(i, CONSTANT), solution.get(i, SQUARE)));
-        Ok(Response { values: (0..self.unknowns).map(value).collect(), lead: (T::zero(), T::zero()) })
+        let value = |i: usize, k: usize| solution.get(i, k);
+        let part = |k: usize| {
+            let all: SmallVec<[T; 12]> = (0..self.columns).map(|i| value(i, k)).collect();
+            let mut rates = state.rates.clone();
+            self.per_body(&all, &mut rates);
+            rates
+        };
+        let moves = [part(CONSTANT), part(SQUARE)];
+        // The acceleration along what leads is that of its point, less what is due to the turn.
+        let (leads, speed) = &state.leads;
+        let along = |k: usize, from: T| {
+            leads.ends().iter().fold(from, |sum, end| {
+                let [x, y, turn] = moves[k][end.body];
+                let sum = sum.balance(end.along[0] * x).balance(end.along[1] * y);
+                if self.turns(end.body) { sum.balance(end.turn() * turn) } else { sum }
+            }) / *speed
+        };
+        let lead = (along(CONSTANT, T::zero()), along(SQUARE, -inward[held.len()]));
+        let of = |i: usize| (!solution.is_open(i)).then(|| (value(i, CONSTANT), value(i, SQUARE)));
+        Ok(Response { forces: (self.columns..unknowns).map(of).collect(), lead, moves })
     }
 
     /// The second derivative of the leading angle: constant part, and per square of its rate.
@@ -550,17 +694,17 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Angular acceleration of a body, as its own angle counts: constant part, and per square of the rate.
     pub fn turning(&self, response: &Response<T>, body: usize) -> (T, T) {
-        let (sense, at) = (self.sense(body), self.first[body] + 2);
-        let (constant, square) = response.parts(at);
-        (constant * sense, square * sense)
+        let [constant, square] = [0, 1].map(|i| response.moves[i][body][2].signed(self.sense(body)));
+        (constant, square)
     }
     /// Acceleration of a mass centre at this square of the rate: to the right and up.
     pub fn acceleration(&self, response: &Response<T>, body: usize, square: T) -> Vector<T> {
-        [0, 1].map(|i| response.at(self.first[body] + i, square))
+        let [constant, by_square] = &response.moves;
+        [0, 1].map(|i| constant[body][i].balance(by_square[body][i] * square))
     }
     /// Angular velocity of a body for a unit rate, as its own angle counts.
     pub fn spin(&self, state: &State<T>, body: usize) -> T {
-        state.rates[body][2] * self.sense(body)
+        state.rates[body][2].signed(self.sense(body))
     }
     /// Velocity of a mass centre for a unit rate.
     pub fn velocity(&self, state: &State<T>, body: usize) -> Vector<T> {
@@ -579,7 +723,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if !self.turns(spot.body) {
             return [x, y];
         }
-        let (turn, _) = response.parts(self.first[spot.body] + 2);
+        let turn = response.moves[0][spot.body][2];
         let r = self.lever(&state.poses, spot);
         [x - turn * r[1], y + turn * r[0]]
     }
@@ -588,12 +732,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn reaction(&self, response: &Response<T>, joint: usize, square: T) -> Option<SmallVec<[T; 2]>> {
         let first = self.held[joint];
         let count = self.scene.joints[joint].kind.forces().len();
-        (first..first + count).map(|i| response.values[i].map(|_| response.at(i, square))).collect()
+        let at = |(constant, by_square): (T, T)| constant.balance(by_square * square);
+        response.forces[first..first + count].iter().map(|parts| parts.map(at)).collect()
     }
     /// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.
     pub fn size(&self) -> f64 {
         let bodies = self.scene.bodies.iter().filter_map(|b| b.planar.as_ref());
-        let places = bodies.flat_map(|p| p.points.iter().map(|(_, place)| *place).chain([p.centre]));
+        let places = bodies.flat_map(|p| p.points.iter().flat_map(|(_, place)| *place).chain([p.centre]));
         let rods: f64 = places.map(|place| pose::along(self.n, place).size()).sum();
         let round = self.scene.joints.iter().map(|joint| match joint.kind {
             JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, .. }, .. } => {
@@ -607,7 +752,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// The normal force of a guide that can only push: constant part, and per square of the rate; `None` for other joints and where
     /// the joints leave it open.
     pub fn push(&self, response: &Response<T>, joint: usize) -> Option<(T, T)> {
-        self.scene.joints[joint].kind.only_pushes().then(|| response.values[self.held[joint]])?
+        let kind = &self.scene.joints[joint].kind;
+        (kind.only_pushes() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
     }
     /// Height of a mass centre.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
@@ -618,15 +764,5 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let s = &self.scene.struts[strut];
         let (_, _, apart) = self.strut(&state.poses, s.at, &s.to);
         self.n.massive(s.stiffness_n_m) * dot(apart, apart).root().balance(-self.natural[strut])
-    }
-}
-
-impl<T: Real> Response<T> {
-    fn parts(&self, unknown: usize) -> (T, T) {
-        self.values[unknown].unwrap_or_else(|| (T::of(f64::NAN), T::of(f64::NAN)))
-    }
-    fn at(&self, unknown: usize, square: T) -> T {
-        let (constant, by_square) = self.parts(unknown);
-        constant.balance(by_square * square)
     }
 }

@@ -396,9 +396,12 @@ impl<T: Real> Swing<T> {
                 let (place, most) = self.reaching(w, turning)?;
                 (Some(w), most, place.and_then(arrive))
             }
-            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) | End::Leaves(_) => {
-                (None, infinite, None)
-            }
+            End::AtOnce
+            | End::Travel(..)
+            | End::Position(..)
+            | End::Rolling(_)
+            | End::Leaves(_)
+            | End::Equilibrium => (None, infinite, None),
         })
     }
 

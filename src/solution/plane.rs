@@ -1,0 +1,1739 @@
+//! Bodies that are joined in the plane, in symbols: where each joint places them, the velocities and accelerations that follow by
+//! differentiation, all forces with their directions and levers, the balance of work, and the linear equations of one place.
+//!
+//! Where the bodies are, the number of an angle that the joints give, and what is integrated along the way are those of the key.
+use crate::figure::names;
+use crate::num::linear::Linear;
+use crate::num::{Jet, trig};
+use crate::scene::pose::{self, Layout};
+use crate::scene::{
+    Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
+    Spot, Start, StrutEnd, Surface,
+};
+use crate::solution::asked;
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, number, positive_first, ratio, root, signed,
+    sine, square, sum,
+};
+use crate::solution::factors::{Cancel, Factors, Sum};
+use crate::solution::page::{Page, WITHIN};
+use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::terms::{self, tagged};
+use crate::solution::written::width;
+use std::ops::{Deref, DerefMut};
+
+/// The start, and the place that is asked.
+pub const START: usize = 0;
+/// See [`START`].
+pub const END: usize = 1;
+/// Below this share of the weights a force is rounding.
+const ROUNDING: f64 = 1e-12;
+/// Below this a component that is 0 is rounding, m.
+const NOTHING: f64 = 1e-12;
+
+type Vector = [Sum; 2];
+
+/// An angle on which places depend.
+#[derive(Debug, Clone)]
+pub struct Turn {
+    /// At the start and at the place that is asked, degrees.
+    pub at: [Expr; 2],
+    /// Its rate, per unit rate of the leading one; 0 at an instant of rest.
+    pub rate: [Expr; 2],
+    /// The axis is `from cos + across sin`.
+    from: [f64; 2],
+    across: [f64; 2],
+}
+
+/// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
+#[derive(Debug, Clone, Default)]
+struct Line {
+    fixed: Sum,
+    waves: Vec<(Factors, usize, Wave)>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wave {
+    Cosine,
+    Sine,
+    Way,
+}
+
+impl Line {
+    fn fixed(at: Sum) -> Self {
+        Self { fixed: at, waves: Vec::new() }
+    }
+    fn times(&self, by: &Factors) -> Self {
+        let waves = self.waves.iter().map(|(size, turn, wave)| (size.times(by), *turn, *wave));
+        Self { fixed: self.fixed.times(by), waves: waves.filter(|w| !w.0.is_zero()).collect() }
+    }
+    fn plus(&self, other: &Self) -> Self {
+        let waves = [self.waves.clone(), other.waves.clone()].concat();
+        Self { fixed: self.fixed.plus(&other.fixed), waves }
+    }
+    fn less(&self, other: &Self) -> Self {
+        self.plus(&other.times(&Factors::one().opposite()))
+    }
+}
+
+/// A point of the plane.
+type Point = [Line; 2];
+
+fn plus(a: &Point, b: &Point) -> Point {
+    [a[0].plus(&b[0]), a[1].plus(&b[1])]
+}
+fn less(a: &Point, b: &Point) -> Point {
+    [a[0].less(&b[0]), a[1].less(&b[1])]
+}
+fn times(a: &Point, by: &Factors) -> Point {
+    [a[0].times(by), a[1].times(by)]
+}
+/// From the origin of an axis to the point at these distances along it and to its left.
+fn from_axis(axis: &Point, at: &[Factors; 2]) -> Point {
+    let on_axis = times(axis, &at[0]);
+    let left = [axis[1].times(&Factors::one().opposite()), axis[0].clone()];
+    if at[1].is_zero() { on_axis } else { plus(&on_axis, &times(&left, &at[1])) }
+}
+fn along(line: &Line, unit: &[Factors; 2]) -> Point {
+    [line.times(&unit[0]), line.times(&unit[1])]
+}
+fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
+    a[0].times(&unit[0]).plus(&a[1].times(&unit[1]))
+}
+fn left(unit: &[Factors; 2]) -> [Factors; 2] {
+    [unit[1].opposite(), unit[0].clone()]
+}
+fn cross(a: &Vector, b: &Vector) -> Sum {
+    a[0].by(&b[1]).plus(&a[1].by(&b[0]).opposite())
+}
+/// `a . b`
+pub fn product(a: &Vector, b: &Vector) -> Sum {
+    a[0].by(&b[0]).plus(&a[1].by(&b[1]))
+}
+fn vector(unit: &[Factors; 2]) -> Vector {
+    unit.clone().map(Sum::one)
+}
+
+/// One body.
+#[derive(Debug, Clone)]
+pub struct PlaneBody {
+    /// Its name within a sentence.
+    pub name: String,
+    /// What stands below its symbols.
+    pub tag: String,
+    /// Mass.
+    pub mass: Factors,
+    /// Moment of inertia about the mass centre, as a sum.
+    pub inertia: Vec<Factors>,
+    /// Does its angle count clockwise?
+    clockwise: bool,
+    /// Distance of the mass centre from the origin of the axis.
+    centre: Factors,
+    /// Acceleration of the mass centre, to the right and up.
+    pub a: [SymbolId; 2],
+    /// Angular acceleration.
+    pub alpha: Option<SymbolId>,
+    /// Speed of the mass centre.
+    pub v: SymbolId,
+    /// Angular speed.
+    pub omega: Option<SymbolId>,
+    /// Where the origin of its axis is, and the angle of its axis.
+    origin: Point,
+    turn: Option<usize>,
+}
+
+/// A force on a body, or a couple.
+#[derive(Debug, Clone)]
+pub struct Pull {
+    /// The body.
+    pub body: usize,
+    /// The unknown that it is in proportion to, of a joint.
+    pub unknown: Option<SymbolId>,
+    /// Its size, or that per unit of the unknown.
+    pub size: Factors,
+    /// Its direction.
+    pub along: Vector,
+    /// Its moment about the mass centre per size, counter-clockwise.
+    pub turn: Sum,
+}
+
+/// What a joint demands of the accelerations: the point of each of its forces stays, per unit of the unknown, but for what its
+/// motion on a circle takes.
+#[derive(Debug, Clone)]
+struct Hold {
+    joint: usize,
+    unknown: SymbolId,
+    pulls: Vec<Pull>,
+    /// What the points accelerate toward the direction by their motion, per square of the leading rate.
+    inward: Sum,
+    /// What acceleration is given, of a drive.
+    given: Expr,
+}
+
+/// A scene of joined bodies as far as it is known.
+pub struct Plane<'d, 'a> {
+    /// The page, with the draft and what was found.
+    pub page: Page<'d, 'a>,
+    /// Index of the leading body.
+    pub lead: usize,
+    /// The angles; the first leads.
+    pub turns: Vec<Turn>,
+    /// The bodies.
+    pub bodies: Vec<PlaneBody>,
+    /// All forces at the place that is asked, those of joints last.
+    pub pulls: Vec<Pull>,
+    holds: Vec<Hold>,
+    /// The forces of the springs.
+    pub springs: Vec<SymbolId>,
+    /// The works of all forces that are known.
+    pub works: Vec<Expr>,
+    /// Friction of guides: joint, and what it is.
+    pub frictions: Vec<(usize, SymbolId)>,
+    /// The rate of the leading angle at the place that is asked, a magnitude.
+    pub rate: SymbolId,
+    /// That at the start.
+    pub first: Expr,
+    /// Sense in which the leading angle changes.
+    pub sense: f64,
+    /// The angle turned, in radians, signed, where a work needs it.
+    turned: Option<SymbolId>,
+    /// Letter of the leading angle.
+    pub letter: String,
+    /// Does anything move at the place that is asked?
+    pub moves: bool,
+    /// The speed of each mass centre per unit rate of the leading angle, once they have been told.
+    speeds: Vec<Expr>,
+    /// Does the lead move as no joint says?
+    drifts: Option<Vector>,
+    open: bool,
+    /// Angles that the joints give: of which body, and what ties them.
+    pub loops: Vec<(usize, [String; 2])>,
+    /// The couple that drives the leading body.
+    pub driver: Option<SymbolId>,
+    /// The symbol of the inertia of the motion, where it has one.
+    pub j: Option<SymbolId>,
+    /// How many steps are those of the joints, and of these and the forces.
+    pub steps_of: [usize; 2],
+    /// Components of unit vectors along springs and cords.
+    pub units: Vec<SymbolId>,
+    g: Expr,
+}
+
+impl<'a, 'd> Deref for Plane<'d, 'a> {
+    type Target = Page<'d, 'a>;
+    fn deref(&self) -> &Self::Target {
+        &self.page
+    }
+}
+impl DerefMut for Plane<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.page
+    }
+}
+
+fn beyond<T>() -> Result<T, DerivationStop> {
+    Err(Beyond::Unfound.into())
+}
+
+impl<'d, 'a> Plane<'d, 'a> {
+    /// Reads the scene.
+    ///
+    /// # Errors
+    /// Joints that do not place a body.
+    pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
+        let Some(lead) = draft.scene.lead() else { return beyond() };
+        let scene = draft.scene;
+        let spun = |s: &Start| matches!(s, Start::Speed(c, _) if c.body == lead && c.degree == Degree::Turn);
+        if scene.end == End::Equilibrium || scene.is_struck() || !scene.start.iter().all(spun) {
+            return Err(Beyond::Mechanism.into());
+        }
+        let g = terms::gravity(draft);
+        let mut page = Page::new(draft);
+        let rate = page.unknown("?", "rad/s");
+        let mut this = Self {
+            page,
+            lead,
+            turns: Vec::new(),
+            bodies: Vec::new(),
+            pulls: Vec::new(),
+            holds: Vec::new(),
+            springs: Vec::new(),
+            works: Vec::new(),
+            frictions: Vec::new(),
+            rate,
+            first: ZERO,
+            sense: 1.0,
+            turned: None,
+            letter: String::new(),
+            moves: true,
+            speeds: Vec::new(),
+            drifts: None,
+            open: false,
+            loops: Vec::new(),
+            driver: None,
+            j: None,
+            steps_of: [0, 0],
+            units: Vec::new(),
+            g,
+        };
+        this.first = this.start_rate();
+        this.moves = this.scene.end != End::AtOnce || this.value(&this.first) != 0.0;
+        this.read_bodies();
+        this.place()?;
+        this.steps_of[0] = this.steps.len();
+        this.rate = match this.bodies[lead].omega.filter(|_| this.arc().is_none()) {
+            Some(omega) => omega,
+            None => {
+                let name = format!(r"\dot{{{}}}", this.letter);
+                this.named(&[&name], "rad/s")
+            }
+        };
+        this.act()?;
+        this.steps_of[1] = this.steps.len();
+        this.hold();
+        if let Some(alpha) = this.scene.driven() {
+            this.drive(alpha);
+        }
+        this.let_drift();
+        Ok(this)
+    }
+
+    fn arc(&self) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
+        self.scene.joints.iter().find_map(|j| match j.kind {
+            JointKind::Contact {
+                at,
+                radius_m,
+                surface: Surface::Arc { centre_m, radius_m: arc, inside },
+                rolls,
+            } if at.body == self.lead => Some((at, radius_m, centre_m, arc, inside, rolls)),
+            _ => None,
+        })
+    }
+
+    /// The rate of the leading angle at the start, as it counts.
+    fn start_rate(&mut self) -> Expr {
+        let spin = self.scene.start.iter().find_map(|s| match s {
+            Start::Speed(c, w) if c.body == self.lead => Some(*w),
+            _ => None,
+        });
+        let given = spin.map_or(ZERO, |w| self.number(w, r"\omega_0", "rad/s"));
+        match self.arc() {
+            Some(arc) if given != ZERO => given.over(self.turning_of(arc)),
+            _ => given,
+        }
+    }
+
+    fn read_bodies(&mut self) {
+        let scene = self.scene;
+        let tags = names::tags(self.problem, scene);
+        let several = scene.bodies.len() > 1;
+        let spins = scene.bodies.iter().filter(|b| b.turns).count() > 1;
+        for (i, body) in scene.bodies.iter().enumerate() {
+            let tag = if several { tags[i].clone() } else { String::new() };
+            let own = if spins { tag.clone() } else { String::new() };
+            let g = self.g.clone();
+            let mass = terms::mass(self, body, &g, &tag);
+            let inertia = terms::inertia(self, body, &mass, &g, &tag);
+            let planar = body.planar.as_ref();
+            let centre = planar.map_or(ZERO, |p| self.length(i, &tag, p.centre)).factors();
+            let a = ["x", "y"].map(|way| self.named(&[&tagged("a", &format!("{tag}{way}"))], "m/s^2"));
+            let named = |this: &mut Self, names: [&str; 2], unit| {
+                let names = names.map(|n| tagged(n, &own));
+                body.turns.then(|| this.named(&[&names[0], &names[1]], unit))
+            };
+            let alpha = named(self, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
+            let omega = named(self, [r"\omega", r"\Omega"], "rad/s");
+            let v = [tagged("v", if several { &tag } else { "G" }), tagged("u", &tag)];
+            let v = self.named(&[&v[0], &v[1]], "m/s");
+            let name = names::body_within(self.words, scene, i);
+            self.bodies.push(PlaneBody {
+                name,
+                tag,
+                mass,
+                inertia,
+                clockwise: planar.is_some_and(|p| p.clockwise),
+                centre,
+                a,
+                alpha,
+                v,
+                omega,
+                origin: [Line::default(), Line::default()],
+                turn: None,
+            });
+        }
+    }
+
+    /// A distance along an axis.
+    fn length(&mut self, body: usize, tag: &str, place: Place) -> Expr {
+        let rod = match self.scene.bodies[body].inertia {
+            Some(RotaryInertia::Shape(_, length)) => Some(length),
+            _ => None,
+        };
+        let (Place::At(x) | Place::HalfOf(x)) = place;
+        let name = tagged(if rod == Some(x) { "L" } else { "b" }, tag);
+        let whole = self.symbol(x, &name, "m");
+        if matches!(place, Place::At(_)) { whole } else { whole / number(2) }
+    }
+    /// A number, a formula of the bank in the symbols of its data.
+    fn symbol(&mut self, num: Num, tex: &str, unit: &str) -> Expr {
+        if let Num::Derived(i) = num
+            && let Some(derived) = self.scene.formulas.numbers.get(i).filter(|d| !d.any && !d.degrees)
+        {
+            let found =
+                asked::expression(self, &derived.formula, &|draft, given| Ok(asked::given_as(draft, given)));
+            if let Ok(found) = found {
+                return found;
+            }
+        }
+        self.number(num, tex, unit)
+    }
+    /// Distances of a point from the origin of the axis, along it and to its left.
+    fn of_spot(&mut self, spot: Spot) -> [Factors; 2] {
+        let place = self.scene.planar(spot.body).and_then(|p| p.points.get(spot.point)).map(|p| p.1);
+        let tag = self.bodies[spot.body].tag.clone();
+        let place = place.unwrap_or([Place::At(Num::Fixed(0.0)); 2]);
+        place.map(|p| self.length(spot.body, &tag, p).factors())
+    }
+    fn ground(&mut self, place: [Num; 2]) -> Point {
+        let [x, y] = [self.symbol(place[0], "x_0", "m"), self.symbol(place[1], "y_0", "m")];
+        [x, y].map(|e| {
+            let terms = if let Expr::Sum(terms) = e { terms } else { vec![e] };
+            Line::fixed(Sum::of(terms.iter().map(Factors::of)))
+        })
+    }
+    /// A unit vector along a direction.
+    fn direction(&mut self, degrees: Num) -> [Factors; 2] {
+        if let Num::Fixed(x) = degrees
+            && x % 90.0 == 0.0
+        {
+            let (s, c) = trig::sin_cos_of_degrees(x);
+            return [c, s].map(sign);
+        }
+        let angle = self.number(degrees, r"\delta", "deg");
+        [cosine(&angle), sine(angle)].map(|e| e.factors())
+    }
+
+    // -- places ---------------------------------------------------------------------------------------------------------
+
+    fn add_turn(&mut self, planar: &Planar, at: [Expr; 2], rate: [Expr; 2]) -> usize {
+        let from = planar.from.components();
+        let sense = if planar.clockwise { -1.0 } else { 1.0 };
+        self.turns.push(Turn { at, rate, from, across: [-from[1] * sense, from[0] * sense] });
+        self.turns.len() - 1
+    }
+    fn axis(&self, turn: usize) -> Point {
+        let t = &self.turns[turn];
+        [0, 1].map(|i| {
+            let all = [(t.from[i], Wave::Cosine), (t.across[i], Wave::Sine)];
+            let waves = all.into_iter().filter(|(x, _)| *x != 0.0).map(|(x, wave)| (sign(x), turn, wave));
+            Line { fixed: Sum::default(), waves: waves.collect() }
+        })
+    }
+    fn axis_of(&self, body: usize) -> Point {
+        match self.bodies[body].turn {
+            Some(turn) => self.axis(turn),
+            None => {
+                let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
+                from.map(|x| Line::fixed(if x == 0.0 { Sum::default() } else { Sum::one(sign(x)) }))
+            }
+        }
+    }
+    fn point(&self, body: usize, at: &[Factors; 2]) -> Point {
+        plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))
+    }
+    fn centre(&self, body: usize) -> Point {
+        self.point(body, &[self.bodies[body].centre.clone(), Factors::zero()])
+    }
+    fn spot(&mut self, spot: Spot) -> Point {
+        let distance = self.of_spot(spot);
+        self.point(spot.body, &distance)
+    }
+    fn wave(&self, turn: usize, wave: Wave, which: usize) -> Factors {
+        let angle = &self.turns[turn].at[which];
+        if wave == Wave::Sine { sine(angle).factors() } else { cosine(angle).factors() }
+    }
+    /// A coordinate at the start or at the place that is asked.
+    fn at(&mut self, line: &Line, which: usize) -> Sum {
+        let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
+            Wave::Way if which == START => Factors::zero(),
+            Wave::Way => size.times(self.turned()),
+            _ => size.times(self.wave(*turn, *wave, which)),
+        });
+        let waves = Sum::of(waves.collect::<Vec<_>>());
+        line.fixed.plus(&waves)
+    }
+    /// Its rate, per unit rate of the leading angle.
+    fn rate(&self, line: &Line, which: usize) -> Sum {
+        Sum::of(line.waves.iter().map(|(size, turn, wave)| {
+            let size = size.times(&self.turns[*turn].rate[which]);
+            match wave {
+                Wave::Way => size,
+                Wave::Cosine => size.times(self.wave(*turn, Wave::Sine, which)).opposite(),
+                Wave::Sine => size.times(self.wave(*turn, Wave::Cosine, which)),
+            }
+        }))
+    }
+    /// What its second derivative has per square of the leading rate, of one leading angle alone.
+    fn bend(&self, line: &Line) -> Sum {
+        Sum::of(line.waves.iter().filter(|w| w.2 != Wave::Way).map(|(size, turn, wave)| {
+            size.times(square(&self.turns[*turn].rate[END])).times(self.wave(*turn, *wave, END)).opposite()
+        }))
+    }
+    fn places(&mut self, point: &Point, which: usize) -> Vector {
+        [self.at(&point[0], which), self.at(&point[1], which)]
+    }
+    fn rates(&self, point: &Point, which: usize) -> Vector {
+        [self.rate(&point[0], which), self.rate(&point[1], which)]
+    }
+    /// The angle that the leading body has turned, in radians with its sign.
+    fn turned(&mut self) -> SymbolId {
+        if let Some(turned) = self.turned {
+            return turned;
+        }
+        let [first, last] = self.turns[0].at.clone();
+        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        let pi = self.draft.pi();
+        let name = format!(r"\Delta {}", self.letter);
+        let turned = self.page.find(&[&name], "rad", (last - first) * pi / half);
+        self.turned = Some(turned);
+        turned
+    }
+
+    /// Points of a body that are held at a known place.
+    fn held(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point)> {
+        let mut all = Vec::new();
+        for joint in &self.scene.joints {
+            let (own, place) = match joint.kind {
+                JointKind::Pin { at, place_m } if at.body == body => (at, self.ground(place_m)),
+                JointKind::Hinge { one, other, .. } if one.body == body && placed[other.body] => {
+                    (one, self.spot(other))
+                }
+                JointKind::Hinge { one, other, .. } if other.body == body && placed[one.body] => {
+                    (other, self.spot(one))
+                }
+                _ => continue,
+            };
+            all.push((self.of_spot(own), place));
+        }
+        all
+    }
+    /// Points of a body that are guided, itself or by a slider that is hinged there: a place on the line and its direction.
+    fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point, [Factors; 2])> {
+        let scene = self.scene;
+        let mut all = Vec::new();
+        for joint in &scene.joints {
+            let (at, through, unit) = match joint.kind {
+                JointKind::Guide { at, through_m, direction_deg, .. } => {
+                    (at, self.ground(through_m), self.direction(direction_deg))
+                }
+                JointKind::Contact {
+                    at,
+                    radius_m,
+                    surface: Surface::Line { through_m, direction_deg },
+                    ..
+                } => {
+                    let unit = self.direction(direction_deg);
+                    let radius = self.number(radius_m, "r", "m");
+                    let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
+                    (at, plus(&self.ground(through_m), &off), unit)
+                }
+                _ => continue,
+            };
+            let slider = |guided: Spot| {
+                (!placed[guided.body]).then_some(())?;
+                let slides =
+                    |spot: Spot| spot == guided || spot.body == guided.body && !scene.bodies[spot.body].turns;
+                scene.joints.iter().find_map(|j| match j.kind {
+                    JointKind::Hinge { one, other, .. } if one.body == body && slides(other) => Some(one),
+                    JointKind::Hinge { one, other, .. } if other.body == body && slides(one) => Some(other),
+                    _ => None,
+                })
+            };
+            if let Some(own) = if at.body == body { Some(at) } else { slider(at) } {
+                all.push((self.of_spot(own), through, unit));
+            }
+        }
+        all
+    }
+    /// The line on which a body rolls: its centre along the axis, a place on the line, its direction, the radius.
+    fn rolls(&mut self, body: usize) -> Option<([Factors; 2], Point, [Factors; 2], Factors)> {
+        let scene = self.scene;
+        scene.joints.iter().find_map(|j| match j.kind {
+            JointKind::Contact {
+                at,
+                radius_m,
+                surface: Surface::Line { through_m, direction_deg },
+                rolls: true,
+            } if at.body == body => Some((
+                self.of_spot(at),
+                self.ground(through_m),
+                self.direction(direction_deg),
+                self.number(radius_m, "r", "m").factors(),
+            )),
+            _ => None,
+        })
+    }
+    /// How far a wheel on a cylinder turns per angle of its centre.
+    fn turning_of(&mut self, arc: (Spot, Num, [Num; 2], Num, bool, bool)) -> Factors {
+        let (_, own, _, arc, inside, rolls) = arc;
+        if !rolls {
+            return Factors::zero();
+        }
+        let (own, arc) = (self.number(own, "r", "m").factors(), self.number(arc, "R", "m").factors());
+        if inside { own.plus(&arc.opposite()).per(&own) } else { arc.plus(&own).per(&own) }
+    }
+
+    /// The numbers of all angles, from the places of the key: at the start and at the place that is asked, degrees.
+    fn angles(&self) -> Option<[Vec<f64>; 2]> {
+        let data = &self.variant.data;
+        let numbers = Numbers::<f64>::new(self.scene, data);
+        let layout = Layout::new(self.scene, &numbers)?;
+        let way = match self.scene.end {
+            End::AtOnce => 0.0,
+            _ => (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians(),
+        };
+        let angles = |way: f64, at_start: bool| -> Option<Vec<f64>> {
+            let poses = layout.poses::<Jet<f64>>(way, at_start)?;
+            let each = poses.iter().zip(&self.scene.bodies).map(|(pose, body)| {
+                let (planar, axis) = (body.planar.as_ref(), pose.axis.map(|x| x.value));
+                let from = planar.map_or([1.0, 0.0], |p| p.from.components());
+                let sense = if planar.is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 };
+                let across = sense * (from[0] * axis[1] - from[1] * axis[0]);
+                let angle = trig::atan2(across, from[0] * axis[0] + from[1] * axis[1]).to_degrees();
+                // An angle that is 0 but for rounding.
+                if angle.abs() < NOTHING { 0.0 } else { angle }
+            });
+            Some(each.collect())
+        };
+        Some([angles(0.0, true)?, angles(way, self.scene.end == End::AtOnce)?])
+    }
+
+    /// The change of the leading angle in degrees that the key has, with its sign.
+    fn way_of_key(&self) -> Option<f64> {
+        let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
+        let way = self.variant.solved.get(phi)?.value();
+        let spin = self.value(&self.first);
+        if spin != 0.0 {
+            return Some((way * spin.signum()).to_degrees());
+        }
+        // Of the two senses that in which the mass centres rise as the key has it.
+        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let layout = Layout::new(self.scene, &numbers)?;
+        let start = layout.poses::<Jet<f64>>(0.0, true)?;
+        let miss = |way: f64| -> f64 {
+            let Some(end) = layout.poses::<Jet<f64>>(way, false) else { return f64::INFINITY };
+            let each = self.scene.bodies.iter().enumerate().map(|(b, body)| {
+                let along = [body.planar.as_ref().map_or(0.0, |p| pose::along(&numbers, p.centre)), 0.0];
+                let rise = end[b].point(along)[1].value - start[b].point(along)[1].value;
+                let key = self.variant.solved.get(Label { quantity: Quantity::Rise, of: Owner::Body(b) });
+                key.map_or(0.0, |k| (k.value() - rise).abs())
+            });
+            each.sum()
+        };
+        Some(if miss(way) <= miss(-way) { way } else { -way }.to_degrees())
+    }
+
+    /// Places all bodies one after the other, as [`crate::scene::pose`] does.
+    fn place(&mut self) -> Result<(), DerivationStop> {
+        let scene = self.scene;
+        let mut placed = vec![false; scene.bodies.len()];
+        self.place_lead()?;
+        placed[self.lead] = true;
+        let Some(angles) = self.angles() else { return beyond() };
+        while placed.iter().any(|p| !p) {
+            let before = placed.clone();
+            for body in 0..scene.bodies.len() {
+                if !placed[body] {
+                    self.follow(body, &angles, &mut placed)?;
+                }
+            }
+            if placed == before {
+                return beyond();
+            }
+        }
+        Ok(())
+    }
+
+    fn place_lead(&mut self) -> Result<(), DerivationStop> {
+        let (scene, body) = (self.scene, self.lead);
+        let Some(planar) = scene.planar(body) else { return beyond() };
+        let tex = self.free(&[r"\phi", r"\theta", r"\varphi"]);
+        let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
+        let name = match (planar.start_deg, scene.end) {
+            (Some(Num::Datum(i)), _) | (_, End::Angle(_, Num::Datum(i))) => {
+                self.problem.data[i].tex.split('_').next().unwrap_or(&tex).to_owned()
+            }
+            _ => tex,
+        };
+        self.letter.clone_from(&name);
+        let last = match scene.end {
+            End::AtOnce => first.clone(),
+            End::Angle(_, angle) => self.number(angle, &format!("{name}_1"), "deg"),
+            _ => {
+                let Some(way) = self.way_of_key() else { return beyond() };
+                let at = self.value(&first) + way;
+                let name = self.free(&[&format!("{name}_1"), &format!("{name}_2")]);
+                let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
+                self.symbols.settle(symbol, at, 0.0);
+                symbol.into()
+            }
+        };
+        let change = self.value(&last) - self.value(&first);
+        self.sense = if change == 0.0 { self.value(&self.first).signum() } else { change.signum() };
+        let turn = self.add_turn(planar, [first, last], [ONE, ONE]);
+        let distance = |this: &mut Self, spot: Spot| this.of_spot(spot);
+        if let Some(arc) = self.arc() {
+            let (at, own, middle, radius, inside, rolls) = arc;
+            let (own, radius) =
+                (self.number(own, "r", "m").factors(), self.number(radius, "R", "m").factors());
+            let apart = match inside {
+                true => {
+                    let apart = radius.plus(&own.opposite());
+                    if self.value(&apart.expr()) < 0.0 {
+                        apart.opposite().upright(&self.symbols)
+                    } else {
+                        apart
+                    }
+                }
+                false => radius.plus(&own),
+            };
+            let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
+            let by = self.turning_of(arc);
+            let own = if rolls && scene.bodies[body].turns {
+                let [first, last] = self.turns[turn].at.clone();
+                let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
+                let last = &first + turned;
+                Some(self.add_turn(planar, [first, last], [by.expr(), by.expr()]))
+            } else {
+                None
+            };
+            self.bodies[body].turn = own;
+            let at = distance(self, at);
+            let axis = self.axis_of(body);
+            self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
+            return Ok(());
+        }
+        self.bodies[body].turn = Some(turn);
+        let axis = self.axis(turn);
+        let none = vec![false; scene.bodies.len()];
+        let held = self.held(body, &none).into_iter().next();
+        let rolls = if held.is_none() { self.rolls(body) } else { None };
+        let origin = planar.origin_m.map(|place| self.ground(place));
+        if let Some((at, through, unit, radius)) = rolls {
+            let start = origin.map_or_else(Line::default, |o| dot(&less(&o, &through), &unit));
+            let sense = Factors::one().signed(if planar.clockwise { 1 } else { -1 });
+            let way = Line { fixed: Sum::default(), waves: vec![(radius.times(sense), turn, Wave::Way)] };
+            let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
+            let centre = plus(&plus(&through, &along(&start.plus(&way), &unit)), &off);
+            self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
+            return Ok(());
+        }
+        let guided = self.guided(body, &none);
+        self.bodies[body].origin = match (held, &guided[..], origin) {
+            (Some((at, place)), ..) => less(&place, &from_axis(&axis, &at)),
+            (None, [one, other, ..], _) if one.2 != other.2 => {
+                let row = |(at, through, unit): &([Factors; 2], Point, [Factors; 2])| {
+                    let normal = left(unit);
+                    let right = dot(through, &normal).less(&dot(&from_axis(&axis, at), &normal));
+                    (normal, right)
+                };
+                let ((p, a), (q, b)) = (row(one), row(other));
+                let area = cross(&vector(&p), &vector(&q)).expr().factors();
+                let one = Factors::one().per(&area);
+                let x = a.times(&q[1]).less(&b.times(&p[1])).times(&one);
+                [x, b.times(&p[0]).less(&a.times(&q[0])).times(&one)]
+            }
+            (None, [(at, through, unit)], origin) => {
+                // Nothing moves the mass centre along the line.
+                self.open = scene.drifts().is_none();
+                let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
+                let across = dot(&from_axis(&axis, at), &left(unit)).times(&Factors::one().opposite());
+                let ahead = start.less(&dot(&axis, unit).times(&self.bodies[body].centre));
+                plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
+            }
+            (None, _, Some(place)) if scene.end == End::AtOnce => {
+                self.open = true;
+                place
+            }
+            _ => return beyond(),
+        };
+        Ok(())
+    }
+
+    /// Places a body beside those that have a place, if its joints do.
+    fn follow(
+        &mut self,
+        body: usize,
+        angles: &[Vec<f64>; 2],
+        placed: &mut [bool],
+    ) -> Result<(), DerivationStop> {
+        let scene = self.scene;
+        let Some(planar) = scene.planar(body) else { return beyond() };
+        let held = self.held(body, placed).into_iter().next();
+        let whole = |this: &mut Self, at: &[Factors; 2], place: &Point| {
+            let axis = this.axis_of(body);
+            this.bodies[body].origin = less(place, &from_axis(&axis, at));
+        };
+        if !scene.bodies[body].turns {
+            if let Some((at, place)) = held {
+                whole(self, &at, &place);
+                placed[body] = true;
+            }
+            return Ok(());
+        }
+        if let (false, Some(start)) = (self.moves, planar.start_deg) {
+            let start = self.number(start, r"\beta", "deg");
+            self.open = true;
+            self.bodies[body].turn = Some(self.add_turn(planar, [start.clone(), start], [ZERO, ZERO]));
+            let own = planar.origin_m.map(|place| self.ground(place));
+            match (held, own) {
+                (Some((at, place)), _) => whole(self, &at, &place),
+                (None, Some(place)) => self.bodies[body].origin = place,
+                _ => return Ok(()),
+            }
+            placed[body] = true;
+            return Ok(());
+        }
+        let Some((at, place)) = held else { return Ok(()) };
+        if let Some(to) = self.welded(body, placed) {
+            let Some(other) = self.bodies[to].turn else { return beyond() };
+            self.free_turn(body, planar, angles);
+            let same = self.bodies[body].clockwise == self.bodies[to].clockwise;
+            let rate = self.turns[other].rate.clone().map(|r| signed(r, same));
+            let turn = self.turns.len() - 1;
+            self.turns[turn].rate = rate;
+            whole(self, &at, &place);
+            placed[body] = true;
+            return Ok(());
+        }
+        let track = self.rolls(body);
+        let guided = self.guided(body, placed).into_iter().next();
+        let pair = self.pair(body, placed);
+        if track.is_none() && guided.is_none() && pair.is_none() {
+            return Ok(());
+        }
+        self.free_turn(body, planar, angles);
+        let turn = self.turns.len() - 1;
+        whole(self, &at, &place);
+        placed[body] = true;
+        if let Some((_, _, unit, radius)) = track {
+            let ahead = self.rates(&place, END);
+            let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
+            let rate = if planar.clockwise { ahead } else { ahead.opposite() };
+            self.ratio(body, turn, rate.expr());
+            return Ok(());
+        }
+        if let Some((other, through, unit)) = guided {
+            let reach = [0, 1].map(|i| other[i].plus(&at[i].opposite()));
+            let normal = left(&unit);
+            let own = from_axis(&self.axis(turn), &reach);
+            let line = dot(&plus(&place, &own), &normal);
+            self.tie(body, &line, &dot(&through, &normal));
+            let over = self.rate(&dot(&place, &normal), END).opposite();
+            let under = self.rate(&dot(&own, &normal), END);
+            self.ratio(body, turn, over.expr().over(under.expr()));
+            return Ok(());
+        }
+        let Some((own, other, far)) = pair else { return Ok(()) };
+        let own = self.of_spot(own);
+        let own = [0, 1].map(|i| own[i].plus(&at[i].opposite()));
+        let Some(planar) = scene.planar(other.body) else { return beyond() };
+        self.free_turn(other.body, planar, angles);
+        let second = self.of_spot(other);
+        let second = [0, 1].map(|i| second[i].plus(&far.0[i].opposite()));
+        let axis = self.axis(turn + 1);
+        self.bodies[other.body].origin = less(&far.1, &from_axis(&axis, &far.0));
+        placed[other.body] = true;
+        let (one, two) = (from_axis(&self.axis(turn), &own), from_axis(&axis, &second));
+        let gap = less(&plus(&place, &one), &plus(&far.1, &two));
+        for line in &gap {
+            self.tie(body, line, &Line::default());
+        }
+        // Along one of the two rods the other end of that rod does not move it.
+        let apart = self.rates(&less(&place, &far.1), END);
+        let [first_way, second_way] = [&one, &two].map(|p| self.places(p, END));
+        let [first_rate, second_rate] = [&one, &two].map(|p| self.rates(p, END));
+        let over = product(&apart, &second_way).opposite();
+        let of_one = over.expr().over(product(&first_rate, &second_way).expr());
+        let over = product(&apart, &first_way);
+        let of_two = over.expr().over(product(&second_rate, &first_way).expr());
+        self.ratio(body, turn, of_one);
+        self.ratio(other.body, turn + 1, of_two);
+        Ok(())
+    }
+
+    /// The body with a place to which this one is welded.
+    fn welded(&self, body: usize, placed: &[bool]) -> Option<usize> {
+        self.scene.joints.iter().find_map(|joint| match joint.kind {
+            JointKind::Hinge { one, other, turned_deg: Some(_) } => {
+                let (own, to) = if one.body == body { (one, other) } else { (other, one) };
+                (own.body == body && placed[to.body]).then_some(to.body)
+            }
+            _ => None,
+        })
+    }
+
+    /// The other rod of a pair, where both are hinged, and where that one is held.
+    fn pair(&mut self, body: usize, placed: &[bool]) -> Option<(Spot, Spot, ([Factors; 2], Point))> {
+        let scene = self.scene;
+        scene.joints.iter().find_map(|joint| {
+            let JointKind::Hinge { one, other, .. } = joint.kind else { return None };
+            let (own, other) = if one.body == body { (one, other) } else { (other, one) };
+            if own.body != body || placed[other.body] || !scene.bodies[other.body].turns {
+                return None;
+            }
+            Some((own, other, self.held(other.body, placed).into_iter().next()?))
+        })
+    }
+
+    /// The angle of a body that its joints give; its rate comes later.
+    fn free_turn(&mut self, body: usize, planar: &Planar, angles: &[Vec<f64>; 2]) {
+        let letters = [r"\beta", r"\gamma", r"\psi", r"\chi"];
+        let letters: Vec<&str> = letters.into_iter().skip(self.loops_of_bodies()).collect();
+        let tex =
+            if letters.is_empty() { tagged(r"\psi", &self.bodies[body].tag) } else { self.free(&letters) };
+        let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
+        let at: Vec<Expr> = marks
+            .iter()
+            .zip(angles)
+            .map(|(mark, all)| {
+                let symbol = self.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true);
+                self.symbols.settle(symbol, all[body], 0.0);
+                symbol.into()
+            })
+            .collect();
+        let at = [at[0].clone(), at[at.len() - 1].clone()];
+        // Its own rate is 1 until it is known.
+        let turn = self.add_turn(planar, at, [ZERO, ONE]);
+        self.bodies[body].turn = Some(turn);
+    }
+    fn loops_of_bodies(&self) -> usize {
+        self.turns.len().saturating_sub(1)
+    }
+    fn tie(&mut self, body: usize, line: &Line, right: &Line) {
+        let (left, right) = (self.at(line, END), self.at(right, END));
+        let all = left.plus(&right.opposite());
+        let (plus, minus): (Vec<Factors>, Vec<Factors>) = all
+            .terms()
+            .iter()
+            .cloned()
+            .partition(|t| !matches!(t.expr(), Expr::Minus(_) | Expr::Number(i64::MIN..0, _)));
+        let (left, right) = (Sum::of(plus).expr(), Sum::of(minus).opposite().expr());
+        let sides = [self.tex(&left), self.tex(&right)];
+        self.loops.push((body, sides));
+    }
+    /// Gives an angle its rate, as a ratio that has a name.
+    fn ratio(&mut self, body: usize, turn: usize, is: Expr) {
+        // In a dead centre it does not turn.
+        if self.value(&is).abs() < ROUNDING {
+            self.turns[turn].rate[END] = ZERO;
+            return;
+        }
+        let tag = self.bodies[body].tag.clone();
+        let symbol = self.page.find(&[&tagged("n", &tag), &tagged("i", &tag)], "1", is);
+        self.turns[turn].rate[END] = symbol.into();
+    }
+
+    // -- forces ---------------------------------------------------------------------------------------------------------
+
+    fn lever(&mut self, spot: Spot) -> Point {
+        let point = self.spot(spot);
+        less(&point, &self.centre(spot.body))
+    }
+    fn pull(&mut self, spot: Spot, size: Factors, direction: Vector, unknown: Option<SymbolId>) -> Pull {
+        let lever = self.lever(spot);
+        let lever = self.places(&lever, END);
+        Pull { body: spot.body, unknown, size, turn: cross(&lever, &direction), along: direction }
+    }
+
+    /// Weights, forces, couples and springs, with their works.
+    fn act(&mut self) -> Result<(), DerivationStop> {
+        let scene = self.scene;
+        let still = scene.end == End::AtOnce;
+        for body in 0..self.bodies.len() {
+            let weight = self.bodies[body].mass.times(&self.g);
+            let down = [Sum::default(), Sum::one(number(-1))];
+            self.pulls.push(Pull {
+                body,
+                unknown: None,
+                size: weight.clone(),
+                along: down,
+                turn: Sum::default(),
+            });
+            if !still {
+                let [_, y] = self.centre(body);
+                let fall = self.at(&y, START).plus(&self.at(&y, END).opposite());
+                let fall = fall.expr();
+                // A body that is guided along a level does not sink, though its place is told by angles.
+                if self.value(&fall).abs() > NOTHING {
+                    let fall = match self.bodies.len() {
+                        1 => fall,
+                        _ => {
+                            let names =
+                                [tagged("h", &self.bodies[body].tag), tagged("H", &self.bodies[body].tag)];
+                            self.page.find(&[&names[0], &names[1]], "m", fall).into()
+                        }
+                    };
+                    self.works.push(weight.by(&fall));
+                }
+            }
+        }
+        for push in &scene.pushes {
+            let size = self.number(push.force_n, "P", "N").factors();
+            let unit = self.direction(push.direction_deg);
+            let along = if push.turns {
+                let axis = self.axis_of(push.at.body);
+                let axis = self.places(&axis, END);
+                let [c, s] = &unit;
+                [
+                    axis[0].times(c).plus(&axis[1].times(s.opposite())),
+                    axis[1].times(c).plus(&axis[0].times(s)),
+                ]
+            } else {
+                vector(&unit)
+            };
+            let pull = self.pull(push.at, size.clone(), along, None);
+            self.pulls.push(pull);
+            if still {
+                continue;
+            }
+            if push.turns {
+                let work = self.turning_work(push);
+                let symbol = self.named(&[r"W_{P}", r"A_{P}"], "J");
+                self.symbols.settle(symbol, work, 0.0);
+                self.page.step(symbol, symbol.into());
+                self.works.push(symbol.into());
+                continue;
+            }
+            let line = dot(&self.spot(push.at), &unit);
+            let way = self.at(&line, END).plus(&self.at(&line, START).opposite());
+            self.works.push(size.by(way.expr()));
+        }
+        for (i, couple) in scene.couples.iter().enumerate() {
+            let size = self.number(couple.moment_n_m, "M", "N m").factors();
+            let own = if couple.forward { 1 } else { -1 };
+            let turn =
+                Sum::one(Factors::one().signed(if self.bodies[couple.body].clockwise { -own } else { own }));
+            let none = [Sum::default(), Sum::default()];
+            self.pulls.push(Pull { body: couple.body, unknown: None, size: size.clone(), along: none, turn });
+            if !still {
+                let turned = if self.bodies[couple.body].turn == Some(0) {
+                    self.turned()
+                } else {
+                    let Some(turn) = self.bodies[couple.body].turn else { return beyond() };
+                    let [first, last] = self.turns[turn].at.clone();
+                    let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+                    let pi = self.draft.pi();
+                    let name = tagged(r"\Delta\psi", &i.to_string());
+                    self.page.find(&[&name], "rad", (last - first) * pi / half)
+                };
+                self.works.push(size.signed(own).by(turned));
+            }
+        }
+        for strut in 0..scene.struts.len() {
+            self.spring(strut);
+        }
+        self.works.retain(|w| *w != ZERO);
+        Ok(())
+    }
+
+    /// The work of a force that turns with its body.
+    fn turning_work(&self, push: &crate::scene::Push) -> f64 {
+        let data = &self.variant.data;
+        let numbers = Numbers::<f64>::new(self.scene, data);
+        let Some(layout) = Layout::new(self.scene, &numbers) else { return f64::NAN };
+        let way = (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians();
+        let [c, s] = pose::direction(&numbers, push.direction_deg);
+        let power = |at: f64| {
+            let poses = layout.poses::<Jet<f64>>(at, false).ok_or(DerivationStop::Beyond(Beyond::Unfound))?;
+            let pose = &poses[push.at.body];
+            let [x, y] = pose.axis.map(|x| x.value);
+            let v = pose.point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
+            Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
+        };
+        let work: Result<f64, Wrong> =
+            crate::num::gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
+        self.scene.value(push.force_n, data) * work.unwrap_or(f64::NAN)
+    }
+
+    fn spring(&mut self, strut: usize) {
+        let scene = self.scene;
+        let it = &scene.struts[strut];
+        let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+        let near = self.spot(it.at);
+        let far = match it.to {
+            StrutEnd::Ground(place) => self.ground(place),
+            StrutEnd::Spot(spot) => self.spot(spot),
+            StrutEnd::Guide { through_m, direction_deg } => {
+                let (through, unit) = (self.ground(through_m), self.direction(direction_deg));
+                plus(&through, &along(&dot(&less(&near, &through), &unit), &unit))
+            }
+        };
+        let apart = less(&far, &near);
+        let stiffness = self.number(it.stiffness_n_m, "k_s", "N/m");
+        let (rest, given) = match it.rest {
+            Rest::Length(l) => (self.number(l, "l_0", "m"), false),
+            Rest::Stretch(x) => (self.number(x, "x_0", "m"), true),
+        };
+        let instant = scene.end == End::AtOnce;
+        let (mut lengths, mut stretch): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
+        let mut last = [Sum::default(), Sum::default()];
+        for which in if instant { END..=END } else { START..=END } {
+            last = self.places(&apart, which);
+            let is = self.size(&last);
+            let length: Expr = self.named_by(["s", "d"], &format!("{which}{tag}"), "m", is);
+            let is = match (given, lengths.first()) {
+                (false, _) => Some(&length - &rest),
+                (true, Some(first)) => Some(&rest + &length - first),
+                (true, None) => None,
+            };
+            stretch.push(is.map_or_else(
+                || rest.clone(),
+                |is| self.named_by(["x", "e"], &format!("{which}{tag}"), "m", is),
+            ));
+            lengths.push(length);
+        }
+        if let [first, last] = &stretch[..] {
+            self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
+        }
+        let names = if tag.is_empty() { "F_s".to_owned() } else { tagged("F", &format!("s{tag}")) };
+        let other = tagged("F", &format!(r"\mathrm{{s}}{tag}"));
+        let force = self.page.find(&[&names, &other], "N", stiffness * &stretch[stretch.len() - 1]);
+        let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
+        let pull = self.pull(it.at, force.factors(), along.clone(), None);
+        self.pulls.push(pull);
+        if let StrutEnd::Spot(spot) = it.to {
+            let back = along.map(|x| x.opposite());
+            let pull = self.pull(spot, force.factors(), back, None);
+            self.pulls.push(pull);
+        }
+        self.springs.push(force);
+    }
+
+    /// A new quantity by the first of these letters that is free with this below it.
+    fn named_by(&mut self, letters: [&str; 2], below: &str, unit: &str, is: Expr) -> Expr {
+        let names = letters.map(|l| tagged(l, below));
+        self.page.find(&[&names[0], &names[1]], unit, is).into()
+    }
+    /// The length of a vector.
+    fn size(&self, of: &Vector) -> Expr {
+        match (of[0].is_zero(), of[1].is_zero()) {
+            (true, _) => self.positive(&of[1].expr()),
+            (_, true) => self.positive(&of[0].expr()),
+            _ => root(square(of[0].expr()) + square(of[1].expr())),
+        }
+    }
+
+    /// A unit vector along a vector of this length: its components have names where there are two.
+    fn unit(&mut self, apart: &Vector, length: &Expr, names: [&str; 2], tag: &str) -> Vector {
+        let small = [0, 1].map(|i| self.value(&apart[i].expr()).abs() < NOTHING);
+        [0, 1].map(|i| match small {
+            _ if small[i] => Sum::default(),
+            [false, false] => {
+                let way = ["x", "y"][i];
+                let symbol = self.named_by(names, &format!("{way}{tag}"), "1", apart[i].expr() / length);
+                self.units.extend(symbol.uses());
+                Sum::one(symbol)
+            }
+            _ => Sum::one(sign(self.value(&apart[i].expr()))),
+        })
+    }
+
+    /// The forces of the joints, and what each demands.
+    fn hold(&mut self) {
+        let scene = self.scene;
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let plain = below(joint);
+            let letters: &[&str] = match joint.kind {
+                JointKind::Hinge { turned_deg: Some(_), .. } => &["X", "Y", "M"],
+                JointKind::Pin { .. } | JointKind::Hinge { .. } => &["X", "Y"],
+                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &["N"],
+                JointKind::Contact { .. } => &["N", "F"],
+                JointKind::Cord { .. } => &["T"],
+            };
+            let forces: Vec<SymbolId> = letters
+                .iter()
+                .map(|l| self.named(&[&tagged(l, &plain)], if *l == "M" { "N m" } else { "N" }))
+                .collect();
+            let unit = [[Factors::one(), Factors::zero()], [Factors::zero(), Factors::one()]]
+                .map(|u| u.map(|f| if f.is_zero() { Sum::default() } else { Sum::one(f) }));
+            match joint.kind {
+                JointKind::Pin { at, .. } => {
+                    for (force, u) in forces.iter().zip(unit) {
+                        self.add_hold(j, *force, &[(at, u)], None);
+                    }
+                }
+                JointKind::Hinge { one, other, .. } => {
+                    for (force, u) in forces.iter().zip(unit) {
+                        let back = u.clone().map(|x| x.opposite());
+                        self.add_hold(j, *force, &[(one, u), (other, back)], None);
+                    }
+                    if let Some(couple) = forces.get(2) {
+                        let none = || [Sum::default(), Sum::default()];
+                        let pulls = [(one.body, 1), (other.body, -1)].map(|(body, sense)| Pull {
+                            body,
+                            unknown: Some(*couple),
+                            size: Factors::one(),
+                            along: none(),
+                            turn: Sum::one(Factors::one().signed(sense)),
+                        });
+                        let inward = Sum::default();
+                        let pulls = pulls.to_vec();
+                        self.holds.push(Hold { joint: j, unknown: *couple, pulls, inward, given: ZERO });
+                    }
+                }
+                JointKind::Guide { at, direction_deg, mu_k, .. } => {
+                    let line = self.direction(direction_deg);
+                    self.add_hold(j, forces[0], &[(at, vector(&left(&line)))], None);
+                    if let Some(mu) = mu_k {
+                        self.rub(j, at, &line, mu, forces[0]);
+                    }
+                }
+                JointKind::Contact { at, radius_m, surface, .. } => {
+                    self.touch(j, &forces, at, radius_m, surface)
+                }
+                JointKind::Cord { at, place_m } => {
+                    let apart = less(&self.ground(place_m), &self.spot(at));
+                    let apart = self.places(&apart, END);
+                    let is = self.size(&apart);
+                    let length: Expr = match is {
+                        Expr::Symbol(s) => s.into(),
+                        is => self.page.find(&[r"\ell", "l"], "m", is).into(),
+                    };
+                    let along = self.unit(&apart, &length, ["u", "w"], &format!(",{plain}"));
+                    let toward = Factors::one().per(&length);
+                    self.add_hold(j, forces[0], &[(at, along)], Some(toward));
+                }
+            }
+        }
+    }
+
+    /// The couple that gives the leading body its angular acceleration.
+    fn drive(&mut self, alpha: Num) {
+        let given = self.number(alpha, r"\alpha_0", "rad/s^2");
+        let unknown = self.named(&[r"M_{\mathrm{d}}", r"M_{\mathrm{dr}}"], "N m");
+        let pulls = vec![Pull {
+            body: self.lead,
+            unknown: Some(unknown),
+            size: Factors::one(),
+            along: [Sum::default(), Sum::default()],
+            turn: Sum::one(Factors::one().signed(self.sense_of(self.lead))),
+        }];
+        self.driver = Some(unknown);
+        self.holds.push(Hold { joint: usize::MAX, unknown, pulls, inward: Sum::default(), given });
+    }
+
+    /// A wheel or a point on a surface.
+    fn touch(&mut self, joint: usize, forces: &[SymbolId], at: Spot, radius_m: Num, surface: Surface) {
+        let own = self.number(radius_m, "r", "m").factors();
+        let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
+            Surface::Line { direction_deg, .. } => (vector(&left(&self.direction(direction_deg))), None, own),
+            Surface::Arc { centre_m, radius_m: arc, inside } => {
+                let arc = self.number(arc, "R", "m").factors();
+                let out = less(&self.spot(at), &self.ground(centre_m));
+                let out = self.places(&out, END);
+                let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(&own) };
+                let apart =
+                    if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap };
+                let sense = Factors::one().signed(if inside { -1 } else { 1 });
+                let turned = inside && self.value(&arc.expr()) < self.value(&own.expr());
+                let radius = if turned { own.opposite() } else { own };
+                let normal = out.map(|x| x.times(sense.per(&apart)));
+                (normal, Some(sense.per(&apart).opposite()), radius)
+            }
+        };
+        let along = [normal[1].clone(), normal[0].opposite()];
+        self.add_hold(joint, forces[0], &[(at, normal)], bend);
+        if let Some(force) = forces.get(1) {
+            self.add_hold(joint, *force, &[(at, along)], None);
+            let turn = Sum::one(&radius);
+            if let Some(hold) = self.holds.last_mut() {
+                for pull in &mut hold.pulls {
+                    pull.turn = pull.turn.plus(&turn);
+                }
+            }
+        }
+    }
+
+    fn add_hold(&mut self, joint: usize, force: SymbolId, ends: &[(Spot, Vector)], toward: Option<Factors>) {
+        let mut inward = Sum::default();
+        let mut pulls = Vec::new();
+        for (spot, u) in ends {
+            pulls.push(self.pull(*spot, Factors::one(), u.clone(), Some(force)));
+            if !self.moves {
+                continue;
+            }
+            let lever = self.lever(*spot);
+            let lever = self.places(&lever, END);
+            let spin = self.spin(spot.body);
+            inward = inward.plus(&product(u, &lever).times(square(&spin)));
+            if let Some(toward) = &toward {
+                let point = self.spot(*spot);
+                let v = self.rates(&point, END);
+                inward = inward.plus(&product(&v, &v).times(toward));
+            }
+        }
+        self.holds.push(Hold { joint, unknown: force, pulls, inward, given: ZERO });
+    }
+
+    /// Friction of a guide, against the sense in which its point slides: as the key has it.
+    fn rub(&mut self, joint: usize, at: Spot, line: &[Factors; 2], mu: Num, normal: SymbolId) {
+        let mu = self.number(mu, r"\mu_k", "1");
+        let key = self.variant.solved.get(Label { quantity: Quantity::Friction, of: Owner::Joint(joint) });
+        let key = key.map_or(0.0, |k| k.value());
+        let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
+        let over = self.variant.solved.get(Label { quantity: Quantity::Normal, of: Owner::Joint(joint) });
+        let presses = over.map_or(1.0, |n| n.value().signum());
+        let sense = Factors::one().signed(if key * up * presses < 0.0 { -1 } else { 1 });
+        let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
+        let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
+        let mut pull = self.pull(at, mu.factors(), along, Some(normal));
+        pull.unknown = Some(normal);
+        let name = tagged("F", &below(&self.scene.joints[joint]));
+        let force = self.named(&[&name], "N");
+        self.frictions.push((joint, force));
+        self.pulls.push(pull);
+    }
+
+    /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.
+    pub fn spin(&self, body: usize) -> Expr {
+        match self.bodies[body].turn {
+            Some(turn) if self.scene.bodies[body].turns => self.turns[turn].rate[END].clone(),
+            _ => ZERO,
+        }
+    }
+    fn sense_of(&self, body: usize) -> i8 {
+        if self.bodies[body].clockwise { -1 } else { 1 }
+    }
+
+    /// All forces on a body.
+    pub fn on(&self, body: usize) -> impl Iterator<Item = &Pull> {
+        let joints = self.holds.iter().flat_map(|h| &h.pulls);
+        self.pulls.iter().chain(joints).filter(move |p| p.body == body)
+    }
+    /// The forces of the joints.
+    pub fn reactions(&self) -> Vec<SymbolId> {
+        self.holds.iter().map(|h| h.unknown).collect()
+    }
+    /// All accelerations.
+    pub fn accelerations(&self) -> Vec<SymbolId> {
+        self.bodies.iter().flat_map(|b| b.a.into_iter().chain(b.alpha)).collect()
+    }
+
+    /// The equations of motion of a body, both sides.
+    pub fn equations(&self, body: usize) -> Vec<(Expr, Expr)> {
+        let it = &self.bodies[body];
+        let size = |p: &Pull| p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u));
+        let mut all = Vec::new();
+        for i in 0..2 {
+            let left = self.on(body).map(|p| p.along[i].times(size(p)).expr());
+            all.push((positive_first(left), it.mass.by(it.a[i])));
+        }
+        if let Some(alpha) = it.alpha {
+            let sense = Factors::one().signed(self.sense_of(body));
+            let moments = |couple: bool| {
+                let all = self.on(body).filter(|p| p.along.iter().all(Sum::is_zero) == couple);
+                let each = all.flat_map(|p| {
+                    let size = size(p).times(&sense);
+                    p.turn.terms().iter().map(move |t| size.times(t)).collect::<Vec<_>>()
+                });
+                Sum::of(each.collect::<Vec<_>>()).expr()
+            };
+            let left = positive_first([moments(true), moments(false)]);
+            all.push((left, sum(it.inertia.iter().map(|i| i.by(alpha)))));
+        }
+        all
+    }
+    /// What the joints demand of the accelerations: the joint, both sides.
+    pub fn demands(&self) -> Vec<(usize, Expr, Expr)> {
+        let each = self.holds.iter().map(|h| {
+            let mut left = Vec::new();
+            for pull in &h.pulls {
+                let it = &self.bodies[pull.body];
+                let sense = Factors::one().signed(self.sense_of(pull.body));
+                left.extend([0, 1].map(|i| pull.along[i].times(it.a[i]).expr()));
+                left.extend(it.alpha.map(|a| pull.turn.times(&sense).times(a).expr()));
+            }
+            let right = h.inward.times(square(self.rate)).expr() + &h.given;
+            (h.joint, positive_first(left), right)
+        });
+        each.collect()
+    }
+
+    /// Solves the equations of motion and the demands of the joints together; gives every unknown its value.
+    pub fn solve(&mut self) -> Result<(), DerivationStop> {
+        let unknowns = [self.accelerations(), self.reactions()].concat();
+        let place = |s: SymbolId| unknowns.iter().position(|u| *u == s);
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        let mut row = 0;
+        let turns = |b: usize| if self.bodies[b].alpha.is_some() { 3 } else { 2 };
+        for body in 0..self.bodies.len() {
+            let it = &self.bodies[body];
+            let own: Vec<SymbolId> = it.a.into_iter().chain(it.alpha).collect();
+            let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
+            let sense = f64::from(self.sense_of(body));
+            for (k, own) in own.into_iter().enumerate() {
+                let inertia = if k < 2 { self.value(&it.mass.expr()) } else { inertia };
+                if let Some(at) = place(own) {
+                    system.term(row + k, at, -inertia);
+                }
+            }
+            for pull in self.on(body) {
+                let size = self.value(&pull.size.expr());
+                let shares = [pull.along[0].expr(), pull.along[1].expr(), pull.turn.expr()];
+                for (k, share) in shares.iter().enumerate().take(turns(body)) {
+                    let share = size * self.value(share) * if k == 2 { sense } else { 1.0 };
+                    match pull.unknown.and_then(place) {
+                        Some(at) => system.term(row + k, at, share),
+                        None => system.right(row + k, 0, -share),
+                    }
+                }
+            }
+            row += turns(body);
+        }
+        let rate = if self.moves { self.symbols.value(self.rate) } else { 0.0 };
+        for hold in &self.holds {
+            for pull in &hold.pulls {
+                let it = &self.bodies[pull.body];
+                let sense = f64::from(self.sense_of(pull.body));
+                for (i, a) in it.a.iter().enumerate() {
+                    if let Some(at) = place(*a) {
+                        system.term(row, at, self.value(&pull.along[i].expr()));
+                    }
+                }
+                if let Some(at) = it.alpha.and_then(place) {
+                    system.term(row, at, sense * self.value(&pull.turn.expr()));
+                }
+            }
+            let right = self.value(&hold.inward.expr()) * rate * rate + self.value(&hold.given);
+            system.right(row, 0, right);
+            row += 1;
+        }
+        let Ok(solution) = system.solve() else { return beyond() };
+        let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
+        let rates = self.accelerations().len();
+        let g = self.value(&self.g);
+        for (i, symbol) in unknowns.into_iter().enumerate().filter(|(i, _)| !solution.is_open(*i)) {
+            // What is 0 but for rounding.
+            let (value, scale) = (solution.get(i, 0), if i < rates { g } else { weights });
+            let value = if value.abs() < ROUNDING * scale { 0.0 } else { value };
+            self.symbols.settle(symbol, value, 0.0);
+        }
+        Ok(())
+    }
+
+    /// At an instant, the velocities that go with a turn of a single body that its joints do not place, where each force of a joint
+    /// is along one of the axes: across to all forces it is left where it is.
+    fn let_drift(&mut self) {
+        if !self.open || self.moves || self.bodies.len() > 1 || self.bodies[0].turn != Some(0) {
+            return;
+        }
+        let mut v = [Sum::default(), Sum::default()];
+        for (i, v) in v.iter_mut().enumerate() {
+            let holds: Vec<&Hold> = self.holds.iter().filter(|h| !h.pulls[0].along[i].is_zero()).collect();
+            let pulled = self.pulls.iter().any(|p| !p.along[i].is_zero());
+            *v = match holds[..] {
+                [] if !pulled => Sum::default(),
+                [hold] if hold.pulls[0].along[1 - i].is_zero() => {
+                    let pull = &hold.pulls[0];
+                    let sense = Factors::one().signed(self.sense_of(0));
+                    let per = sense.per(pull.along[i].expr()).opposite();
+                    pull.turn.times(per)
+                }
+                _ => return,
+            };
+        }
+        self.drifts = Some(v);
+    }
+
+    // -- what follows ---------------------------------------------------------------------------------------------------
+
+    /// Speed of a point per unit rate of the leading angle, as it is written: without a radical where there is none.
+    fn speed(&self, point: &Point, unit: Option<&[Factors; 2]>) -> Expr {
+        let v = self.rates(point, END);
+        if let Some(unit) = unit {
+            return product(&v, &vector(unit)).expr();
+        }
+        match (v[0].is_zero(), v[1].is_zero()) {
+            (true, true) => ZERO,
+            (true, false) => v[1].expr(),
+            (false, true) => v[0].expr(),
+            _ => {
+                let is = product(&v, &v).rooted();
+                // What rounding leaves of a point that stands still may be below 0.
+                let sound = !self.value(&is).is_nan();
+                if sound { is } else { root(square(v[0].expr()) + square(v[1].expr())) }
+            }
+        }
+    }
+    /// The line along which a joint guides a body that does not turn.
+    fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
+        let scene = self.scene;
+        scene.joints.iter().find_map(|j| match j.kind {
+            JointKind::Guide { at, direction_deg, .. } if at.body == body && !scene.bodies[body].turns => {
+                Some(self.direction(direction_deg))
+            }
+            _ => None,
+        })
+    }
+    /// The speed of each mass centre per unit rate of the leading angle; those that are sums have a name.
+    pub fn speeds(&mut self) -> Vec<Expr> {
+        if !self.speeds.is_empty() {
+            return self.speeds.clone();
+        }
+        let mut all = Vec::new();
+        for body in 0..self.bodies.len() {
+            let centre = self.centre(body);
+            let line = self.line_of(body);
+            let is = self.speed(&centre, line.as_ref());
+            let is = if self.value(&is) < 0.0 { -is } else { is };
+            let plain = if self.bodies.len() == 1 { width(&self.tex(&is)) <= WITHIN } else { !sums(&is) };
+            let is = if plain {
+                is
+            } else {
+                let tag = self.bodies[body].tag.clone();
+                self.page.find(&[&tagged("e", &tag), &tagged("c", &tag)], "m", is).into()
+            };
+            all.push(is);
+        }
+        self.speeds.clone_from(&all);
+        all
+    }
+    /// The inertia of the motion, `J` in `1/2 J q'^2`.
+    pub fn inertia(&self, speeds: &[Expr]) -> Sum {
+        let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
+            let centre = self.centre(b);
+            let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, END));
+            let plain = self.bodies.len() == 1 && !matches!(speeds[b], Expr::Symbol(_));
+            let own = if plain { product(&v, &v) } else { Sum::one(square(&speeds[b])) };
+            let moving = Sum::of(own.terms().iter().map(|v| it.mass.times(v)));
+            let spin = self.spin(b);
+            let turning = it.inertia.iter().map(move |i| i.times(square(&spin)));
+            moving.terms().iter().cloned().chain(turning).collect::<Vec<_>>()
+        });
+        Sum::of(each.collect::<Vec<_>>())
+    }
+    /// Share of the rotation about the mass centres in the kinetic energy.
+    pub fn rotation(&self) -> Sum {
+        let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
+            let spin = self.spin(b);
+            it.inertia.iter().map(move |i| i.times(square(&spin)))
+        });
+        Sum::of(each.collect::<Vec<_>>())
+    }
+    /// Of a single body, what is left when the forces of the joints are eliminated, `J q'' = Q - B q'^2`: `Q` and `B`.
+    pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
+        let [it] = &self.bodies[..] else { return None };
+        let (mass, centre) = (it.mass.clone(), self.centre(0));
+        if self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
+            return None;
+        }
+        let (free, v) = (self.drifts.is_some(), self.drifts.clone());
+        let v = v.unwrap_or_else(|| self.rates(&centre, END));
+        let bends = [self.bend(&centre[0]), self.bend(&centre[1])];
+        let bend = if free || !self.moves { Sum::default() } else { product(&v, &bends).times(&mass) };
+        let spin = self.spin(0).factors().signed(self.sense_of(0));
+        let powers = self.pulls.iter().flat_map(|p| {
+            let power = product(&p.along, &v).plus(&p.turn.times(&spin));
+            power.terms().iter().map(|t| p.size.times(t)).collect::<Vec<_>>()
+        });
+        Some([Sum::of(powers.collect::<Vec<_>>()), bend])
+    }
+
+    /// The quantity of a label once the place that is asked is solved.
+    ///
+    /// # Errors
+    /// A quantity that is not covered.
+    pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        use Quantity as Q;
+        if let Some(DerivedAnswer::Value(known)) = self.found_for(label) {
+            return Ok(known);
+        }
+        let none = || DerivationStop::Beyond(Beyond::Quantity(label.quantity));
+        let key = self.variant.solved.get(label).map(|e| e.value());
+        let rate = if self.moves { self.rate.into() } else { ZERO };
+        let new = |this: &mut Self, names: [&str; 2], is: Expr| {
+            let names = names.map(str::to_owned);
+            this.page.find(&[&names[0], &names[1]], label.quantity.unit(), is)
+        };
+        let still = matches!(label.quantity, Q::V | Q::VX | Q::VY | Q::KineticEnergy) && !self.moves;
+        let symbol = match (label.quantity, label.of) {
+            _ if still => new(self, ["v_0", "u_0"], ZERO),
+            (Q::Omega, Owner::Body(b)) => {
+                let omega = self.bodies[b].omega.ok_or_else(none)?;
+                if omega != self.rate {
+                    let is = self.spin(b).by(&rate);
+                    let is = if self.value(&is) < 0.0 { -is } else { is };
+                    self.page.step(omega, is);
+                }
+                omega
+            }
+            (Q::Alpha, Owner::Body(b)) => self.bodies[b].alpha.ok_or_else(none)?,
+            (Q::AX, Owner::Body(b)) => self.bodies[b].a[0],
+            (Q::AY, Owner::Body(b)) => self.bodies[b].a[1],
+            (Q::V, Owner::Body(b)) => {
+                let centre = self.centre(b);
+                let is = match self.speeds.get(b) {
+                    Some(speed) => speed.by(&rate),
+                    None => self.speed_of(&centre, &rate),
+                };
+                let v = self.bodies[b].v;
+                self.page.step(v, is)
+            }
+            (Q::V, Owner::Spot(spot)) => {
+                let point = self.spot(spot);
+                let is = self.speed_of(&point, &rate);
+                let name = self.scene.point_name(spot).map_or("P", |n| n.1).to_owned();
+                let tag = if self.symbols.named(&[&tagged("v", &name)]).is_some() {
+                    format!("{name}{}", self.bodies[spot.body].tag)
+                } else {
+                    name
+                };
+                new(self, [&tagged("v", &tag), &tagged("u", &tag)], is)
+            }
+            (Q::VX | Q::VY, Owner::Body(b)) => {
+                let i = usize::from(label.quantity == Q::VY);
+                let line = self.centre(b)[i].clone();
+                let is = in_sense(self.rate(&line, END).expr(), self.sense).by(&rate);
+                let tag = format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
+                new(self, [&tagged("v", &tag), &tagged("u", &tag)], is)
+            }
+            (Q::Rise, Owner::Body(b)) => {
+                let [_, y] = self.centre(b);
+                let is = self.at(&y, END).plus(&self.at(&y, START).opposite()).expr();
+                let tag = self.bodies[b].tag.clone();
+                new(self, [&tagged(r"\Delta y", &tag), &tagged("y", &tag)], is)
+            }
+            (Q::Phi, _) => {
+                let turned = self.turned();
+                if self.symbols.value(turned) >= 0.0 {
+                    turned
+                } else {
+                    let name = format!(r"\left|{}\right|", self.symbols.tex(turned));
+                    let size = self.symbols.unknown_like(&name, turned);
+                    self.symbols.settle_by(size, &magnitude(turned));
+                    size
+                }
+            }
+            (
+                Q::Normal | Q::Tension | Q::PinX | Q::PinY | Q::PinForce | Q::Moment | Q::Friction,
+                Owner::Joint(j),
+            ) => {
+                return self.of_joint(label.quantity, j).ok_or_else(none);
+            }
+            (Q::Drive, _) => self.driver.ok_or_else(none)?,
+            (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
+            (Q::KineticEnergy, _) => {
+                let speeds = self.speeds();
+                let j = self.j.map_or_else(|| self.inertia(&speeds).expr(), Expr::from);
+                let is = ratio(1, 2).by(&j).by(square(&rate));
+                new(self, ["E_{k}", r"E_{\mathrm{kin}}"], is)
+            }
+            (Q::T, _) if matches!(self.scene.end, End::Time(..)) => {
+                let End::Time(_, t) = self.scene.end else { return Err(none()) };
+                match self.number(t, "t", "s") {
+                    Expr::Symbol(t) => t,
+                    _ => return Err(none()),
+                }
+            }
+            (Q::T, _) => {
+                let symbol = self.named(&["t", "t_1"], "s");
+                self.symbols.settle(symbol, key.ok_or_else(none)?, 0.0);
+                self.page.step(symbol, symbol.into())
+            }
+            _ => return Err(none()),
+        };
+        Ok(symbol)
+    }
+
+    fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
+        let speed = self.speed(point, None);
+        let speed = if self.value(&speed) < 0.0 { -speed } else { speed };
+        speed.by(rate)
+    }
+
+    /// The force of a joint.
+    pub fn of_joint(&mut self, quantity: Quantity, joint: usize) -> Option<SymbolId> {
+        let own: Vec<SymbolId> = self.holds.iter().filter(|h| h.joint == joint).map(|h| h.unknown).collect();
+        match quantity {
+            Quantity::PinForce => {
+                let [x, y, ..] = own[..] else { return None };
+                let name = tagged("R", &below(&self.scene.joints[joint]));
+                Some(self.page.find(&[&name], "N", root(square(x) + square(y))))
+            }
+            Quantity::PinY => own.get(1).copied(),
+            Quantity::Moment => own.get(2).copied(),
+            Quantity::Friction if self.frictions.iter().any(|f| f.0 == joint) => {
+                let force = self.frictions.iter().find(|f| f.0 == joint)?.1;
+                let JointKind::Guide { direction_deg, mu_k: Some(mu), .. } = self.scene.joints[joint].kind
+                else {
+                    return None;
+                };
+                let line = self.direction(direction_deg);
+                let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
+                let normal = *own.first()?;
+                let pull = self.pulls.iter().find(|p| p.unknown == Some(normal))?;
+                // As it acts: along the line, positive up or to the right.
+                let at = usize::from(line[0].is_zero());
+                let sense = self.value(&pull.along[at].expr()) * self.value(&line[at].expr()) * up;
+                let mu = self.number(mu, r"\mu_k", "1");
+                Some(self.page.step(force, in_sense(mu * normal, sense)))
+            }
+            Quantity::Friction => own.get(1).copied(),
+            _ => own.first().copied(),
+        }
+    }
+
+    /// The inertia of the motion at the start, from the places of the key.
+    pub fn first_inertia(&self) -> f64 {
+        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let Some(poses) = Layout::new(self.scene, &numbers).and_then(|l| l.poses::<Jet<f64>>(0.0, false))
+        else {
+            return f64::NAN;
+        };
+        let each = self.bodies.iter().enumerate().map(|(b, it)| {
+            let v = poses[b].point([self.value(&it.centre.expr()), 0.0]).map(|x| x.first);
+            let (spin, _) = poses[b].turn();
+            let own = if self.scene.bodies[b].turns { spin } else { 0.0 };
+            let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
+            self.value(&it.mass.expr()) * (v[0] * v[0] + v[1] * v[1]) + inertia * own * own
+        });
+        each.sum()
+    }
+    /// The body of each angle but the first.
+    pub fn followers(&self) -> Vec<usize> {
+        (1..self.turns.len())
+            .filter_map(|turn| self.bodies.iter().position(|b| b.turn == Some(turn)))
+            .collect()
+    }
+    /// What has to be known for what is asked.
+    pub fn labels(&self) -> Vec<Label> {
+        asked::needed(self.scene, self.problem)
+    }
+}
+
+/// No integral.
+#[derive(Debug, Clone, Copy)]
+struct Wrong;
+impl From<crate::num::gauss::Unsettled> for Wrong {
+    fn from(_: crate::num::gauss::Unsettled) -> Self {
+        Self
+    }
+}
+
+/// 1 or -1, or 0.
+fn sign(of: f64) -> Factors {
+    if of.abs() < NOTHING { Factors::zero() } else { Factors::one().signed(if of < 0.0 { -1 } else { 1 }) }
+}
+
+/// What stands below the symbols of a joint.
+fn below(joint: &Joint) -> String {
+    let plain: String = joint.name.chars().filter(char::is_ascii_alphanumeric).collect();
+    format!(r"\mathrm{{{plain}}}")
+}
+
+/// Is there a sum in it?
+fn sums(e: &Expr) -> bool {
+    matches!(e, Expr::Sum(_)) || e.parts().into_iter().any(sums)
+}

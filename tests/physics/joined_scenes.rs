@@ -1,0 +1,699 @@
+//! Mechanisms composed by lot against a judge in full coordinates: three for each body, Newton-Euler with multipliers, moved along in
+//! time. It shares no line with the program: no poses, no leading angle, no reading of banks.
+use crate::joined_lot::{
+    Ending, Far, Hold, Load, Machine, Spot, V2, dot, length, machine, plus, quarter, radians, unit, yaml,
+};
+use crate::support;
+use rayon::prelude::*;
+use slipstick::bank::decimal::Decimal;
+use slipstick::bank::load;
+use slipstick::scene::{Owner, Quantity};
+use slipstick::solve::agree::{prove, solve};
+use slipstick::solve::outcome::{Refusal, Solved};
+use std::collections::BTreeMap;
+
+/// A condition on velocities, `row . v = 0`, as it stands at a place; `right` is what `row . a` is.
+struct Condition {
+    row: Vec<f64>,
+    right: f64,
+    /// Coefficients of its force, per unit: those of the row, and of friction that goes with it.
+    force: Vec<f64>,
+}
+
+struct Judge<'m> {
+    m: &'m Machine,
+    n: usize,
+}
+
+/// Accelerations, and the force of each condition, positive along its row.
+type Answer = (Vec<f64>, Vec<f64>);
+
+impl<'m> Judge<'m> {
+    fn new(m: &'m Machine) -> Self {
+        Self { m, n: 3 * m.bodies.len() }
+    }
+    fn arm(&self, q: &[f64], (b, along): Spot) -> V2 {
+        unit(q[3 * b + 2]).map(|x| x * (along - self.m.bodies[b].centre))
+    }
+    fn place(&self, q: &[f64], spot: Spot) -> V2 {
+        plus([q[3 * spot.0], q[3 * spot.0 + 1]], 1.0, self.arm(q, spot))
+    }
+    fn velocity(&self, q: &[f64], v: &[f64], spot: Spot) -> V2 {
+        plus([v[3 * spot.0], v[3 * spot.0 + 1]], v[3 * spot.0 + 2], quarter(self.arm(q, spot)))
+    }
+    /// `along . a` of a point as a row, and what its centripetal part adds to it.
+    fn row(&self, q: &[f64], v: &[f64], spot: Spot, along: V2) -> (Vec<f64>, f64) {
+        let mut row = vec![0.0; self.n];
+        let (arm, b) = (self.arm(q, spot), 3 * spot.0);
+        row[b] = along[0];
+        row[b + 1] = along[1];
+        row[b + 2] = dot(along, quarter(arm));
+        (row, -v[b + 2] * v[b + 2] * dot(along, arm))
+    }
+    /// All conditions, in the order of the joints; friction of rough guides slides in these senses.
+    fn conditions(&self, q: &[f64], v: &[f64], senses: &[f64]) -> Vec<Condition> {
+        let mut list = Vec::new();
+        let mut add = |(row, centripetal): (Vec<f64>, f64), right: f64, force: Option<Vec<f64>>| {
+            let force = force.unwrap_or_else(|| row.clone());
+            list.push(Condition { row, right: right - centripetal, force });
+        };
+        for (j, hold) in self.m.holds.iter().enumerate() {
+            match *hold {
+                Hold::Pin(at, _) => {
+                    for e in [[1.0, 0.0], [0.0, 1.0]] {
+                        add(self.row(q, v, at, e), 0.0, None);
+                    }
+                }
+                Hold::Hinge(one, other) => {
+                    for e in [[1.0, 0.0], [0.0, 1.0]] {
+                        let (mut row, a) = self.row(q, v, one, e);
+                        let (far, b) = self.row(q, v, other, e);
+                        row.iter_mut().zip(&far).for_each(|(x, y)| *x -= y);
+                        add((row, a - b), 0.0, None);
+                    }
+                }
+                Hold::Guide(at, _, direction, _, mu) => {
+                    let u = unit(radians(direction));
+                    let normal = self.row(q, v, at, quarter(u));
+                    let (rub, _) = self.row(q, v, at, u);
+                    let by = mu.unwrap_or(0.0) * senses[j];
+                    let force = normal.0.iter().zip(&rub).map(|(n, t)| n - by * t).collect();
+                    add(normal, 0.0, Some(force));
+                }
+                Hold::Cord(at, far) => {
+                    let apart = plus(far, -1.0, self.place(q, at));
+                    let (l, e) = (length(apart), apart.map(|x| x / length(apart)));
+                    let across = dot(self.velocity(q, v, at), quarter(e));
+                    add(self.row(q, v, at, e), across * across / l, None);
+                }
+                Hold::Line(at, radius, rolls, _, direction) => {
+                    let t = unit(radians(direction));
+                    add(self.row(q, v, at, quarter(t)), 0.0, None);
+                    if rolls {
+                        let (mut row, own) = self.row(q, v, at, t);
+                        row[3 * at.0 + 2] += radius;
+                        add((row, own), 0.0, None);
+                    }
+                }
+                Hold::Arc(at, radius, rolls, axis, arc, inside) => {
+                    let out = plus(self.place(q, at), -1.0, axis);
+                    let (d, e) = (length(out), out.map(|x| x / length(out)));
+                    // The surface pushes outward, or inward; a hoop lies on its peg with the inner side of its top.
+                    let normal = if inside { e.map(|x| -x) } else { e };
+                    let along = [normal[1], -normal[0]];
+                    let speed = dot(self.velocity(q, v, at), along);
+                    let bend = if inside { speed * speed / d } else { -speed * speed / d };
+                    add(self.row(q, v, at, normal), bend, None);
+                    if rolls {
+                        let (mut row, own) = self.row(q, v, at, along);
+                        row[3 * at.0 + 2] += if inside && radius > arc { -radius } else { radius };
+                        add((row, own), 0.0, None);
+                    }
+                }
+            }
+        }
+        list
+    }
+    /// Tension of a spring, and the unit vector from its near to its far end.
+    fn spring(&self, q: &[f64], load: &Load) -> Option<(f64, V2)> {
+        let Load::Spring(at, far, stiffness, natural) = *load else { return None };
+        let far = match far {
+            Far::Place(p) => p,
+            Far::Spot(s) => self.place(q, s),
+        };
+        let apart = plus(far, -1.0, self.place(q, at));
+        let l = length(apart);
+        Some((stiffness * (l - natural), apart.map(|x| x / l)))
+    }
+    fn forces(&self, q: &[f64]) -> Vec<f64> {
+        let mut all = vec![0.0; self.n];
+        for (b, body) in self.m.bodies.iter().enumerate() {
+            all[3 * b + 1] -= body.mass * self.m.gravity;
+        }
+        let mut push = |at: Spot, f: V2| {
+            all[3 * at.0] += f[0];
+            all[3 * at.0 + 1] += f[1];
+            if self.m.bodies[at.0].turns {
+                all[3 * at.0 + 2] += dot(f, quarter(self.arm(q, at)));
+            }
+        };
+        for load in &self.m.loads {
+            match *load {
+                Load::Force(at, force, direction, turns) => {
+                    let angle = direction + if turns { q[3 * at.0 + 2] } else { 0.0 };
+                    push(at, unit(angle).map(|x| x * force));
+                }
+                Load::Couple(..) => {}
+                Load::Spring(at, far, ..) => {
+                    let (tension, e) = self.spring(q, load).expect("a spring");
+                    push(at, e.map(|x| x * tension));
+                    if let Far::Spot(s) = far {
+                        push(s, e.map(|x| -x * tension));
+                    }
+                }
+            }
+        }
+        for load in &self.m.loads {
+            if let Load::Couple(b, moment) = load {
+                all[3 * b + 2] += moment;
+            }
+        }
+        all
+    }
+    /// `M a = Q + sum of force x multiplier`, `row . a = right`; `None` where the conditions are not independent.
+    fn accelerations(&self, q: &[f64], v: &[f64], senses: &[f64]) -> Option<Answer> {
+        let conditions = self.conditions(q, v, senses);
+        let (n, size) = (self.n, self.n + conditions.len());
+        let mut a = vec![vec![0.0; size + 1]; size];
+        for (b, body) in self.m.bodies.iter().enumerate() {
+            for (i, inertia) in [body.mass, body.mass, body.inertia].into_iter().enumerate() {
+                a[3 * b + i][3 * b + i] = if inertia == 0.0 { 1.0 } else { inertia };
+            }
+        }
+        for (row, q) in a.iter_mut().zip(self.forces(q)) {
+            row[size] = q;
+        }
+        for (k, c) in conditions.iter().enumerate() {
+            for j in 0..n {
+                let turns = j % 3 != 2 || self.m.bodies[j / 3].turns;
+                a[n + k][j] = if turns { c.row[j] } else { 0.0 };
+                a[j][n + k] = if turns { -c.force[j] } else { 0.0 };
+            }
+            a[n + k][size] = c.right;
+        }
+        let x = solved(a)?;
+        Some((x[..n].to_vec(), x[n..].to_vec()))
+    }
+    /// Velocities for this rate of the leading body, with the least kinetic energy that the conditions allow.
+    fn start(&self, rate: f64) -> Option<Vec<f64>> {
+        let (q, still) = (&self.m.start, vec![0.0; self.n]);
+        let mut rows: Vec<Vec<f64>> =
+            self.conditions(q, &still, &vec![0.0; self.m.holds.len()]).into_iter().map(|c| c.row).collect();
+        let mut lead = vec![0.0; self.n];
+        lead[3 * self.m.lead + 2] = 1.0;
+        rows.push(lead);
+        let size = self.n + rows.len();
+        let mut a = vec![vec![0.0; size + 1]; size];
+        for (b, body) in self.m.bodies.iter().enumerate() {
+            for (i, inertia) in [body.mass, body.mass, body.inertia].into_iter().enumerate() {
+                a[3 * b + i][3 * b + i] = if inertia == 0.0 { 1.0 } else { inertia };
+            }
+        }
+        for (k, row) in rows.iter().enumerate() {
+            for j in 0..self.n {
+                let turns = j % 3 != 2 || self.m.bodies[j / 3].turns;
+                let x = if turns { row[j] } else { 0.0 };
+                a[self.n + k][j] = x;
+                a[j][self.n + k] = -x;
+            }
+        }
+        a[size - 1][size] = rate;
+        Some(solved(a)?[..self.n].to_vec())
+    }
+    /// The angle that leads and its rate, counter-clockwise: of the leading body's axis, or of its centre seen from the axis of the
+    /// cylinder that it touches.
+    fn leading(&self, q: &[f64], v: &[f64]) -> (f64, f64) {
+        let own = 3 * self.m.lead + 2;
+        let on = self.m.holds.iter().find_map(|h| match *h {
+            Hold::Arc(at, _, _, axis, ..) if at.0 == self.m.lead => Some((at, axis)),
+            _ => None,
+        });
+        let Some((at, axis)) = on else { return (q[own], v[own]) };
+        let out = plus(self.place(q, at), -1.0, axis);
+        let rate = dot(self.velocity(q, v, at), quarter(out)) / dot(out, out);
+        let start = self.m.axis(self.m.angle);
+        let turned = libm::atan2(out[1], out[0]) - start;
+        let turn = 2.0 * std::f64::consts::PI;
+        (start + turned - (turned / turn).round() * turn, rate)
+    }
+    /// The first multiplier of each joint.
+    fn first(&self) -> Vec<usize> {
+        let mut next = 0;
+        let count = |hold: &Hold| match hold {
+            Hold::Pin(..) | Hold::Hinge(..) => 2,
+            Hold::Line(_, _, true, ..) | Hold::Arc(_, _, true, ..) => 2,
+            _ => 1,
+        };
+        self.m
+            .holds
+            .iter()
+            .map(|hold| {
+                next += count(hold);
+                next - count(hold)
+            })
+            .collect()
+    }
+    /// Senses of sliding, turned about where the normal force of a guide is negative that can pull: the only ones that fit.
+    fn rubbing(&self, q: &[f64], v: &[f64], slides: &[f64]) -> Option<Vec<f64>> {
+        let first = self.first();
+        let both: Vec<usize> = (0..slides.len())
+            .filter(|j| slides[*j] != 0.0 && matches!(self.m.holds[*j], Hold::Guide(_, _, _, false, _)))
+            .collect();
+        let fitting: Vec<Vec<f64>> = (0..1_usize << both.len())
+            .filter_map(|combination| {
+                let mut senses = slides.to_vec();
+                let sides: Vec<f64> =
+                    (0..both.len()).map(|i| if combination >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
+                both.iter().zip(&sides).for_each(|(j, side)| senses[*j] *= side);
+                let (_, forces) = self.accelerations(q, v, &senses)?;
+                both.iter().zip(&sides).all(|(j, side)| forces[first[*j]] * side > 0.0).then_some(senses)
+            })
+            .collect();
+        (fitting.len() == 1).then(|| fitting[0].clone())
+    }
+    /// Do points that rub slide and press as at the start?
+    fn rubs_on(&self, q: &[f64], v: &[f64], forces: &[f64], senses: &[f64]) -> bool {
+        let first = self.first();
+        let slides = self.senses(q, v);
+        (0..senses.len()).all(|j| match self.m.holds[j] {
+            Hold::Guide(_, _, _, pushes, Some(_)) => {
+                let side = if pushes { 1.0 } else { forces[first[j]].signum() };
+                slides[j] * side == senses[j]
+            }
+            _ => true,
+        })
+    }
+    /// Senses in which points slide that rub, by these velocities (or accelerations from rest).
+    fn senses(&self, q: &[f64], v: &[f64]) -> Vec<f64> {
+        let sense = |hold: &Hold| match *hold {
+            Hold::Guide(at, _, direction, _, Some(_)) => {
+                let along = dot(self.velocity(q, v, at), unit(radians(direction)));
+                if along == 0.0 { 0.0 } else { along.signum() }
+            }
+            _ => 0.0,
+        };
+        self.m.holds.iter().map(sense).collect()
+    }
+    /// Least of the forces that can only push, and its joint; infinite where there is none.
+    fn least(&self, forces: &[f64]) -> (f64, usize) {
+        let mut k = 0;
+        let mut least = (f64::INFINITY, 0);
+        for (j, hold) in self.m.holds.iter().enumerate() {
+            let (count, pushes) = match hold {
+                Hold::Pin(..) | Hold::Hinge(..) => (2, false),
+                Hold::Guide(_, _, _, pushes, _) => (1, *pushes),
+                Hold::Cord(..) => (1, true),
+                Hold::Line(_, _, rolls, ..) | Hold::Arc(_, _, rolls, ..) => (1 + usize::from(*rolls), true),
+            };
+            if pushes && forces[k] < least.0 {
+                least = (forces[k], j);
+            }
+            k += count;
+        }
+        least
+    }
+}
+
+/// Gauss's elimination with rows scaled and pivots sought; `None` where a pivot is all but nothing.
+fn solved(mut a: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+    let size = a.len();
+    for row in &mut a {
+        let most = row[..size].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        row.iter_mut().for_each(|x| *x /= most);
+    }
+    for i in 0..size {
+        let p = (i..size).max_by(|x, y| a[*x][i].abs().total_cmp(&a[*y][i].abs()))?;
+        a.swap(i, p);
+        if !(a[i][i].abs() > 1e-7) {
+            return None;
+        }
+        let (above, below) = a.split_at_mut(i + 1);
+        let pivot = &above[i];
+        for row in below {
+            let f = row[i] / pivot[i];
+            if f != 0.0 {
+                row[i..].iter_mut().zip(&pivot[i..]).for_each(|(x, y)| *x -= f * y);
+            }
+        }
+    }
+    let mut x = vec![0.0; size];
+    for i in (0..size).rev() {
+        let rest: f64 = (i + 1..size).map(|j| a[i][j] * x[j]).sum();
+        x[i] = (a[i][size] - rest) / a[i][i];
+    }
+    Some(x)
+}
+
+/// What the judge comes to.
+enum Verdict {
+    /// The state at the end: places, velocities, senses of sliding, time.
+    Ends(Vec<f64>, Vec<f64>, Vec<f64>, f64),
+    NotReached,
+    /// It has no say here, and why.
+    Beyond(&'static str),
+}
+
+/// Dormand and Prince's method of order five.
+const STAGES: [&[f64]; 6] = [
+    &[1.0 / 5.0],
+    &[3.0 / 40.0, 9.0 / 40.0],
+    &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+    &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+    &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+    &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+];
+const ERRORS: [f64; 7] =
+    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
+
+impl Judge<'_> {
+    fn field(&self, y: &[f64], senses: &[f64]) -> Option<Vec<f64>> {
+        let (q, v) = y.split_at(self.n);
+        let (a, _) = self.accelerations(q, v, senses)?;
+        Some([v, &a[..]].concat())
+    }
+    /// A step of this length, and an estimate of its error.
+    fn step(&self, y: &[f64], senses: &[f64], h: f64) -> Option<(Vec<f64>, f64)> {
+        let mut slopes = vec![self.field(y, senses)?];
+        let mut next = y.to_vec();
+        for weights in STAGES {
+            next = y.to_vec();
+            for (k, w) in slopes.iter().zip(weights) {
+                next.iter_mut().zip(k).for_each(|(x, k)| *x += h * w * k);
+            }
+            slopes.push(self.field(&next, senses)?);
+        }
+        let error = (0..y.len())
+            .map(|i| {
+                let e: f64 = slopes.iter().zip(ERRORS).map(|(k, w)| h * w * k[i]).sum();
+                e.abs() / (1.0 + y[i].abs())
+            })
+            .fold(0.0, f64::max);
+        error.is_finite().then_some((next, error))
+    }
+
+    /// Moves along until the end.
+    fn verdict(&self) -> Verdict {
+        let m = self.m;
+        let sense = m.bodies[m.lead].sense;
+        let Some(v) = self.start(m.spin * sense) else { return Verdict::Beyond("velocities") };
+        let none = vec![0.0; m.holds.len()];
+        let Some((free, _)) = self.accelerations(&m.start, &v, &none) else {
+            return Verdict::Beyond("conditions that depend on each other");
+        };
+        let slides = self.senses(&m.start, if m.spin == 0.0 { &free } else { &v });
+        let Some(senses) = self.rubbing(&m.start, &v, &slides) else { return Verdict::Beyond("friction") };
+        let Some((first, forces)) = self.accelerations(&m.start, &v, &senses) else {
+            return Verdict::Beyond("conditions that depend on each other");
+        };
+        let weight: f64 = m.bodies.iter().map(|b| b.mass * m.gravity).sum();
+        if self.least(&forces).0.abs() < 1e-4 * weight {
+            return Verdict::Beyond("hardly presses at the start");
+        }
+        if m.end == Ending::AtOnce {
+            if m.spin == 0.0 && self.senses(&m.start, &first) != slides || self.least(&forces).0 < 0.0 {
+                return Verdict::NotReached;
+            }
+            return Verdict::Ends(m.start.clone(), v, senses, 0.0);
+        }
+        // From rest, the rate is as the acceleration.
+        let rate = |a: &[f64]| self.leading(&m.start, if m.spin == 0.0 { a } else { &v }).1;
+        let going = rate(&free).signum();
+        if m.spin == 0.0 && rate(&first) * going <= 1e-6 {
+            return if rate(&first) * going < -1e-6 {
+                Verdict::NotReached
+            } else {
+                Verdict::Beyond("balance")
+            };
+        }
+        let start = self.leading(&m.start, &v).0;
+        if self.least(&forces).0 < 0.0 {
+            return Verdict::NotReached;
+        }
+        let angle = match m.end {
+            Ending::Angle(a) => m.axis(a),
+            _ => f64::INFINITY * going,
+        };
+        if (angle - start) * going <= 0.0 {
+            return Verdict::NotReached;
+        }
+        let mut y = [m.start.clone(), v].concat();
+        let (mut t, mut h) = (0.0, 1e-3);
+        for _ in 0..20_000 {
+            if let Ending::Time(end) = m.end
+                && t + h >= end
+            {
+                h = end - t;
+                if h <= 1e-12 {
+                    let (q, v) = y.split_at(self.n);
+                    return Verdict::Ends(q.to_vec(), v.to_vec(), senses, end);
+                }
+            }
+            let Some((next, error)) = self.step(&y, &senses, h) else {
+                return Verdict::Beyond("a singular place");
+            };
+            if error > 1e-12 && h > 1e-9 {
+                h *= (0.9 * libm::pow(1e-12 / error, 0.2)).clamp(0.2, 0.9);
+                continue;
+            }
+            // What happened on the step: the end, a turn back, a contact lost.
+            let what = |y: &[f64]| -> Option<[bool; 4]> {
+                let (q, v) = y.split_at(self.n);
+                let (_, forces) = self.accelerations(q, v, &senses)?;
+                Some([
+                    (self.leading(q, v).0 - angle) * going >= 0.0,
+                    self.leading(q, v).1 * going < 0.0,
+                    self.least(&forces).0 < 0.0,
+                    !self.rubs_on(q, v, &forces, &senses),
+                ])
+            };
+            let Some(now) = what(&next) else { return Verdict::Beyond("a singular place") };
+            if now.iter().any(|x| *x) {
+                let (mut low, mut high) = (0.0, h);
+                for _ in 0..80 {
+                    let middle = 0.5 * (low + high);
+                    let there = self.step(&y, &senses, middle).and_then(|(y, _)| what(&y));
+                    if there.is_none_or(|w| w.iter().any(|x| *x)) { high = middle } else { low = middle }
+                }
+                let Some((end, _)) = self.step(&y, &senses, high) else {
+                    return Verdict::Beyond("a singular place");
+                };
+                let now = what(&end).unwrap_or([false; 4]);
+                let (q, v) = end.split_at(self.n);
+                let leaves = match m.end {
+                    Ending::Leaves(j) => self
+                        .accelerations(q, v, &senses)
+                        .is_some_and(|(_, forces)| self.least(&forces).1 == j),
+                    _ => false,
+                };
+                return match (now, leaves) {
+                    ([false, true, false, _], _) if m.end == Ending::Turns => {
+                        Verdict::Ends(q.to_vec(), v.to_vec(), senses, t + high)
+                    }
+                    ([true, false, false, false], _) | ([false, false, true, _], true) => {
+                        Verdict::Ends(q.to_vec(), v.to_vec(), senses, t + high)
+                    }
+                    // Where it turns back, what slides does too.
+                    ([false, false, false, true], _) if self.leading(q, v).1.abs() > 1e-6 => {
+                        Verdict::Beyond("friction turns about")
+                    }
+                    ([false, false, false, true], _) => Verdict::Beyond("the end is the turning point"),
+                    ([true, ..], _) => Verdict::Beyond("the end is the turning point"),
+                    _ => Verdict::NotReached,
+                };
+            }
+            (y, t) = (next, t + h);
+            h *= (0.9 * libm::pow(1e-12 / error.max(1e-16), 0.2)).clamp(0.5, 3.0);
+            let (q, v) = y.split_at(self.n);
+            if (self.leading(q, v).0 - start).abs() > 2.8
+                && m.holds.iter().any(|h| matches!(h, Hold::Arc(..)))
+            {
+                return Verdict::Beyond("around a cylinder");
+            }
+            if (self.leading(q, v).0 - start).abs() > 4.0 * std::f64::consts::PI || t > 60.0 {
+                return Verdict::NotReached;
+            }
+        }
+        Verdict::Beyond("a long way")
+    }
+}
+
+/// A mechanism with its end: an angle on its way, now and then on the other side.
+fn composed(seed: u64) -> Option<Machine> {
+    let (mut m, mut lot) = machine(seed)?;
+    if let Ending::Angle(_) = m.end {
+        let judge = Judge::new(&m);
+        let sense = m.bodies[m.lead].sense;
+        let v = judge.start(m.spin * sense)?;
+        let (a, _) = judge.accelerations(&m.start, &v, &vec![0.0; m.holds.len()])?;
+        let going = sense * judge.leading(&m.start, if m.spin == 0.0 { &a } else { &v }).1.signum();
+        let by = (5 + lot.below(100)) as f64;
+        let by = if lot.in_100(8) { -by } else { by };
+        m.end = Ending::Angle(m.angle + going * by);
+        let pushes: Vec<usize> = (0..m.holds.len())
+            .filter(|j| matches!(m.holds[*j], Hold::Guide(_, _, _, true, _) | Hold::Arc(..) | Hold::Line(..)))
+            .collect();
+        match lot.below(10) {
+            0 | 1 => m.end = Ending::Time((5 + lot.below(60)) as f64 / 100.0),
+            2 => m.end = Ending::Turns,
+            3..7 if !pushes.is_empty() => m.end = Ending::Leaves(lot.of(&pushes)),
+            _ => {}
+        }
+    }
+    Some(m)
+}
+
+enum Outcome {
+    Published,
+    NotReached,
+    Refused(String),
+    Unjudged(&'static str),
+}
+
+fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
+    let bank = match load::scenes_only(text, "lot.yaml") {
+        Ok(bank) => bank,
+        Err(findings) => {
+            let messages: Vec<String> = findings.iter().map(ToString::to_string).collect();
+            return Ok(Outcome::Refused(messages.join(" | ")));
+        }
+    };
+    let (problem, case) = (&bank.problems[0], &bank.problems[0].cases[0]);
+    let data: Vec<f64> = problem
+        .data
+        .iter()
+        .zip(&case.draws)
+        .map(|(d, draw)| match draw {
+            Some(slipstick::bank::Draw::Always { value, decimals }) => {
+                d.number(Decimal { value: *value, decimals: *decimals })
+            }
+            _ => panic!("every datum is given"),
+        })
+        .collect();
+    let verdict = Judge::new(m).verdict();
+    let mut solved = match solve(&case.scene, &data) {
+        Ok(solved) => solved,
+        Err(refusal @ (Refusal::Disagree { .. } | Refusal::Inadmissible(_))) => {
+            return Err(format!("{refusal:?}"));
+        }
+        Err(other) => return Ok(Outcome::Refused(format!("{other:?}"))),
+    };
+    prove(&case.scene, &data, &mut solved);
+    let reached = !solved.entries.is_empty();
+    match verdict {
+        Verdict::Beyond(what) if what.starts_with("friction") && reached && solved.all_hold() => {
+            Err(format!("{what}, and it is published"))
+        }
+        Verdict::Beyond(what) => Ok(Outcome::Unjudged(what)),
+        Verdict::NotReached if reached && solved.all_hold() => Err("it does not get there".into()),
+        Verdict::NotReached => Ok(Outcome::NotReached),
+        Verdict::Ends(..) if !reached || !solved.all_hold() => {
+            Err(format!("it gets there; {:?} {:?}", solved.regime, solved.checks))
+        }
+        Verdict::Ends(q, v, senses, t) => {
+            compare(m, &solved, &q, &v, &senses, t)?;
+            Ok(Outcome::Published)
+        }
+    }
+}
+
+/// Every quantity that is published against the judge.
+fn compare(m: &Machine, solved: &Solved, q: &[f64], v: &[f64], senses: &[f64], t: f64) -> Result<(), String> {
+    let judge = Judge::new(m);
+    let (a, forces) = judge.accelerations(q, v, senses).ok_or("no accelerations at the end")?;
+    let first = judge.first();
+    let fastest = v.iter().fold(1e-3, |m: f64, x| m.max(x.abs()));
+    let pulls = judge.forces(q).iter().chain(&forces).fold(0.0, |m: f64, x| m.max(x.abs()));
+    let steepest = a.iter().fold(m.gravity, |m: f64, x| m.max(x.abs()));
+    let mut faults = Vec::new();
+    for e in &solved.entries {
+        let name = e.label.quantity.name();
+        let (want, size) = match (name, e.label.of) {
+            ("t", _) => (t, t),
+            ("kinetic_energy", _) => {
+                let twice: f64 = m
+                    .bodies
+                    .iter()
+                    .enumerate()
+                    .map(|(b, body)| {
+                        let [x, y, w] = [v[3 * b], v[3 * b + 1], v[3 * b + 2]];
+                        body.mass * (x * x + y * y) + body.inertia * w * w
+                    })
+                    .sum();
+                (twice / 2.0, twice + 1e-3)
+            }
+            ("v", Owner::Body(b)) => (length([v[3 * b], v[3 * b + 1]]), fastest),
+            ("v", Owner::Spot(s)) => {
+                let spot = (s.body, m.bodies[s.body].points.get(s.point).copied().unwrap_or(0.0));
+                (length(judge.velocity(q, v, spot)), fastest)
+            }
+            ("v_x", Owner::Body(b)) => (v[3 * b], fastest),
+            ("v_y", Owner::Body(b)) => (v[3 * b + 1], fastest),
+            ("a_x", Owner::Body(b)) => (a[3 * b], steepest),
+            ("a_y", Owner::Body(b)) => (a[3 * b + 1], steepest),
+            ("omega", Owner::Body(b)) => (v[3 * b + 2].abs(), fastest),
+            ("alpha", Owner::Body(b)) => (a[3 * b + 2] * m.bodies[b].sense, steepest),
+            ("phi", Owner::Body(_)) => ((judge.leading(q, v).0 - judge.leading(&m.start, v).0).abs(), 1.0),
+            ("rise", Owner::Body(b)) => (q[3 * b + 1] - m.start[3 * b + 1], 1.0),
+            ("pin_x" | "normal" | "tension", Owner::Joint(j)) => (forces[first[j]], pulls),
+            ("pin_y", Owner::Joint(j)) => (forces[first[j] + 1], pulls),
+            ("pin_force", Owner::Joint(j)) => (length([forces[first[j]], forces[first[j] + 1]]), pulls),
+            ("friction", Owner::Joint(j)) => match m.holds[j] {
+                Hold::Guide(_, _, direction, _, Some(mu)) => {
+                    let u = unit(radians(direction));
+                    let up = if u[1].abs() > 1e-9 { u[1].signum() } else { u[0].signum() };
+                    (-mu * forces[first[j]] * senses[j] * up, pulls)
+                }
+                _ => (forces[first[j] + 1], pulls),
+            },
+            ("spring_force", Owner::Strut(s)) => {
+                let spring = m.loads.iter().filter_map(|load| judge.spring(q, load)).nth(s);
+                (spring.ok_or("no such spring")?.0, pulls)
+            }
+            _ => {
+                faults.push(format!(
+                    "{name} of {:?}: {:e} is published, the judge has none",
+                    e.label.of,
+                    e.value()
+                ));
+                continue;
+            }
+        };
+        let got = e.value();
+        let near = 1e-8 * e.cond.clamp(1.0, 1e6) * want.abs() + 1e-7 * size;
+        if !((got - want).abs() <= near) || e.energy.is_none_or(f64::is_nan) {
+            faults.push(format!("{name} of {:?}: {got:e} is published, {want:e} by the judge", e.label.of));
+        }
+    }
+    let has = |quantity: Quantity| solved.entries.iter().any(|e| e.label.quantity == quantity);
+    if !has(Quantity::KineticEnergy) && !has(Quantity::AX) {
+        faults.push("nothing is published".into());
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
+}
+
+#[test]
+fn mechanisms_composed_by_lot_agree_with_full_coordinates() {
+    let count = (support::seeds(10_000) / 8).max(60) as u64;
+    let found: Vec<_> = (0..count)
+        .into_par_iter()
+        .filter_map(|seed| {
+            let m = composed(seed)?;
+            let text = yaml(&m);
+            Some((seed, m.kind, judge(&m, &text), text))
+        })
+        .collect();
+    let mut table: BTreeMap<(&str, String), usize> = BTreeMap::new();
+    let mut faults = Vec::new();
+    for (seed, kind, outcome, text) in found {
+        let word = match outcome {
+            Ok(Outcome::Published) => "published".to_owned(),
+            Ok(Outcome::NotReached) => "not reached".to_owned(),
+            Ok(Outcome::Unjudged(why)) => format!("unjudged: {why}"),
+            Ok(Outcome::Refused(why)) => format!("refused: {}", why.chars().take(150).collect::<String>()),
+            Err(what) => {
+                faults.push(format!("seed {seed} ({kind}): {what}\n{text}"));
+                "FAULT".to_owned()
+            }
+        };
+        *table.entry((kind, word)).or_default() += 1;
+    }
+    for ((kind, word), n) in &table {
+        println!("{n:6} {kind}: {word}");
+    }
+    assert!(
+        faults.is_empty(),
+        "{} of {count}:\n{}",
+        faults.len(),
+        faults[..faults.len().min(6)].join("\n\n")
+    );
+}
