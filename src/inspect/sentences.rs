@@ -391,7 +391,7 @@ const fn unsupported(what: Unsupported) -> &'static str {
             "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
         }
         Unsupported::FrictionTurns => {
-            "friction in a guide turns about on the way, or which side of the guide the point presses on is open"
+            "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses"
         }
     }
 }

@@ -24,15 +24,8 @@ pub use dd::Dd;
 pub use jet::Jet;
 pub use real::Real;
 
-/// What is computed quickly rather than finely, wrong methods and condition numbers.
+/// What is computed quickly rather than finely: wrong methods, condition numbers, and the answers by which a page judges.
 pub type Fast = f64;
-/// What a key is computed with: 32 digits; in a page, which is small and judges by them alone, 16.
-#[cfg(feature = "program")]
-pub type Fine = Dd;
-/// What a key is computed with: 32 digits; in a page, which is small and judges by them alone, 16.
-#[cfg(not(feature = "program"))]
-pub type Fine = f64;
-
 /// Unit roundoff of a double, 2^-53.
 pub const U: f64 = f64::EPSILON / 2.0;
 

@@ -6,7 +6,7 @@ use crate::draw::stream::{DrawWords, Source};
 use crate::key::ProblemKey;
 use crate::misconception;
 use crate::misconception::{Methods, Wrong};
-use crate::num::Dd;
+use crate::num::{Dd, Fast};
 use crate::problem::make_key;
 use crate::problem::make_key::KeyFrame;
 pub use crate::problem::rule::Refusals;
@@ -315,7 +315,7 @@ impl<'p> Maker<'p> {
         // would refuse a draw that holds every other rule: it asks them last.
         let wrong = if self.watching { None } else { Some(self.far(methods, data, half.preview())?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
-        half.weigh(&case.scene, data, |label| self.problem.questions.iter().any(|q| q.label == label));
+        half.weigh::<Dd>(&case.scene, data, |label| self.problem.questions.iter().any(|q| q.label == label));
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
@@ -605,7 +605,7 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
 pub fn of_sheet(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<Variant, Refusal> {
     of_values(problem, case, values, |scene, data| {
         let mut half = agree::again(scene, data)?;
-        half.weigh(scene, data, |_| true);
+        half.weigh::<Fast>(scene, data, |_| true);
         Ok(half.preview().clone())
     })
 }

@@ -289,6 +289,21 @@ pub struct Touch<T> {
     pub bend: T,
 }
 
+/// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.
+pub fn size<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
+    let bodies = scene.bodies.iter().filter_map(|b| b.planar.as_ref());
+    let places = bodies.flat_map(|p| p.points.iter().flat_map(|(_, place)| *place).chain([p.centre]));
+    let rods: f64 = places.map(|place| along(n, place).size()).sum();
+    let round = scene.joints.iter().map(|joint| match joint.kind {
+        JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, .. }, .. } => {
+            n.get(radius_m).size() + n.get(arc).size()
+        }
+        JointKind::Contact { radius_m, .. } => n.get(radius_m).size(),
+        _ => 0.0,
+    });
+    rods + round.sum::<f64>()
+}
+
 /// Where everything is when the leading body has turned to this angle; `None` for a body that the joints do not place.
 ///
 /// At the start, what is not placed by joints is where its data say.

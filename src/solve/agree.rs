@@ -1,5 +1,5 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::{Ball, Dd, Fast, Fine, Real, U, ball, dd};
+use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
@@ -36,29 +36,25 @@ pub struct Half {
 /// equations that do not determine the motion, two roads that differ by more than `16 u max(1, cond)`.
 pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
     let mut half = first(scene, data, Scope::ALL)?;
-    half.weigh(scene, data, |_| true);
+    half.weigh::<Dd>(scene, data, |_| true);
     half.confirm(scene, data)
 }
 
 /// What the first road alone says of what is asked, so that a draw that breaks a rule is refused at a part of the cost. Errors:
 /// as for [`solve`], save that nothing is compared yet.
 pub fn first(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
-    first_in(scene, data, asked, fitting)
+    first_in::<Dd>(scene, data, asked, fitting)
 }
 
-/// The first road alone for a scene that both roads have solved before, in units in which it does not leave the range of
-/// double-doubles. Errors: as for [`first`].
+/// The first road alone, in doubles, for a scene like one that both roads have solved before: an answer is judged alike by it, and
+/// the program and the page that checks itself come to the same bits. Errors: as for [`first`].
 pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
-    first_in(scene, data, Scope::ALL, |scene, data| {
-        let stays = |scales: &Scales| {
-            let scaled = scales.of(scene, data);
-            scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Fine>(&scene, &data)).1)
-        };
-        Scales::tried(scene, data).find(stays)
+    first_in::<Fast>(scene, data, Scope::ALL, |scene, data| {
+        Scales::tried(scene, data).find(|scales| scales.of(scene, data).is_some())
     })
 }
 
-fn first_in(
+fn first_in<T: Real>(
     scene: &Scene,
     data: &[f64],
     asked: Scope,
@@ -70,22 +66,22 @@ fn first_in(
     }
     supported(scene, data)?;
     if ordinary(scene, data) {
-        return alone(scene, data, asked);
+        return alone::<T>(scene, data, asked);
     }
     let scales = fitting(scene, data).ok_or(Refusal::Apart)?;
-    let mut half = in_scales(scales, scene, data, |scene, data| alone(scene, data, asked))?;
+    let mut half = in_scales(scales, scene, data, |scene, data| alone::<T>(scene, data, asked))?;
     half.solved.scales = scales;
     half.tell(scene);
     Ok(half)
 }
 
 /// What the first road says of what is asked, in the units of the data.
-fn alone(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
-    let road: Road<Fine> = eom::road_of(scene, data, asked)?;
+fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
+    let road: Road<T> = eom::road_of(scene, data, asked)?;
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
         // A zero has no sign.
-        let gone = vanishes(said.value.f64(), Fine::NOISE, said.scale);
+        let gone = vanishes(said.value.f64(), T::NOISE, said.scale);
         let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
         let (label, scale) = (said.label, said.scale);
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
@@ -128,8 +124,8 @@ fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
 
 /// What the roads agree on in the units of the data, if they do.
 fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
-    let mut half = alone(scene, data, Scope::ALL).ok()?;
-    half.weigh(scene, data, |_| true);
+    let mut half = alone::<Dd>(scene, data, Scope::ALL).ok()?;
+    half.weigh::<Dd>(scene, data, |_| true);
     half.confirm(scene, data).ok()
 }
 
@@ -243,11 +239,11 @@ impl Half {
     }
 
     /// Computes condition numbers, those of these quantities, at the cost of a few roads in doubles for each datum.
-    pub fn weigh(&mut self, scene: &Scene, data: &[f64], of: impl Fn(Label) -> bool) {
+    pub fn weigh<T: Real>(&mut self, scene: &Scene, data: &[f64], of: impl Fn(Label) -> bool) {
         let (course, scales) = (self.course, self.solved.scales);
         let weighed: Vec<Entry> = self.own().entries.iter().filter(|e| of(e.label)).copied().collect();
         let conds = in_scales(scales, scene, data, |scene, data| {
-            Ok(condition::numbers(scene, data, course, &weighed))
+            Ok(condition::numbers::<T>(scene, data, course, &weighed))
         });
         let asked = self.own().entries.iter_mut().filter(|e| of(e.label));
         for (entry, cond) in asked.zip(conds.into_iter().flatten()) {
@@ -263,7 +259,7 @@ impl Half {
         let whole = self.asked == Scope::ALL || scene.lead().is_some() && self.asked == Scope::TIMELESS;
         if !whole {
             let known = std::mem::replace(self.own(), Solved::none());
-            self = in_scales(scales, scene, data, |scene, data| alone(scene, data, Scope::ALL))?;
+            self = in_scales(scales, scene, data, |scene, data| alone::<Dd>(scene, data, Scope::ALL))?;
             self.solved.scales = scales;
             for entry in &mut self.solved.entries {
                 entry.cond = known.get(entry.label).map_or(f64::NAN, |e| e.cond);
@@ -297,14 +293,16 @@ fn compared(
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         // The roads mostly speak in the same order.
         let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
-        let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
+        let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
         // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms.
-        if eom == 0.0 && vanishes(energy, 8.0 * U, entry.scale) {
-            energy = 0.0;
+        let nothing = |share: f64| [eom, energy].map(|x| vanishes(x, share, entry.scale));
+        if nothing(NOISE).contains(&true) && nothing(8.0 * U) == [true; 2] {
+            (eom, energy) = (0.0, 0.0);
+            entry.eom = Some(eom);
         }
         entry.energy = Some(energy);
         if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
-            entry.cond = condition::numbers(scene, data, course, std::slice::from_ref(entry))[0];
+            entry.cond = condition::numbers::<Dd>(scene, data, course, std::slice::from_ref(entry))[0];
         }
         if !agree(eom, energy, entry.cond) {
             let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);

@@ -5,7 +5,7 @@
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
-use crate::num::{Fast, Fine, NOISE, Real};
+use crate::num::{Fast, NOISE, Real};
 use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road, Scope};
@@ -36,12 +36,12 @@ struct Changed<T> {
     values: Vec<Option<T>>,
 }
 
-/// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
+/// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
-pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
+pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     let (mut conds, rounded) = quotients::<Fast>(scene, data, kind, entries);
-    if rounded.contains(&true) {
-        let (finer, _) = quotients::<Fine>(scene, data, kind, entries);
+    if !T::is_double() && rounded.contains(&true) {
+        let (finer, _) = quotients::<T>(scene, data, kind, entries);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }

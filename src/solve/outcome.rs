@@ -4,7 +4,7 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
 use crate::scene::{
-    Coordinate, Degree, End, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Term,
+    Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Term,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
@@ -497,6 +497,15 @@ pub fn sides(
         }
     }
     found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))
+}
+
+/// Friction has a sense only where a point slides. Errors: one that rubs is at rest in its guide.
+pub fn all_slide(scene: &Scene, slides: &[f64]) -> Result<(), Refusal> {
+    let stuck = |(joint, sense): (&Joint, &f64)| joint.kind.rubs().is_some() && *sense == 0.0;
+    if scene.joints.iter().zip(slides).any(stuck) {
+        return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+    }
+    Ok(())
 }
 
 impl From<Unsettled> for Refusal {

@@ -1,12 +1,16 @@
 //! Mechanisms composed by lot, as the text of a bank and as what a judge has to know of them: rods in two guides, on a floor, on pins
-//! and hinges, cranks with sliders, linkages of four bars, wheels on lines and cylinders, bodies let go at an instant; with forces,
-//! couples and springs at any points. Places at the start are found here, by plane geometry.
+//! and hinges, cranks with sliders, linkages of four bars, wheels on lines and cylinders, bodies let go at an instant; with parts welded on,
+//! forces, couples, springs and blows at any points. Places at the start are found here, by plane geometry.
 use crate::composed::Lot;
 use std::fmt::Write as _;
 
 pub type V2 = [f64; 2];
-/// A point of a body: which body, and how far along its axis, m.
-pub type Spot = (usize, f64);
+/// A point of a body: which body, and how far along its axis and to the left of it, m.
+pub type Spot = (usize, V2);
+/// On the axis.
+pub const fn on(along: f64) -> V2 {
+    [along, 0.0]
+}
 
 pub fn dot(a: V2, b: V2) -> f64 {
     a[0] * b[0] + a[1] * b[1]
@@ -20,6 +24,10 @@ pub fn quarter(a: V2) -> V2 {
 }
 pub fn unit(angle: f64) -> V2 {
     [libm::cos(angle), libm::sin(angle)]
+}
+pub fn turned(a: V2, angle: f64) -> V2 {
+    let e = unit(angle);
+    plus(e.map(|x| x * a[0]), a[1], quarter(e))
 }
 pub fn length(a: V2) -> f64 {
     libm::sqrt(dot(a, a))
@@ -35,7 +43,7 @@ pub struct Body {
     pub turns: bool,
     /// Of the mass centre, along the axis.
     pub centre: f64,
-    pub points: Vec<f64>,
+    pub points: Vec<V2>,
     /// Direction from which its angle counts, degrees counter-clockwise from the right; 1 if it counts counter-clockwise, else -1.
     pub from: f64,
     pub sense: f64,
@@ -44,6 +52,8 @@ pub struct Body {
 pub enum Hold {
     Pin(Spot, V2),
     Hinge(Spot, Spot),
+    /// The same, and the axis of the other stays turned by this from that of the one, degrees counter-clockwise.
+    Weld(Spot, Spot, f64),
     /// Point, a place and the direction of the line, does it only push, friction.
     Guide(Spot, V2, f64, bool, Option<f64>),
     Cord(Spot, V2),
@@ -60,6 +70,8 @@ pub enum Load {
     Couple(usize, f64),
     /// Point, fixed place or other point, stiffness, natural length.
     Spring(Spot, Far, f64, f64),
+    /// Point, impulse, direction.
+    Blow(Spot, f64, f64),
 }
 
 #[derive(Clone, Copy)]
@@ -77,6 +89,8 @@ pub enum Ending {
     Time(f64),
     Turns,
     Leaves(usize),
+    /// At rest in the equilibrium toward which it would set off.
+    Equilibrium,
 }
 
 pub struct Machine {
@@ -92,6 +106,8 @@ pub struct Machine {
     /// Of the leading body, as it counts, degrees.
     pub angle: f64,
     pub end: Ending,
+    /// Angular acceleration with which the leading body is driven, as it counts, rad/s^2.
+    pub alpha: Option<f64>,
     pub gravity: f64,
     body_text: Vec<String>,
     joint_text: Vec<String>,
@@ -135,7 +151,7 @@ impl Machine {
     fn body(
         &mut self,
         lot: &mut Lot,
-        points: &[f64],
+        points: &[V2],
         rod: Option<f64>,
         turns: bool,
         angled: bool,
@@ -166,7 +182,15 @@ impl Machine {
             let list: Vec<String> = points
                 .iter()
                 .enumerate()
-                .map(|(p, at)| format!("{}: {}", point_name(p), self.number(lot, *at, 2, "m")))
+                .map(|(p, [x, y])| {
+                    let along = self.number(lot, *x, 2, "m");
+                    let at = if *y == 0.0 {
+                        along
+                    } else {
+                        format!("[{along}, {}]", self.number(lot, *y, 2, "m"))
+                    };
+                    format!("{}: {at}", point_name(p))
+                })
                 .collect();
             let _ = write!(text, ", points: {{{}}}", list.join(", "));
         }
@@ -176,8 +200,8 @@ impl Machine {
         self.body_text.push(format!("{text}{more}}}"));
         self.bodies.push(Body { mass, inertia, turns, centre, points: points.to_vec(), from, sense });
     }
-    fn spot_text(&self, (body, along): Spot) -> String {
-        let point = self.bodies[body].points.iter().position(|p| *p == along).expect("a named point");
+    fn spot_text(&self, (body, at): Spot) -> String {
+        let point = self.bodies[body].points.iter().position(|p| *p == at).expect("a named point");
         if self.bodies[body].turns {
             format!("{}.{}", Self::names(body), point_name(point))
         } else {
@@ -192,6 +216,10 @@ impl Machine {
             }
             Hold::Hinge(one, other) => {
                 format!("hinges: [{}, {}]", self.spot_text(*one), self.spot_text(*other))
+            }
+            Hold::Weld(one, other, turned) => {
+                let turned = self.number(lot, *turned, 0, "deg");
+                format!("welds: [{}, {}], turned: {turned}", self.spot_text(*one), self.spot_text(*other))
             }
             Hold::Guide(at, through, direction, pushes, mu) => {
                 // A wall or a floor is told by the side to which it pushes: the left of its direction.
@@ -235,15 +263,19 @@ impl Machine {
         let text = format!("{word}: {}", self.spot_text(at));
         if radius == 0.0 { text } else { format!("{text}, radius: {}", self.number(lot, radius, 2, "m")) }
     }
-    /// Places a body: the point at `along` stands at `at`, its axis at this angle.
-    fn put(&mut self, body: usize, along: f64, at: V2, angle: f64) {
-        let centre = plus(at, self.bodies[body].centre - along, unit(angle));
+    /// Places a body: this point of it stands at `at`, its axis at this angle.
+    fn put(&mut self, body: usize, point: V2, at: V2, angle: f64) {
+        let centre = plus(at, -1.0, turned(self.from_centre((body, point)), angle));
         self.start.resize(3 * self.bodies.len(), 0.0);
         self.start[3 * body..3 * body + 3].copy_from_slice(&[centre[0], centre[1], angle]);
     }
-    fn at(&self, (body, along): Spot) -> V2 {
-        let at = [self.start[3 * body], self.start[3 * body + 1]];
-        plus(at, along - self.bodies[body].centre, unit(self.start[3 * body + 2]))
+    fn at(&self, spot: Spot) -> V2 {
+        let at = 3 * spot.0;
+        plus([self.start[at], self.start[at + 1]], 1.0, turned(self.from_centre(spot), self.start[at + 2]))
+    }
+    /// A point from the mass centre, along the axis and to the left of it.
+    pub fn from_centre(&self, (body, [along, across]): Spot) -> V2 {
+        [along - self.bodies[body].centre, across]
     }
     /// Angle of the axis of the leading body from the right, where it counts as `angle`.
     pub fn axis(&self, angle: f64) -> f64 {
@@ -277,6 +309,7 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         spin: 0.0,
         angle: grid(l, -180.0, 180.0, 0),
         end: Ending::AtOnce,
+        alpha: None,
         gravity: l.of(&[9.81, 9.81, 9.81, 1.62]),
         body_text: Vec::new(),
         joint_text: Vec::new(),
@@ -295,6 +328,9 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         8 | 9 => on_a_cylinder(&mut m, l),
         _ => let_go(&mut m, l),
     };
+    if l.in_100(20) {
+        weld(&mut m, l);
+    }
     loads(&mut m, l);
     if l.in_100(40) && m.kind != "let go" && m.bodies[m.lead].turns {
         m.spin = grid(l, -6.0, 6.0, 1);
@@ -314,10 +350,11 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
 
 /// A rod or another body, its points at A = 0 and B.
 fn bar(m: &mut Machine, l: &mut Lot, reach: f64, angled: bool, more: &str) {
-    let mut points = vec![0.0, reach];
+    let mut points = vec![on(0.0), on(reach)];
     if l.in_100(40) {
-        points.push(grid(l, -0.3, reach + 0.4, 2));
-        if points[2] == 0.0 || points[2] == reach {
+        let across = if l.in_100(40) { grid(l, -0.3, 0.3, 2) } else { 0.0 };
+        points.push([grid(l, -0.3, reach + 0.4, 2), across]);
+        if points[..2].contains(&points[2]) {
             points.pop();
         }
     }
@@ -341,10 +378,10 @@ fn slots(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     let right = [dot(a, p), dot(b, q) - reach * dot(b, u)];
     let area = a[0] * b[1] - a[1] * b[0];
     let origin = [(right[0] * b[1] - right[1] * a[1]) / area, (right[1] * a[0] - right[0] * b[0]) / area];
-    m.put(0, 0.0, origin, m.axis(m.angle));
+    m.put(0, on(0.0), origin, m.axis(m.angle));
     let rough = l.in_100(30).then(|| grid(l, 0.02, 0.35, 2));
-    m.hold(l, Hold::Guide((0, 0.0), p, one, false, rough));
-    m.hold(l, Hold::Guide((0, reach), q, other, false, None));
+    m.hold(l, Hold::Guide((0, on(0.0)), p, one, false, rough));
+    m.hold(l, Hold::Guide((0, on(reach)), q, other, false, None));
     Some(false)
 }
 
@@ -358,11 +395,11 @@ fn ladder(m: &mut Machine, l: &mut Lot) -> bool {
     let body = &m.bodies[0];
     m.angle = (axis - body.from) * body.sense;
     let foot = [-reach * libm::cos(radians(axis)), 0.0];
-    m.put(0, 0.0, foot, m.axis(m.angle));
+    m.put(0, on(0.0), foot, m.axis(m.angle));
     let mu = |l: &mut Lot| l.in_100(30).then(|| grid(l, 0.02, 0.35, 2));
     let (floor, wall) = (mu(l), mu(l));
-    m.hold(l, Hold::Guide((0, 0.0), [0.0, 0.0], 0.0, true, floor));
-    m.hold(l, Hold::Guide((0, reach), [0.0, 0.0], -90.0, true, wall));
+    m.hold(l, Hold::Guide((0, on(0.0)), [0.0, 0.0], 0.0, true, floor));
+    m.hold(l, Hold::Guide((0, on(reach)), [0.0, 0.0], -90.0, true, wall));
     false
 }
 
@@ -374,8 +411,8 @@ fn on_a_floor(m: &mut Machine, l: &mut Lot) -> bool {
     let centre = m.bodies[0].centre;
     // Its mass centre above the start of the floor.
     let foot = [-centre * libm::cos(axis), 0.0];
-    m.put(0, 0.0, foot, axis);
-    m.hold(l, Hold::Guide((0, 0.0), [0.0, 0.0], 0.0, false, None));
+    m.put(0, on(0.0), foot, axis);
+    m.hold(l, Hold::Guide((0, on(0.0)), [0.0, 0.0], 0.0, false, None));
     false
 }
 
@@ -384,8 +421,8 @@ fn pendulum(m: &mut Machine, l: &mut Lot) -> bool {
     let reach = grid(l, 0.3, 2.0, 2);
     bar(m, l, reach, true, "");
     let at = place(l);
-    m.put(0, 0.0, at, m.axis(m.angle));
-    m.hold(l, Hold::Pin((0, 0.0), at));
+    m.put(0, on(0.0), at, m.axis(m.angle));
+    m.hold(l, Hold::Pin((0, on(0.0)), at));
     false
 }
 
@@ -399,18 +436,18 @@ fn crank(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     let (r, reach) = (grid(l, 0.15, 0.5, 2), grid(l, 0.4, 1.5, 2));
     bar(m, l, r, true, "");
     let pin = if l.in_100(50) { [0.0, 0.0] } else { place(l) };
-    m.put(0, 0.0, pin, m.axis(m.angle));
-    m.hold(l, Hold::Pin((0, 0.0), pin));
+    m.put(0, on(0.0), pin, m.axis(m.angle));
+    m.hold(l, Hold::Pin((0, on(0.0)), pin));
     let behind = l.in_100(40);
     bar(m, l, reach, false, if behind { ", side: behind" } else { "" });
-    m.hold(l, Hold::Hinge((0, r), (1, 0.0)));
+    m.hold(l, Hold::Hinge((0, on(r)), (1, on(0.0))));
     let slope = grid(l, -80.0, 80.0, 0);
     let direction = l.of(&[0.0, -90.0, slope]);
     let through =
         plus(pin, 1.0, [grid(l, -0.1, 0.1, 2), grid(l, -0.1, 0.1, 2)].map(|x| (x * 100.0).round() / 100.0));
     let through = through.map(|x| (x * 100.0).round() / 100.0);
     // The far end: on the line, `reach` from the hinge; ahead along the guide or behind.
-    let (u, hinge) = (unit(radians(direction)), m.at((0, r)));
+    let (u, hinge) = (unit(radians(direction)), m.at((0, on(r))));
     let away = plus(through, -1.0, hinge);
     let across = dot(away, quarter(u));
     if across.abs() > 0.9 * reach {
@@ -419,15 +456,15 @@ fn crank(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     let ahead = libm::sqrt(reach * reach - across * across) * if behind { -1.0 } else { 1.0 };
     let far = plus(plus(hinge, ahead, u), across, quarter(u));
     let axis = libm::atan2(far[1] - hinge[1], far[0] - hinge[0]);
-    m.put(1, 0.0, hinge, axis);
+    m.put(1, on(0.0), hinge, axis);
     let rough = l.in_100(30).then(|| grid(l, 0.02, 0.35, 2));
     if l.in_100(60) {
-        m.body(l, &[0.0], None, false, false, "");
-        m.put(2, 0.0, far, 0.0);
-        m.hold(l, Hold::Hinge((1, reach), (2, 0.0)));
-        m.hold(l, Hold::Guide((2, 0.0), through, direction, false, rough));
+        m.body(l, &[on(0.0)], None, false, false, "");
+        m.put(2, on(0.0), far, 0.0);
+        m.hold(l, Hold::Hinge((1, on(reach)), (2, on(0.0))));
+        m.hold(l, Hold::Guide((2, on(0.0)), through, direction, false, rough));
     } else {
-        m.hold(l, Hold::Guide((1, reach), through, direction, false, rough));
+        m.hold(l, Hold::Guide((1, on(reach)), through, direction, false, rough));
     }
     Some(false)
 }
@@ -437,16 +474,16 @@ fn four_bars(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     let (a, b, c) = (grid(l, 0.15, 0.5, 2), grid(l, 0.4, 1.2, 2), grid(l, 0.3, 1.0, 2));
     let far_pin = [grid(l, 0.3, 1.2, 2), grid(l, -0.4, 0.4, 2)];
     bar(m, l, a, true, "");
-    m.put(0, 0.0, [0.0, 0.0], m.axis(m.angle));
-    m.hold(l, Hold::Pin((0, 0.0), [0.0, 0.0]));
+    m.put(0, on(0.0), [0.0, 0.0], m.axis(m.angle));
+    m.hold(l, Hold::Pin((0, on(0.0)), [0.0, 0.0]));
     let behind = l.in_100(50);
     bar(m, l, b, false, if behind { ", side: behind" } else { "" });
     bar(m, l, c, false, "");
-    m.hold(l, Hold::Hinge((0, a), (1, 0.0)));
-    m.hold(l, Hold::Hinge((1, b), (2, c)));
-    m.hold(l, Hold::Pin((2, 0.0), far_pin));
+    m.hold(l, Hold::Hinge((0, on(a)), (1, on(0.0))));
+    m.hold(l, Hold::Hinge((1, on(b)), (2, on(c))));
+    m.hold(l, Hold::Pin((2, on(0.0)), far_pin));
     // The hinge of the two: on the left of the line from the crank's end to the far pin, or on its right.
-    let near = m.at((0, a));
+    let near = m.at((0, on(a)));
     let apart = plus(far_pin, -1.0, near);
     let d = length(apart);
     let along = (b * b - c * c + d * d) / (2.0 * d);
@@ -457,14 +494,15 @@ fn four_bars(m: &mut Machine, l: &mut Lot) -> Option<bool> {
     let e = apart.map(|x| x / d);
     let across = libm::sqrt(square) * if behind { -1.0 } else { 1.0 };
     let hinge = plus(plus(near, along, e), across, quarter(e));
-    m.put(1, 0.0, near, libm::atan2(hinge[1] - near[1], hinge[0] - near[0]));
-    m.put(2, 0.0, far_pin, libm::atan2(hinge[1] - far_pin[1], hinge[0] - far_pin[0]));
+    m.put(1, on(0.0), near, libm::atan2(hinge[1] - near[1], hinge[0] - near[0]));
+    m.put(2, on(0.0), far_pin, libm::atan2(hinge[1] - far_pin[1], hinge[0] - far_pin[0]));
     Some(false)
 }
 
 /// A wheel, its mass centre on its axle or off it.
 fn wheel(m: &mut Machine, l: &mut Lot, angled: bool) {
-    let points = if l.in_100(50) { vec![0.0, grid(l, 0.05, 0.4, 2)] } else { vec![0.0] };
+    let across = if l.in_100(40) { grid(l, -0.3, 0.3, 2) } else { 0.0 };
+    let points = if l.in_100(50) { vec![on(0.0), [grid(l, 0.05, 0.4, 2), across]] } else { vec![on(0.0)] };
     m.body(l, &points, None, true, angled, "");
 }
 
@@ -475,8 +513,8 @@ fn on_a_line(m: &mut Machine, l: &mut Lot) -> bool {
     let direction = grid(l, -45.0, 45.0, 0);
     let through = place(l);
     let centre = plus(through, radius, quarter(unit(radians(direction))));
-    m.put(0, 0.0, centre, m.axis(m.angle));
-    m.hold(l, Hold::Line((0, 0.0), radius, true, through, direction));
+    m.put(0, on(0.0), centre, m.axis(m.angle));
+    m.hold(l, Hold::Line((0, on(0.0)), radius, true, through, direction));
     false
 }
 
@@ -493,7 +531,7 @@ fn on_a_cylinder(m: &mut Machine, l: &mut Lot) -> bool {
     if rolls {
         wheel(m, l, true);
     } else {
-        m.body(l, &[0.0], None, false, true, "");
+        m.body(l, &[on(0.0)], None, false, true, "");
     }
     let radius = if rolls { (radius * 100.0).round() / 100.0 } else { 0.0 };
     let axis = if l.in_100(50) { [0.0, 0.0] } else { place(l) };
@@ -506,8 +544,8 @@ fn on_a_cylinder(m: &mut Machine, l: &mut Lot) -> bool {
     let out = m.axis(m.angle);
     let centre = plus(axis, apart, unit(out));
     // Its own axis stands at this angle too, at the start.
-    m.put(0, 0.0, centre, if rolls { out } else { 0.0 });
-    m.hold(l, Hold::Arc((0, 0.0), radius, rolls, axis, arc, inside));
+    m.put(0, on(0.0), centre, if rolls { out } else { 0.0 });
+    m.hold(l, Hold::Arc((0, on(0.0)), radius, rolls, axis, arc, inside));
     false
 }
 
@@ -519,13 +557,13 @@ fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
     let text = format!(", placed: [{:.2} m, {:.2} m]", at[0], at[1]);
     let hung = l.below(3);
     bar(m, l, reach, true, if hung == 0 { "" } else { &text });
-    m.put(0, 0.0, at, m.axis(m.angle));
+    m.put(0, on(0.0), at, m.axis(m.angle));
     match hung {
-        0 => m.hold(l, Hold::Pin((0, 0.0), at)),
+        0 => m.hold(l, Hold::Pin((0, on(0.0)), at)),
         1 => {
             let far = plus(at, 1.0, [grid(l, -1.0, 1.0, 2), grid(l, 0.2, 1.5, 2)])
                 .map(|x| (x * 100.0).round() / 100.0);
-            m.hold(l, Hold::Cord((0, 0.0), far));
+            m.hold(l, Hold::Cord((0, on(0.0)), far));
         }
         _ => {}
     }
@@ -535,14 +573,60 @@ fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
         let angle = grid(l, 0.0, 359.0, 0);
         let own = &m.bodies[i];
         let axis = radians(own.from + own.sense * angle);
-        let last = *m.bodies[i - 1].points.iter().filter(|p| **p != 0.0).next_back().expect("a point");
+        let last = *m.bodies[i - 1].points.last().expect("a point");
         let hinge = m.at((i - 1, last));
-        m.put(i, 0.0, hinge, axis);
-        m.hold(l, Hold::Hinge((i - 1, last), (i, 0.0)));
+        m.put(i, on(0.0), hinge, axis);
+        m.hold(l, Hold::Hinge((i - 1, last), (i, on(0.0))));
         let angle = m.number(l, angle, 0, "deg");
         m.start_text.push(format!("{}: {{angle: {angle}}}", Machine::names(i)));
     }
     true
+}
+
+/// Another body on a point of what is there, and there to stay.
+fn weld(m: &mut Machine, l: &mut Lot) {
+    let (one, new) = (l.below(m.bodies.len()), m.bodies.len());
+    if !m.bodies[one].turns || new == 4 {
+        return;
+    }
+    let reach = grid(l, 0.1, 0.8, 2);
+    bar(m, l, reach, false, "");
+    let points = [&m.bodies[one].points, &m.bodies[new].points].map(|all| all[l.below(all.len())]);
+    let spots = [(one, points[0]), (new, points[1])];
+    let turn = grid(l, -180.0, 180.0, 0);
+    m.put(new, points[1], m.at(spots[0]), m.start[3 * one + 2] + radians(turn));
+    m.hold(l, Hold::Weld(spots[0], spots[1], turn));
+}
+
+impl Machine {
+    /// Strikes a point of it at the start.
+    pub fn strike(&mut self, lot: &mut Lot) {
+        let body = lot.below(self.bodies.len());
+        let points = &self.bodies[body].points;
+        let at = (body, points[lot.below(points.len())]);
+        let (blow, direction) = (grid(lot, 0.5, 9.0, 1), grid(lot, -180.0, 180.0, 0));
+        let on = self.spot_text(at);
+        let (j, d) = (self.number(lot, blow, 1, "N*s"), self.number(lot, direction, 0, "deg"));
+        self.force_text.push(format!("impulse: {{on: {on}, magnitude: {j}, direction: {d}}}"));
+        self.loads.push(Load::Blow(at, blow, radians(direction)));
+    }
+    /// Has what leads driven, at the start.
+    pub fn drive(&mut self, lot: &mut Lot) {
+        let alpha = grid(lot, -20.0, 20.0, 1);
+        let text = self.number(lot, alpha, 1, "rad/s^2");
+        let start = self.start_text[0].trim_end_matches('}');
+        self.start_text[0] = format!("{start}, alpha: {text}}}");
+        self.alpha = Some(alpha);
+        self.end = Ending::AtOnce;
+    }
+    /// Leaves it at rest at the start.
+    pub fn stop(&mut self) {
+        if self.spin != 0.0 {
+            let start = self.start_text[0].split(", spin").next().expect("an angle");
+            self.start_text[0] = format!("{start}}}");
+            self.spin = 0.0;
+        }
+    }
 }
 
 /// Up to three forces, couples and springs at named points.
@@ -610,10 +694,15 @@ pub fn yaml(m: &Machine) -> String {
         Ending::Angle(a) => format!("{{angle: {{of: {lead}, reaches: {a:.0} deg}}}}"),
         Ending::Time(t) => format!("{{time: {{of: {lead}, is: {t:.2} s}}}}"),
         Ending::Turns => format!("{{turning point: {lead}}}"),
+        Ending::Equilibrium => "equilibrium".to_owned(),
         Ending::Leaves(j) => format!("{{leaves: j{}}}", j + 1),
     };
-    let quantity = if m.bodies.len() == 1 { "kinetic_energy".to_owned() } else { format!("{lead}.v_x") };
-    let unit = if m.bodies.len() == 1 { "J" } else { "m/s" };
+    let (quantity, unit) = match m.end {
+        Ending::Equilibrium => ("phi", "rad"),
+        _ if m.bodies.len() == 1 => ("kinetic_energy", "J"),
+        _ => ("v_x", "m/s"),
+    };
+    let quantity = if m.bodies.len() == 1 { quantity.to_owned() } else { format!("{lead}.{quantity}") };
     let list = |lines: &[String], mark: &str| {
         lines.iter().fold(String::new(), |mut all, line| {
             let _ = writeln!(all, "        {mark}{line}");

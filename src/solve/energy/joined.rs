@@ -133,8 +133,12 @@ impl<T: Real> Account<'_, T> {
         if scene.is_struck() {
             // The momentum that belongs to the leading angle gains what the blows do at its unit rate.
             let unit = self.rates(&first);
-            let gained = self.powers(&first, &unit, true).into_iter().fold(T::zero(), |sum, p| sum + p)
-                / self.inertia(&first);
+            let gained = self.powers(&first, &unit, true).into_iter().fold(T::zero(), |sum, p| sum + p);
+            // What strikes straight at a joint moves nothing.
+            let blows = scene.pushes.iter().filter(|p| p.blow);
+            let blows: f64 = blows.map(|p| self.n.massive(p.force_n).size()).sum();
+            let fastest = unit.iter().flatten().map(|x| x.size()).fold(0.0, f64::max);
+            let gained = gained.cleared(blows * fastest) / self.inertia(&first);
             spin = spin.balance(gained);
             let jump = unit.iter().map(|r| r.map(|x| x * gained)).collect();
             self.tell_blow(&first, &jump, &mut road);
@@ -977,6 +981,7 @@ impl<'a, T: Real> Account<'a, T> {
             let poses = self.poses(T::zero())?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
             self.slides = self.sliding(&poses, &motion);
+            outcome::all_slide(self.scene, &self.slides)?;
             self.press(&|account, joint| account.normal(&poses, spin.square(), joint))?;
             let (second, _) = self.acceleration(&poses, spin.square())?;
             return self.tell(&poses, spin, second, road);
@@ -1011,6 +1016,7 @@ impl<'a, T: Real> Account<'a, T> {
         let rate = if spin.is_zero() { second } else { spin };
         let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * rate)).collect();
         self.slides = self.sliding(&poses, &motion);
+        outcome::all_slide(self.scene, &self.slides)?;
         self.press(&|account, joint| {
             account.drives(&poses, second, spin.square())?;
             let moves = |b: usize, along: T| account.accelerates(&poses, b, along, second, spin.square());

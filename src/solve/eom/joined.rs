@@ -146,6 +146,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
             let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
             let state = mechanism.state(T::zero(), true)?;
             let slides = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
+            outcome::all_slide(scene, &slides)?;
             let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
             let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
             let (response, moment) = driven(&rubs)?;
@@ -164,6 +165,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         } else {
             sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
         };
+        if !spin.is_zero() {
+            outcome::all_slide(scene, &slides)?;
+        }
         let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
         let response = mechanism.respond(&state, &rubs)?;
         if spin.is_zero() && from_rest(&response) != slides {
@@ -182,7 +186,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     let state = mechanism.state(T::zero(), true)?;
     if scene.is_struck() {
         let jumps = mechanism.struck(&state)?;
-        spin = spin.balance(mechanism.leading(&jumps).0);
+        // What strikes straight at a joint moves nothing.
+        let most = teller.blows() * mechanism.size() / mechanism.inertia(&state).size();
+        spin = spin.balance(mechanism.leading(&jumps).0.cleared(most));
         teller.tell_blow(&jumps);
     }
     let free = mechanism.respond(&state, &nothing)?;
@@ -494,58 +500,84 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let mut before = a;
         let squares = panel.squares.iter().copied();
         for (i, (x, square)) in nodes.zip(squares).chain([(b, panel.last.half_square)]).enumerate() {
-            let mut why = None;
+            let mut events: SmallVec<[Why; 2]> = SmallVec::new();
             if square.sign() < 0.0 {
-                why = Some(Why::Rest);
-            } else if let (Some(level), Some(rising)) = (level, rising)
+                events.push(Why::Rest);
+            }
+            if let (Some(level), Some(rising)) = (level, rising)
                 && (square.reaches(level) == rising)
             {
-                why = Some(Why::Speed);
-            } else {
-                for (joint, forces) in &panel.pushes {
-                    let Some(force) = forces.get(i) else { continue };
-                    if let Some(least) = least.iter_mut().find(|l| l.0 == *joint) {
-                        (least.1, least.2) =
-                            (f64::min(least.1, force.f64()), f64::max(least.2, force.size()));
-                    }
-                    if !self.presses_on(*joint, *force) {
-                        why = Some(Why::Leaves(*joint));
-                        break;
-                    }
+                events.push(Why::Speed);
+            }
+            let force = |forces: &PerNode<T>| match forces.get(i) {
+                Some(force) => *force,
+                None => long::<T>().at(forces, T::of(1.0)),
+            };
+            let now = panel.pushes.iter().map(|(joint, forces)| (*joint, force(forces)));
+            let now: SmallVec<[(usize, T); 2]> = now.collect();
+            let off = now.iter().filter(|(joint, force)| !self.presses_on(*joint, *force));
+            events.extend(off.map(|(joint, _)| Why::Leaves(*joint)));
+            // Of what has happened since the last node, the first stops it.
+            let mut first: Option<(T, Why)> = None;
+            for why in events {
+                let at = self.happens(panel, why, (before, x), level.zip(rising))?;
+                if first.is_none_or(|(first, _)| at.below(first)) {
+                    first = Some((at, why));
                 }
             }
-            let slides_on = panel.slides_on.get(i).copied().unwrap_or(true);
-            let turned =
-                matches!(why, Some(Why::Leaves(j)) if !self.mechanism.scene.joints[j].kind.only_pushes());
-            if turned || why.is_none() && !slides_on {
+            let turned = match first {
+                Some((_, Why::Leaves(j))) => !self.mechanism.scene.joints[j].kind.only_pushes(),
+                Some(_) => false,
+                None => !panel.slides_on.get(i).copied().unwrap_or(true),
+            };
+            if turned {
                 return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
             }
-            if let Some(why) = why {
-                let share = |x: T| (x - a) / (b - a);
-                let square = |x: T| long::<T>().at(&panel.squares, share(x));
-                let forces = panel.pushes.iter().find(|(joint, _)| why == Why::Leaves(*joint));
-                let value = |x: T| {
-                    let value =
-                        forces.map_or_else(|| square(x), |(_, forces)| long::<T>().at(forces, share(x)));
-                    Ok(if why == Why::Speed { value - level.unwrap_or_else(T::zero) } else { value })
-                };
-                let mut x = secant(before, x, why == Why::Speed && rising == Some(true), &value)?;
-                if let Why::Leaves(joint) = why {
-                    // What the interpolation leaves of the force is taken off by one step.
-                    let step = (x - before).scale2(-20);
-                    let slope = (value(x)? - value(x - step)?) / step;
-                    let (_, response) = self.at(self.way(x).0)?;
-                    x = x - self.pushed(&response, joint, square(x)) / slope;
-                }
+            if let Some((x, why)) = first {
+                let share = (x - a) / (b - a);
                 let fine = why != Why::Rest
                     && long::<T>().rough(&panel.times, SMOOTH[usize::from(T::is_double())], 0.0) <= 1.0;
-                let half_square = if why == Why::Rest { T::zero() } else { square(x) };
-                let time = fine.then(|| long::<T>().until(&panel.times, share(x)));
+                let half_square =
+                    if why == Why::Rest { T::zero() } else { long::<T>().at(&panel.squares, share) };
+                let time = fine.then(|| long::<T>().until(&panel.times, share));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
+            }
+            for (joint, force) in now {
+                if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
+                    (least.1, least.2) = (f64::min(least.1, force.f64()), f64::max(least.2, force.size()));
+                }
             }
             before = x;
         }
         Ok(None)
+    }
+
+    /// The value of the variable, between two within a panel, at which something happens; of a speed its level and whether it rises
+    /// to it.
+    fn happens(
+        &self,
+        panel: &Panel<T>,
+        why: Why,
+        (before, after): (T, T),
+        level: Option<(T, bool)>,
+    ) -> Result<T, Refusal> {
+        let (a, b) = panel.ends;
+        let share = |x: T| (x - a) / (b - a);
+        let square = |x: T| long::<T>().at(&panel.squares, share(x));
+        match (why, level) {
+            (Why::Speed, Some((level, rising))) => secant(before, after, rising, &|x| Ok(square(x) - level)),
+            (Why::Leaves(joint), _) => {
+                let forces = panel.pushes.iter().find(|p| p.0 == joint).map(|p| &p.1);
+                let force = |x: T| forces.map_or_else(T::zero, |forces| long::<T>().at(forces, share(x)));
+                let x = secant(before, after, force(after).sign() > 0.0, &|x| Ok(force(x)))?;
+                // What the interpolation leaves of the force is taken off by one step.
+                let step = (x - before).scale2(-20);
+                let slope = (force(x) - force(x - step)) / step;
+                let (_, response) = self.at(self.way(x).0)?;
+                Ok(x - self.pushed(&response, joint, square(x)) / slope)
+            }
+            _ => secant(before, after, false, &|x| Ok(square(x))),
+        }
     }
 
     /// Time over a way that ends at rest or not.
@@ -790,10 +822,15 @@ impl<T: Real> Teller<'_, '_, T> {
         }
     }
 
+    /// Sum of the magnitudes of all impulses that strike.
+    fn blows(&self) -> f64 {
+        let blows = self.scene.pushes.iter().filter(|p| p.blow);
+        blows.map(|p| self.n.massive(p.force_n).size()).sum()
+    }
+
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
     fn tell_blow(&mut self, jumps: &Response<T>) {
-        let blows = self.scene.pushes.iter().filter(|p| p.blow);
-        let all: f64 = blows.map(|p| self.n.massive(p.force_n).size()).sum();
+        let all = self.blows();
         for (j, joint) in self.scene.joints.iter().enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
             let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
@@ -815,7 +852,7 @@ impl<T: Real> Teller<'_, '_, T> {
     /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
     fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, f64, f64)>) {
         let (scene, mechanism) = (self.scene, self.mechanism);
-        let mut energy = T::zero();
+        let (mut energy, mut heavy) = (T::zero(), 0.0);
         // The fastest point moves no faster than this share of the leading angle's rate.
         let fastest = rate.size() * mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
@@ -824,6 +861,7 @@ impl<T: Real> Teller<'_, '_, T> {
             let speed = (vx.square() + vy.square()).root();
             let numbers = self.n.bodies[b];
             energy = energy + numbers.mass * speed.square();
+            heavy += numbers.mass.size();
             self.say_scaled(Quantity::V, of, speed, fastest);
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
@@ -852,7 +890,8 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root(), fastest);
             }
         }
-        self.say(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
+        let most = f64::max(energy.size(), heavy * fastest * fastest);
+        self.say_scaled(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1), most);
     }
 
     /// Everything at a place, at this rate of the leading angle.

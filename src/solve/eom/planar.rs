@@ -18,7 +18,7 @@ use crate::num::eliminate::Equations;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::scene::pose::{self, Layout};
-use crate::scene::{JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
+use crate::scene::{JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
 
@@ -735,19 +735,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let at = |(constant, by_square): (T, T)| constant.balance(by_square * square);
         response.forces[first..first + count].iter().map(|parts| parts.map(at)).collect()
     }
-    /// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.
+    /// [`pose::size`].
     pub fn size(&self) -> f64 {
-        let bodies = self.scene.bodies.iter().filter_map(|b| b.planar.as_ref());
-        let places = bodies.flat_map(|p| p.points.iter().flat_map(|(_, place)| *place).chain([p.centre]));
-        let rods: f64 = places.map(|place| pose::along(self.n, place).size()).sum();
-        let round = self.scene.joints.iter().map(|joint| match joint.kind {
-            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, .. }, .. } => {
-                self.n.get(radius_m).size() + self.n.get(arc).size()
-            }
-            JointKind::Contact { radius_m, .. } => self.n.get(radius_m).size(),
-            _ => 0.0,
-        });
-        rods + round.sum::<f64>()
+        pose::size(self.scene, self.n)
     }
     /// The normal force of a guide that can only push: constant part, and per square of the rate; `None` for other joints and where
     /// the joints leave it open.
