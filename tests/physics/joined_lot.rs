@@ -265,16 +265,16 @@ impl Machine {
     }
     /// Places a body: this point of it stands at `at`, its axis at this angle.
     fn put(&mut self, body: usize, point: V2, at: V2, angle: f64) {
-        let centre = plus(at, -1.0, turned(self.from_centre((body, point)), angle));
+        let centre = plus(at, -1.0, turned(self.beside_centre((body, point)), angle));
         self.start.resize(3 * self.bodies.len(), 0.0);
         self.start[3 * body..3 * body + 3].copy_from_slice(&[centre[0], centre[1], angle]);
     }
     fn at(&self, spot: Spot) -> V2 {
         let at = 3 * spot.0;
-        plus([self.start[at], self.start[at + 1]], 1.0, turned(self.from_centre(spot), self.start[at + 2]))
+        plus([self.start[at], self.start[at + 1]], 1.0, turned(self.beside_centre(spot), self.start[at + 2]))
     }
     /// A point from the mass centre, along the axis and to the left of it.
-    pub fn from_centre(&self, (body, [along, across]): Spot) -> V2 {
+    pub fn beside_centre(&self, (body, [along, across]): Spot) -> V2 {
         [along - self.bodies[body].centre, across]
     }
     /// Angle of the axis of the leading body from the right, where it counts as `angle`.

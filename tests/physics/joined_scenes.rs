@@ -34,7 +34,7 @@ impl<'m> Judge<'m> {
         Self { m, n: 3 * m.bodies.len() }
     }
     fn arm(&self, q: &[f64], spot: Spot) -> V2 {
-        turned(self.m.from_centre(spot), q[3 * spot.0 + 2])
+        turned(self.m.beside_centre(spot), q[3 * spot.0 + 2])
     }
     fn place(&self, q: &[f64], spot: Spot) -> V2 {
         plus([q[3 * spot.0], q[3 * spot.0 + 1]], 1.0, self.arm(q, spot))
@@ -192,10 +192,10 @@ impl<'m> Judge<'m> {
             row[size] = *q;
         }
         for (k, c) in conditions.iter().enumerate() {
-            for j in 0..n {
+            for (j, (row, force)) in c.row.iter().zip(&c.force).enumerate() {
                 let turns = j % 3 != 2 || self.m.bodies[j / 3].turns;
-                a[n + k][j] = if turns { c.row[j] } else { 0.0 };
-                a[j][n + k] = if turns { -c.force[j] } else { 0.0 };
+                a[n + k][j] = if turns { *row } else { 0.0 };
+                a[j][n + k] = if turns { -force } else { 0.0 };
             }
             a[n + k][size] = c.right;
         }
