@@ -91,6 +91,7 @@ impl<'a, T: Real> Numbers<'a, T> {
             Q::Friction
             | Q::Normal
             | Q::Tension
+            | Q::RimForce
             | Q::Heat
             | Q::WorkPull
             | Q::PowerPull

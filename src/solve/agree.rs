@@ -297,10 +297,14 @@ fn compared(
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         // The roads mostly speak in the same order.
         let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
-        let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
+        let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
         // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms.
         if eom == 0.0 && vanishes(energy, 8.0 * U, entry.scale) {
             energy = 0.0;
+        }
+        if energy == 0.0 && eom != 0.0 && vanishes(eom, 8.0 * U, entry.scale) {
+            eom = 0.0;
+            entry.eom = Some(eom);
         }
         entry.energy = Some(energy);
         if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
