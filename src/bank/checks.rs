@@ -194,6 +194,15 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     if !scene.ties.is_empty() {
         faults.hint(part(node, "ties"), "what moves in the plane is held by joints", "write `joints`");
     }
+    let level = |b: &crate::scene::Body| b.planar.as_ref().is_some_and(|p| p.level);
+    if scene.bodies.iter().any(level) && !scene.bodies.iter().all(level) {
+        let hint = "write the same `moves:` for all of them";
+        faults.hint(
+            part(node, "bodies"),
+            "some bodies move in a horizontal plane, others in the vertical one",
+            hint,
+        );
+    }
     if !scene.growths.is_empty() {
         let hint = "remove `growing by`, or let the bodies move on lines";
         faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);

@@ -515,12 +515,13 @@ impl SceneReader<'_> {
         }
         let [mass, weight] = fields.each(["mass", "weight"]);
         let inertia = fields.each(INERTIA);
-        if node.field("moves").and_then(Node::text).is_some_and(|t| t.trim() == planar::IN_THE_PLANE) {
+        let moves = node.field("moves").and_then(Node::text).map_or("", str::trim);
+        if planar::PLANES.contains(&moves) {
             fields.get("moves");
             self.inertia(inertia, &mut body);
             body.turns = inertia.iter().flatten().next().is_some();
             body.mass = self.mass(node, mass, weight);
-            body.planar = Some(self.planar(&mut fields, &body));
+            body.planar = Some(self.planar(&mut fields, &body, moves == planar::PLANES[1]));
             fields.close();
             return body;
         }

@@ -168,7 +168,7 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
         return None;
     }
     let (mut start, mut end) = ([0.0; 6], [0.0; 6]);
-    let gravity = view.of(scene.gravity_m_s2);
+    let gravity = if scene.lies_level() { 0.0 } else { view.of(scene.gravity_m_s2) };
     let (mut gained, mut work) = (0.0, 0.0);
     for (b, body) in scene.bodies.iter().enumerate() {
         let square = |quantity: Quantity| {

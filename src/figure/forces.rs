@@ -522,8 +522,11 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
         ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
     };
-    let weight = mass * view.of(view.scene.gravity_m_s2);
-    let mut forces = vec![force(g, weight, Vec2::DOWN, names::weight(view, body))];
+    let mut forces = Vec::new();
+    if !view.scene.lies_level() {
+        let weight = mass * view.of(view.scene.gravity_m_s2);
+        forces.push(force(g, weight, Vec2::DOWN, names::weight(view, body)));
+    }
     for (j, joint) in view.scene.joints.iter().enumerate() {
         let found = |q: Quantity| view.solved(q, Owner::Joint(j)).unwrap_or(0.0);
         for (i, spot) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {

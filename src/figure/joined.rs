@@ -818,7 +818,8 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         say(name, &[("angle", &say::text(view, direction_deg, "°"))])
     };
     for (b, body) in view.scene.bodies.iter().enumerate() {
-        out.push(say("body", &[("body", &say::named(view, body))]));
+        let name = if view.scene.lies_level() { "flat_body" } else { "body" };
+        out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (_, num) in view.started(b) {
             out.push(say("spin", &[("spin", &say::text(view, num, "rad/s"))]));

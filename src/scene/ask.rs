@@ -300,6 +300,10 @@ impl Scene {
     pub fn is_struck(&self) -> bool {
         self.pushes.iter().any(|p| p.blow)
     }
+    /// Do the bodies move in a horizontal plane, in which no weight acts?
+    pub fn lies_level(&self) -> bool {
+        self.bodies.iter().any(|b| b.planar.as_ref().is_some_and(|p| p.level))
+    }
     /// Do the forces alone set it going: no speed at the start, no blow?
     pub fn starts_from_rest(&self) -> bool {
         self.start.is_empty() && !self.is_struck()

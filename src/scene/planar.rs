@@ -23,6 +23,8 @@ pub struct Planar {
     pub driven: Option<Num>,
     /// Place of the origin of the axis at the start, m, of a body that no joint places.
     pub origin_m: Option<[Num; 2]>,
+    /// Does its plane lie level, so that no weight acts in it?
+    pub level: bool,
     /// Of the two ways in which the joints can place it: the one on the left of what leads to it, or on the right; see
     /// [`crate::scene::pose`].
     pub side: Branch,

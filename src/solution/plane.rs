@@ -951,7 +951,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn act(&mut self) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let still = scene.end == End::AtOnce;
-        for body in 0..self.bodies.len() {
+        let weighed = if scene.lies_level() { 0 } else { self.bodies.len() };
+        for body in 0..weighed {
             let weight = self.bodies[body].mass.times(&self.g);
             let down = [Sum::default(), Sum::one(number(-1))];
             self.pulls.push(Pull {

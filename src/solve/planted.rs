@@ -98,6 +98,7 @@ fn rod(name: &str, start: Option<f64>) -> Body {
         clockwise: false,
         start_deg: start.map(f),
         driven: None,
+        level: false,
         origin_m: None,
         side: Branch::Ahead,
     });

@@ -663,6 +663,44 @@ end: {angle: {of: rod, reaches: 100 deg}}
     assert!(refused.iter().any(|f| f.to_string().contains("`spring` only pushes or pulls")), "{refused:?}");
 }
 
+/// In a horizontal plane no weight acts: a pinned rod under a couple, and one that is given by its weight, on a spring.
+#[test]
+fn nothing_falls_in_a_horizontal_plane() {
+    let rod = "
+bodies: {rod: {mass: 4 kg, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right}}
+joints: {O: {pins: rod.A}}
+forces: [couple: {on: rod, moment: 6 N*m}]
+start: {rod: {angle: 0 deg}}
+end: {angle: {of: rod, reaches: 90 deg}}
+";
+    // I = 4/3: alpha = 4.5, omega^2 = 9 (pi/2), and the pin draws the mass centre inward and forward.
+    let square = 4.5 * std::f64::consts::PI;
+    let found = told(rod, &["omega", "alpha", "O.pin_x", "O.pin_y", "t"]);
+    all_near(
+        &found,
+        &[square.sqrt(), 4.5, -4.0 * 0.5 * 4.5, -4.0 * 0.5 * square, square.sqrt() / 4.5],
+        1e-13,
+    );
+    let sprung = "
+bodies: {rod: {weight: 39.24 N, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right}}
+joints: {O: {pins: rod.A}}
+forces: [spring: {on: rod.B, to: [0 m, 1 m], stiffness: 30 N/m, natural length: 0 m}]
+start: {rod: {angle: 0 deg}}
+end: {angle: {of: rod, reaches: 90 deg}}
+";
+    all_near(&told(sprung, &["omega"]), &[(30.0 * 2.0 / (4.0 / 3.0) as f64).sqrt()], 1e-12);
+    let mixed = rod.replace("bodies: {rod:", "bodies: {b: {mass: 1 kg, moves: in the plane}, rod:");
+    let text = format!(
+        "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {{}}\n    scene:\n{}    questions: {{q: {{quantity: kinetic_energy, ask: none}}}}\n",
+        mixed.trim_matches('\n').lines().map(|line| format!("      {line}\n")).collect::<String>()
+    );
+    let refused = load::scenes_only(&text, "t.yaml").expect_err("two planes");
+    assert!(
+        refused.iter().any(|f| f.to_string().contains("some bodies move in a horizontal plane")),
+        "{refused:?}"
+    );
+}
+
 /// A rod on a torsion spring: speed, moment, small oscillations, and the angle after a time, by a Runge-Kutta in Python of
 /// I phi'' = -m g (L/2) sin phi - k (phi - 40 deg), 4000 steps.
 #[test]

@@ -9,8 +9,8 @@ use crate::scene::{
 };
 use crate::units::spell;
 
-/// How a body in the plane is written.
-pub const IN_THE_PLANE: &str = "in the plane";
+/// How a body in the plane is written, and one in a plane that lies level.
+pub const PLANES: [&str; 2] = ["in the plane", "in a horizontal plane"];
 
 /// Where the axis of a body begins.
 const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
@@ -50,7 +50,7 @@ const ANGLES: [(&str, (Ray, bool)); 18] = [
 
 impl SceneReader<'_> {
     /// How a body lies in the plane; the start gives its angle.
-    pub(super) fn planar(&self, fields: &mut Fields, body: &Body) -> Planar {
+    pub(super) fn planar(&self, fields: &mut Fields, body: &Body, level: bool) -> Planar {
         let f = self.faults;
         let rod = match body.inertia {
             Some(RotaryInertia::Shape(Shape::Rod, length)) => Some(length),
@@ -88,7 +88,7 @@ impl SceneReader<'_> {
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
         let side = side.unwrap_or_default();
-        Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, side }
+        Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, level, side }
     }
 
     /// A distance along the axis of a body: a length, or a place of a rod in words.
