@@ -194,6 +194,15 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     if !scene.ties.is_empty() {
         faults.hint(part(node, "ties"), "what moves in the plane is held by joints", "write `joints`");
     }
+    let level = |b: &crate::scene::Body| b.planar.as_ref().is_some_and(|p| p.level);
+    if scene.bodies.iter().any(level) && !scene.bodies.iter().all(level) {
+        let hint = "write the same `moves:` for all of them";
+        faults.hint(
+            part(node, "bodies"),
+            "some bodies move in a horizontal plane, others in the vertical one",
+            hint,
+        );
+    }
     if !scene.growths.is_empty() {
         let hint = "remove `growing by`, or let the bodies move on lines";
         faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);
@@ -217,6 +226,13 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         let message = told!("`{}` is driven, and its motion goes on", scene.bodies[b].name);
         let hint = "only an instant is asked of what is driven: give its angle and spin then, and write `end: at once`";
         faults.hint(part(node, "start"), message, hint);
+    }
+    if let (End::Equilibrium, Some(strut)) =
+        (scene.end, scene.struts.iter().find(|s| s.acts != crate::scene::Acts::Both))
+    {
+        let message =
+            told!("`{}` only pushes or pulls: beside where it is met nothing oscillates evenly", strut.name);
+        faults.hint(part(node, "forces"), message, "remove `only`, or ask for a motion");
     }
     if scene.end == End::Equilibrium && scene.is_struck() {
         faults.hint(
@@ -469,6 +485,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
         Q::Heat => "it needs a tie `slips` or `slides`",
         Q::Tension => "it needs a cord whose pull is not given",
+        Q::RimForce => "it needs a tie `meshes` or `belt`",
         Q::CordTravel => "it needs a cord that is pulled or held by a spring",
         Q::WorkPull | Q::PowerPull => "it needs a cord with `pulled with`",
         Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`",
@@ -486,7 +503,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::PeriodSmall | Q::OmegaSmall => {
             "it needs a pinned body that swings under its weight alone, or a spring and no friction of sliding"
         }
-        Q::Moment => "it needs a weld",
+        Q::Moment => "it needs a weld or a torsion spring",
         Q::Drive => {
             "it needs a driven body: `start: {crank: {angle: phi, spin: w, alpha: 0 rad/s^2}}` and `end: at once`"
         }
@@ -609,7 +626,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                         add(of, if scene.oscillates() { &[Q::PeriodSmall, Q::OmegaSmall] } else { &[] });
                     }
                 }
-                Far::Body(_) | Far::Fixed => add(Owner::Tie(t), &[Q::Tension]),
+                Far::Body(_) | Far::Fixed => add(Owner::Tie(t), &[c.force()]),
             },
         }
     }
@@ -670,7 +687,7 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
         }
     }
     for s in 0..if forces { scene.struts.len() } else { 0 } {
-        add(Owner::Strut(s), &[Q::SpringForce]);
+        add(Owner::Strut(s), if scene.struts[s].twists() { &[Q::Moment] } else { &[Q::SpringForce] });
     }
 }
 

@@ -44,6 +44,7 @@ impl Need {
     pub const FORCE_GROWTH: Self = need("the growth of a force", "N/s", NOT_NEGATIVE, "2 N/s");
     pub const MOMENT_GROWTH: Self = need("the growth of a moment", "N*m/s", NOT_NEGATIVE, "2 N*m/s");
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
+    pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
     pub const TURN: Self = need("an angle", "rad", NOT_NEGATIVE, "3 rad");
     pub const PLACE: Self = need("a place", "m", ANY, "0.25 m");

@@ -8,8 +8,8 @@ use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    GivenForce, Growth, Heading, Joint, Line, Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia,
-    Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
+    GivenForce, Growth, Heading, Joint, Line, Made, Mass, Num, Part, Particle, Pin, PinSpring, Push,
+    RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -515,12 +515,13 @@ impl SceneReader<'_> {
         }
         let [mass, weight] = fields.each(["mass", "weight"]);
         let inertia = fields.each(INERTIA);
-        if node.field("moves").and_then(Node::text).is_some_and(|t| t.trim() == planar::IN_THE_PLANE) {
+        let moves = node.field("moves").and_then(Node::text).map_or("", str::trim);
+        if planar::PLANES.contains(&moves) {
             fields.get("moves");
             self.inertia(inertia, &mut body);
             body.turns = inertia.iter().flatten().next().is_some();
             body.mass = self.mass(node, mass, weight);
-            body.planar = Some(self.planar(&mut fields, &body));
+            body.planar = Some(self.planar(&mut fields, &body, moves == planar::PLANES[1]));
             fields.close();
             return body;
         }
@@ -863,8 +864,17 @@ impl SceneReader<'_> {
             let tie = match word {
                 "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
                 "cord" => self.cord(value, bodies, ties.len()).map(Tie::Cord),
+                "meshes" | "belt" => {
+                    let made = if word == "belt" { Made::Belt } else { Made::Teeth };
+                    let like = ties.iter().filter(|t| matches!(t, Tie::Cord(c) if c.made == made)).count();
+                    self.mesh(value, bodies, (made, like)).map(Tie::Cord)
+                }
                 _ => {
-                    self.unknown(key, "tie", &["rolls", "slips", "slides", "touches", "cord"]);
+                    self.unknown(
+                        key,
+                        "tie",
+                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt"],
+                    );
                     None
                 }
             };
@@ -964,6 +974,45 @@ impl SceneReader<'_> {
         self.growths.borrow_mut().extend(growth);
     }
 
+    /// Two wheels that turn each other, by teeth or a belt: rims by body and radius.
+    fn mesh(&self, node: &Node, bodies: &[Body], (made, like): (Made, usize)) -> Option<Cord> {
+        let f = self.faults;
+        let Value::List(both) = &node.value else {
+            f.at(node, told!("expected two rims such as `[gear.rim, pinion.rim]`, found {}", node.kind()));
+            return None;
+        };
+        let [one, other] = &both[..] else {
+            f.at(node, told!("expected two rims such as `[gear.rim, pinion.rim]`, found {}", both.len()));
+            return None;
+        };
+        let rim = |node: &Node| {
+            let text = node.text().unwrap_or("").trim();
+            let (name, radius) = text.split_once('.')?;
+            let (index, body) = bodies.iter().enumerate().find(|(_, b)| b.name == name)?;
+            let (_, radius) = body.radii_m.iter().find(|(n, _)| n == radius)?;
+            (body.line.is_none() && body.turns && body.pin.is_none()).then_some((index, *radius))
+        };
+        let rim = |node: &Node| {
+            let found = rim(node);
+            if found.is_none() {
+                let hint = "a body about a fixed axle and one of its radii, such as `gear.rim`";
+                f.hint(node, told!("expected the rim of a wheel, found {}", node.kind()), hint);
+            }
+            found
+        };
+        let ((body, radius), (second, other_radius)) = rim(one).zip(rim(other))?;
+        if body == second {
+            f.at(node, "a wheel does not drive itself");
+            return None;
+        }
+        // What the rim of the one gains, that of the other loses: teeth turn the other way, a belt the same way.
+        let end = |body, radius, forward| CordEnd { body, attach: Attach::Wound(radius, Side::Top), forward };
+        let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
+        let word = if made == Made::Teeth { "mesh" } else { "belt" };
+        let name = if like == 0 { word.to_owned() } else { format!("{word}{}", like + 1) };
+        Some(Cord { name, from, to: Far::Body(to), made })
+    }
+
     fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a cord (from, and where it goes)", f)?;
@@ -1013,7 +1062,7 @@ impl SceneReader<'_> {
             f.at(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
             return None;
         }
-        Some(Cord { name, from: from?, to: far? })
+        Some(Cord { name, from: from?, to: far?, made: Made::Cord })
     }
 
     fn spring(&self, node: &Node) -> Option<Far> {
@@ -1165,6 +1214,10 @@ impl SceneReader<'_> {
                 list.pushes.extend(self.push(value, bodies, count, blow));
                 continue;
             }
+            if word == "torsion" {
+                list.struts.extend(self.torsion(value, bodies, list.struts.len()));
+                continue;
+            }
             if word == "spring" && bodies.iter().any(|b| b.planar.is_some()) {
                 list.struts.extend(self.strut(value, bodies, list.struts.len()));
                 continue;
@@ -1174,7 +1227,7 @@ impl SceneReader<'_> {
                 continue;
             }
             if word != "couple" {
-                self.unknown(key, "force", &["couple", "force", "impulse", "spring"]);
+                self.unknown(key, "force", &["couple", "force", "impulse", "spring", "torsion"]);
                 continue;
             }
             let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };

@@ -1,7 +1,7 @@
 //! Energy bars: what there is at the start and what is put in, beside what there is at the end and what has become heat. Both
 //! bars are equally high; where they are not, nothing is drawn.
 use crate::bank::{FigureLabels, Problem};
-use crate::figure::joined::{Laid, Plane, towards};
+use crate::figure::joined::{Plane, towards};
 use crate::figure::view::SceneView;
 use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
@@ -168,7 +168,7 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
         return None;
     }
     let (mut start, mut end) = ([0.0; 6], [0.0; 6]);
-    let gravity = view.of(scene.gravity_m_s2);
+    let gravity = if scene.lies_level() { 0.0 } else { view.of(scene.gravity_m_s2) };
     let (mut gained, mut work) = (0.0, 0.0);
     for (b, body) in scene.bodies.iter().enumerate() {
         let square = |quantity: Quantity| {
@@ -185,16 +185,8 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
     }
     (start[3], end[3]) = if gained > 0.0 { (0.0, gained) } else { (-gained, 0.0) };
     for strut in &scene.struts {
-        let long = |laid: &[Laid]| {
-            let (near, far) = plane.ends(view, laid, strut);
-            (far - near).norm() / plane.scale
-        };
         let k = view.of(strut.stiffness_n_m);
-        let stretch = match strut.rest {
-            Rest::Stretch(x) => view.of(x),
-            Rest::Length(l) => long(&plane.start) - view.of(l),
-        };
-        let after = stretch + long(&laid) - long(&plane.start);
+        let [stretch, after] = [&plane.start, &laid].map(|laid| plane.stretch(view, laid, strut));
         start[2] += 0.5 * k * stretch * stretch;
         end[2] += 0.5 * k * after * after;
     }

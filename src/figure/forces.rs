@@ -522,8 +522,11 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
         ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
     };
-    let weight = mass * view.of(view.scene.gravity_m_s2);
-    let mut forces = vec![force(g, weight, Vec2::DOWN, names::weight(view, body))];
+    let mut forces = Vec::new();
+    if !view.scene.lies_level() {
+        let weight = mass * view.of(view.scene.gravity_m_s2);
+        forces.push(force(g, weight, Vec2::DOWN, names::weight(view, body)));
+    }
     for (j, joint) in view.scene.joints.iter().enumerate() {
         let found = |q: Quantity| view.solved(q, Owner::Joint(j)).unwrap_or(0.0);
         for (i, spot) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
@@ -566,7 +569,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
             }
         }
     }
-    for (s, strut) in view.scene.struts.iter().enumerate() {
+    for (s, strut) in view.scene.struts.iter().enumerate().filter(|(_, strut)| !strut.twists()) {
         let pull = view.solved(Quantity::SpringForce, Owner::Strut(s)).unwrap_or(0.0);
         let (near, far) = plane.ends(view, &laid, strut);
         let label = || symbol::symbol(r"F_{\mathrm{s}}");
@@ -603,7 +606,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         Turning { value: alpha * view.inertia(this) * sense, label }
     });
     let mut couples = couples_on(view, body, planar.clockwise);
-    // The couples of welds, and of the drive.
+    // The couples of welds, of torsion springs and of the drive.
     for (j, joint) in view.scene.joints.iter().enumerate() {
         let Some(moment) = view.solved(Quantity::Moment, Owner::Joint(j)) else { continue };
         for (i, _) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
@@ -611,9 +614,14 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
             couples.push(Turning { value, label: symbol::magnitude(name(joint, "M"), value < 0.0) });
         }
     }
-    if let Some(moment) = view.solved(Quantity::Drive, Owner::Body(body)) {
+    let twisting = view.scene.struts.iter().enumerate().filter(|(_, strut)| strut.at.body == body);
+    let springs = twisting
+        .filter_map(|(s, _)| Some((Owner::Strut(s), view.solved(Quantity::Moment, Owner::Strut(s))?)));
+    let drive = view.solved(Quantity::Drive, Owner::Body(body)).map(|moment| (Owner::Body(body), moment));
+    for (of, moment) in springs.chain(drive) {
         let value = if planar.clockwise { -moment } else { moment };
-        couples.push(Turning { value, label: symbol::magnitude(symbol::symbol("M"), value < 0.0) });
+        let letter = if matches!(of, Owner::Strut(_)) { r"M_{\mathrm{s}}" } else { "M" };
+        couples.push(Turning { value, label: symbol::magnitude(symbol::symbol(letter), value < 0.0) });
     }
     // The mass centre stands at the origin, level with the sign between the diagrams.
     let close = plane.close_up(view, body, LONG_BODY);

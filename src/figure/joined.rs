@@ -7,8 +7,8 @@ use crate::picture::board::{Board, LabelTie};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
 use crate::scene::{
-    Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia, Shape,
-    Spot, Strut, StrutEnd, Surface, pose,
+    Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
+    Shape, Spot, Strut, StrutEnd, Surface, pose,
 };
 
 /// Pixels of the height of all that moves, at most.
@@ -145,8 +145,36 @@ impl Plane {
                     (ground(view, through_m) * self.scale, Vec2::at_degrees(view.of(direction_deg)));
                 through + along * (near - through).dot(&along)
             }
+            StrutEnd::Twist => near,
         };
         (near, far)
+    }
+    /// How far a spring is stretched, m, where the bodies lie so; how far a torsion spring is wound, radians. 0 where it does not act.
+    pub fn stretch(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> f64 {
+        let beyond = self.beyond(view, laid, strut);
+        match strut.acts {
+            Acts::Both => beyond,
+            Acts::Pushes => beyond.min(0.0),
+            Acts::Pulls => beyond.max(0.0),
+        }
+    }
+    fn beyond(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> f64 {
+        let long = |laid: &[Laid]| {
+            let (near, far) = self.ends(view, laid, strut);
+            (far - near).norm() / self.scale
+        };
+        let turned = |axis: Vec2| {
+            let planar = view.scene.planar(strut.at.body);
+            let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+            let from = pose::Layout::new(view.scene, &numbers).and_then(|layout| layout.relaxed(strut));
+            let turned = |p, from| pose::turned_from(p, [axis.x, axis.y], from);
+            planar.zip(from).map_or(0.0, |(p, from)| turned(p, from))
+        };
+        match strut.rest {
+            _ if strut.twists() => turned(laid[strut.at.body].axis),
+            Rest::Stretch(x) => view.of(x) + long(laid) - long(&self.start),
+            Rest::Length(l) => long(laid) - view.of(l),
+        }
     }
     /// A point of a body.
     pub fn spot(&self, view: &SceneView, laid: &[Laid], spot: Spot) -> Vec2 {
@@ -288,7 +316,29 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         held(board, view, &plane, joint);
     }
     for strut in &view.scene.struts {
-        let (near, far) = plane.ends(view, &plane.start, strut);
+        let (mut near, far) = plane.ends(view, &plane.start, strut);
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
+        let units = if strut.twists() { ["N·m/rad", "°"] } else { ["N/m", "m"] };
+        let rows = vec![view.label(strut.stiffness_n_m, units[0]), view.label(rest, units[1])];
+        if strut.twists() {
+            // A spiral about the point, out from it by half turns.
+            let half = |i: usize| {
+                let centre = near + Vec2::RIGHT * if i % 2 == 0 { 0.0 } else { 3.0 };
+                let from = if i % 2 == 0 { 0.0 } else { std::f64::consts::PI };
+                (centre, 9.0 + 3.0 * i as f64, from, from + std::f64::consts::PI)
+            };
+            (0..4).map(half).for_each(|(c, r, from, to)| board.arc(c, r, from, to, Role::Spring));
+            let spots = [30.0, 150.0, -30.0, -150.0].map(Vec2::at_degrees).map(|d| (near + d * 22.0, d));
+            board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots.to_vec());
+            continue;
+        }
+        // One that is met on the way only stands there at its natural length.
+        if strut.acts != Acts::Both
+            && plane.stretch(view, &plane.start, strut) == 0.0
+            && let Rest::Length(rest) = strut.rest
+        {
+            near = far + (near - far).unit() * (view.of(rest) * plane.scale);
+        }
         if (far - near).norm() > 14.0 {
             board.spring(far, near, 9, 6.0);
         } else {
@@ -297,9 +347,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         if !matches!(strut.to, StrutEnd::Spot(_)) && (far - near).norm() > 1.0 {
             crate::figure::parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
         }
-        let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
         let (middle, out) = (far.middle(near), (far - near).unit().left());
-        let rows = vec![view.label(strut.stiffness_n_m, "N/m"), view.label(rest, "m")];
         let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
         board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots);
     }
@@ -610,7 +658,7 @@ fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
 fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
     let springs = view.scene.struts.iter().filter_map(|s| match s.to {
         StrutEnd::Ground(place) | StrutEnd::Guide { through_m: place, .. } => Some(place),
-        StrutEnd::Spot(_) => None,
+        StrutEnd::Spot(_) | StrutEnd::Twist => None,
     });
     let mut seen: Vec<Num> = Vec::new();
     for place in view.scene.joints.iter().filter_map(fixed_place).chain(springs) {
@@ -770,7 +818,8 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         say(name, &[("angle", &say::text(view, direction_deg, "°"))])
     };
     for (b, body) in view.scene.bodies.iter().enumerate() {
-        out.push(say("body", &[("body", &say::named(view, body))]));
+        let name = if view.scene.lies_level() { "flat_body" } else { "body" };
+        out.push(say(name, &[("body", &say::named(view, body))]));
         say::couples(view, b, out);
         for (_, num) in view.started(b) {
             out.push(say("spin", &[("spin", &say::text(view, num, "rad/s"))]));
@@ -829,8 +878,16 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     }
     for strut in &view.scene.struts {
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
-        let list = [say::text(view, strut.stiffness_n_m, "N/m"), say::text(view, rest, "m")];
+        let units = if strut.twists() { ["N·m/rad", "°"] } else { ["N/m", "m"] };
+        let list = [say::text(view, strut.stiffness_n_m, units[0]), say::text(view, rest, units[1])];
+        let name = match (strut.to, strut.acts) {
+            (StrutEnd::Twist, _) => "torsion",
+            (_, Acts::Both) => "spring",
+            (_, Acts::Pushes) => "pushing_spring",
+            (_, Acts::Pulls) => "pulling_spring",
+        };
         let to = match strut.to {
+            StrutEnd::Twist => String::new(),
             StrutEnd::Ground(p) => place(p),
             StrutEnd::Spot(spot) => called(spot),
             StrutEnd::Guide { through_m, direction_deg } => {
@@ -839,7 +896,7 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
             }
         };
         let list = list.join(say::separator(view));
-        out.push(say("spring", &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));
+        out.push(say(name, &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));
     }
 }
 

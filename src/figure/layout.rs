@@ -5,7 +5,7 @@
 //! lengths of cords are as long as the picture needs.
 use crate::figure::view::SceneView;
 use crate::picture::vector::{Direction, Vec2, vec2};
-use crate::scene::{Attach, Cord, CordEnd, Far, Line, Num, RotaryInertia, Side, Slope, Tie};
+use crate::scene::{Attach, Cord, CordEnd, Far, Line, Made, Num, RotaryInertia, Side, Slope, Tie};
 use std::f64::consts::PI;
 
 /// Radius of a guide pulley.
@@ -538,6 +538,11 @@ impl Builder<'_> {
 
     /// A cord from a placed body to another one, which is placed if it is not yet.
     fn join(&mut self, tie: usize, near: CordEnd, far: CordEnd) -> CordRun {
+        if let Some(Tie::Cord(Cord { made: made @ (Made::Teeth | Made::Belt), .. })) =
+            self.view.scene.ties.get(tie)
+        {
+            return self.mesh((tie, *made), near, far);
+        }
         let from = self.bodies[near.body].clone().expect("a placed body");
         let known = self.bodies[far.body].clone();
         let grounds = self.grounds.len();
@@ -566,6 +571,45 @@ impl Builder<'_> {
         self.bodies[far.body] = Some(joint.to);
         let ends = vec![(near.body, away), (far.body, back)];
         CordRun { tie, pieces, stop: CordStop::Body, guide, leaves: (at, away), at: ends }
+    }
+
+    /// Two wheels that turn each other: gears touch, a belt runs around both along their outer tangents.
+    fn mesh(&mut self, (tie, made): (usize, Made), near: CordEnd, far: CordEnd) -> CordRun {
+        let from = self.bodies[near.body].clone().expect("a placed body");
+        let known = self.bodies[far.body].clone();
+        let mut to = known.clone().unwrap_or_else(|| self.loose(far.body, false));
+        let radius = |end: CordEnd| match end.attach {
+            Attach::Wound(radius, _) => self.radius(radius),
+            Attach::Centre => 0.0,
+        };
+        let (own, other) = (radius(near), radius(far));
+        if known.is_none() {
+            // On the side where no wheel is yet.
+            let taken = self.bodies.iter().flatten().any(|p| p.centre.x < from.centre.x - 1.0);
+            let apart = if made == Made::Belt {
+                from.reach(Vec2::RIGHT) + to.reach(Vec2::RIGHT) + 60.0
+            } else {
+                own + other
+            };
+            to.centre = from.centre + (if taken { Vec2::RIGHT } else { Vec2::LEFT }) * apart;
+        }
+        let line = to.centre - from.centre;
+        let (along, share) = (line.unit(), ((own - other) / line.norm()).clamp(-1.0, 1.0));
+        let tangent = |side: f64| {
+            let out = along * share + along.left() * (side * (1.0 - share * share).sqrt());
+            CordPiece::Straight(from.centre + out * own, to.centre + out * other)
+        };
+        let pieces = if made == Made::Belt { vec![tangent(1.0), tangent(-1.0)] } else { Vec::new() };
+        let leaves = (from.centre + along * own, along.left());
+        self.bodies[far.body] = Some(to);
+        CordRun {
+            tie,
+            pieces,
+            stop: CordStop::Body,
+            guide: None,
+            leaves,
+            at: vec![(near.body, along), (far.body, -along)],
+        }
     }
 
     /// Moves the second body to where the cord meets it at this point; a surface that came with it comes along.

@@ -5,8 +5,8 @@ use crate::figure::{names, parts};
 use crate::picture::symbol;
 use crate::picture::vector::{Direction, Vec2};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, Mass, Num, Rest, RotaryInertia, Shape, Side,
-    Slope, Start, Tie, Zero,
+    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, Made, Mass, Num, Rest, RotaryInertia, Shape,
+    Side, Slope, Start, Tie, Zero,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -209,7 +209,13 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
             Far::Body(end) => {
                 let guide = plan.cords.iter().any(|r| r.tie == i && r.guide.is_some());
                 let other = view.scene.bodies.get(end.body).map_or_else(String::new, |b| named(view, b));
-                say(if guide { "over" } else { "joins" }, &[("place", &place), ("other", &other)])
+                let name = match cord.made {
+                    Made::Teeth => "meshes",
+                    Made::Belt => "belt",
+                    Made::Cord if guide => "over",
+                    Made::Cord => "joins",
+                };
+                say(name, &[("place", &place), ("other", &other)])
             }
         });
     }

@@ -8,7 +8,7 @@ use crate::picture::vector::{Direction, Vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Coordinate, Degree, End, Far, GivenForce, Heading, Num, Owner, Quantity, RotaryInertia, Start, Tie,
+    Coordinate, Degree, End, Far, GivenForce, Heading, Made, Num, Owner, Quantity, RotaryInertia, Start, Tie,
 };
 use crate::solve::outcome::Word;
 use crate::words::Words;
@@ -101,6 +101,9 @@ fn busy(view: &SceneView, plan: &SceneLayout, body: usize, p: &Placed) -> Vec<Ve
     for run in &plan.cords {
         let Some(Tie::Cord(c)) = view.scene.ties.get(run.tie) else { continue };
         let ends_here = |at: Vec2| (at - p.centre).norm() < p.reach(Vec2::RIGHT) + 2.0;
+        if c.made == Made::Teeth {
+            out.extend(run.at.iter().filter(|(b, _)| *b == body).map(|(_, towards)| *towards));
+        }
         if c.from.body == body || matches!(c.to, Far::Body(e) if e.body == body) {
             for piece in &run.pieces {
                 if let CordPiece::Straight(a, b) = *piece {

@@ -53,6 +53,7 @@ fn moves(scene: &Scene, c: &Check) -> String {
     let ratio = || figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
     match c.ok {
         // What moves already needs no drive to set it going; a start speed may be 0.
+        true if scene.is_struck() => format!("the {body} moves as declared: it is struck"),
         true if !scene.start.is_empty() && c.available <= c.required => {
             format!("the {body} moves as declared: it starts with a speed of its own")
         }

@@ -1,8 +1,54 @@
 //! A root between two places, by Newton's method that is never let out of its bracket.
 use crate::num::Real;
+use smallvec::SmallVec;
 
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
+
+/// The places from 0 to `far` at which a value changes its sign, looked for in steps; none beyond where there is no value.
+///
+/// Errors: those of the value, save at its steps.
+pub fn changes<T: Real, E>(
+    (far, step): (T, T),
+    value: &dyn Fn(T) -> Result<T, E>,
+) -> Result<SmallVec<[T; 4]>, E> {
+    let mut found = SmallVec::new();
+    let Ok(mut last) = value(T::zero()) else { return Ok(found) };
+    let mut before = T::zero();
+    while before.below(far) {
+        let next = before + step;
+        let next = if next.below(far) { next } else { far };
+        let Ok(now) = value(next) else { break };
+        if last.sign() * now.sign() < 0.0 {
+            found.push(between_values(before, next, now.sign() > 0.0, value)?);
+        } else if now.is_zero() {
+            found.push(next);
+        }
+        (before, last) = (next, now);
+    }
+    Ok(found)
+}
+
+/// The root of a function without a known slope: by the secant of the last two values, never out of its bracket.
+///
+/// Errors: those of the value.
+pub fn between_values<T: Real, E>(
+    low: T,
+    high: T,
+    rising: bool,
+    value: &dyn Fn(T) -> Result<T, E>,
+) -> Result<T, E> {
+    let mut last: Option<(T, T)> = None;
+    between(low, high, rising, |x| {
+        let now = value(x)?;
+        let slope = match last {
+            Some((at, before)) if !(x - at).is_zero() => (now - before) / (x - at),
+            _ => T::zero(),
+        };
+        last = Some((x, now));
+        Ok((now, slope))
+    })
+}
 
 /// The place between `low` and `high` at which `f` changes its sign, from `rising`: below 0 at `low`, above at `high`; else
 /// the other way. `f` gives value and slope.

@@ -202,10 +202,10 @@ fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
     for strut in &scene.struts {
         tell(strut.stiffness_n_m, Rule::Positive);
         let (Rest::Length(l) | Rest::Stretch(l)) = strut.rest;
-        tell(l, Rule::NotNegative);
+        tell(l, if strut.twists() { Rule::Angle } else { Rule::NotNegative });
         match strut.to {
             StrutEnd::Ground(place) => place.iter().for_each(|x| tell(*x, Rule::Finite)),
-            StrutEnd::Spot(_) => {}
+            StrutEnd::Spot(_) | StrutEnd::Twist => {}
             StrutEnd::Guide { through_m, direction_deg } => {
                 through_m.iter().for_each(|x| tell(*x, Rule::Finite));
                 tell(direction_deg, Rule::Angle);

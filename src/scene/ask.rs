@@ -87,6 +87,7 @@ quantities! {
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
     T "t" "s" Magnitude "time from the start to the end";
     Tension "tension" "N" Signed "tension of the cord at the end";
+    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims; of a belt the difference of its two tensions";
     CordTravel "cord_travel" "m" Magnitude "distance that the pulled end of the cord moves";
     SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
     SlipSpeed "slip_speed" "m/s" Magnitude "speed at which the contact slips at the start, a magnitude";
@@ -101,7 +102,7 @@ quantities! {
     PowerCouple "power_couple" "W" Signed "power of the couples on the body at the end";
     Work "work" "J" Signed "work of all forces together, from the start to the end";
     Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward; of a joint its impulse at a blow";
-    Moment "moment" "N*m" Signed "couple of a weld on its first body, positive counter-clockwise";
+    Moment "moment" "N*m" Signed "couple of a weld on its first body, positive counter-clockwise; of a torsion spring on its body, positive as its angle grows";
     Drive "drive" "N*m" Signed "couple that drives a body so that it turns as it is said to, positive with growing angle";
     ImpulseX "impulse_x" "N*s" Signed "impulse of a pin or hinge on its first body at a blow, positive to the right";
     ImpulseY "impulse_y" "N*s" Signed "impulse of a pin or hinge on its first body at a blow, positive up";
@@ -220,7 +221,7 @@ impl Scene {
                 let pulled = matches!(c.to, Far::Pull(_));
                 let spring = matches!(c.to, Far::Spring { .. });
                 let has = match quantity {
-                    Quantity::Tension => !pulled,
+                    Quantity::Tension | Quantity::RimForce => !pulled && c.force() == quantity,
                     Quantity::CordTravel => pulled || spring,
                     _ => pulled,
                 };
@@ -298,6 +299,14 @@ impl Scene {
     /// Does an impulse set the bodies off?
     pub fn is_struck(&self) -> bool {
         self.pushes.iter().any(|p| p.blow)
+    }
+    /// Do the bodies move in a horizontal plane, in which no weight acts?
+    pub fn lies_level(&self) -> bool {
+        self.bodies.iter().any(|b| b.planar.as_ref().is_some_and(|p| p.level))
+    }
+    /// Do the forces alone set it going: no speed at the start, no blow?
+    pub fn starts_from_rest(&self) -> bool {
+        self.start.is_empty() && !self.is_struck()
     }
     /// The direction in which the leading body could drift, degrees, where it has but one smooth level guide and no force along
     /// it: from rest its mass centre then stays where it is in that direction.

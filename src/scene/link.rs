@@ -1,5 +1,5 @@
 //! Ties between bodies and with the ground: rolling, slipping and sliding contacts, cords.
-use crate::scene::Num;
+use crate::scene::{Num, Quantity};
 
 /// A tie. Each adds the rows that it needs to the assembly, and no others.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +47,27 @@ pub struct Cord {
     pub from: CordEnd,
     /// The other end.
     pub to: Far,
+    /// What it is: a cord pulls, teeth and belts drive both ways.
+    pub made: Made,
+}
+
+/// What leads from rim to rim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Made {
+    /// A cord, which pulls.
+    #[default]
+    Cord,
+    /// The teeth of two gears.
+    Teeth,
+    /// A belt that runs around two wheels and does not slip.
+    Belt,
+}
+
+impl Cord {
+    /// What is asked of its force.
+    pub fn force(&self) -> Quantity {
+        if self.made == Made::Cord { Quantity::Tension } else { Quantity::RimForce }
+    }
 }
 
 /// Where a cord leaves a body. The rate at which this end travels along the cord, away from the body, is

@@ -25,11 +25,11 @@ pub use ask::{Label, Owner, Quantities, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::{Couple, GivenForce, Growth};
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
-pub use link::{Action, Attach, Cord, CordEnd, Far, Side, Tie};
+pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
-pub use planar::{Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
+pub use planar::{Acts, Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
 pub use scales::Scales;
 
 /// Where a number of the scene comes from: a datum of the problem (by index), a constant of the bank, or a formula of data.

@@ -27,7 +27,7 @@ pub struct Numbers<'a, T> {
     /// The numbers that are worked out from data.
     derived: SmallVec<[T; 1]>,
     mass_exponent: i32,
-    /// Acceleration of free fall, m/s^2.
+    /// Acceleration of free fall, m/s^2; 0 in a horizontal plane.
     pub gravity: T,
     /// One for each body.
     pub bodies: SmallVec<[BodyNumbers<T>; 1]>,
@@ -65,6 +65,9 @@ impl<'a, T: Real> Numbers<'a, T> {
             let climb = if b.line.is_some_and(|l| l.forward_up) { sine } else { -sine };
             n.bodies.push(BodyNumbers { mass, inertia, climb, level: cosine });
         }
+        if scene.lies_level() {
+            n.gravity = T::zero();
+        }
         n
     }
 
@@ -91,6 +94,7 @@ impl<'a, T: Real> Numbers<'a, T> {
             Q::Friction
             | Q::Normal
             | Q::Tension
+            | Q::RimForce
             | Q::Heat
             | Q::WorkPull
             | Q::PowerPull

@@ -23,6 +23,8 @@ pub struct Planar {
     pub driven: Option<Num>,
     /// Place of the origin of the axis at the start, m, of a body that no joint places.
     pub origin_m: Option<[Num; 2]>,
+    /// Does its plane lie level, so that no weight acts in it?
+    pub level: bool,
     /// Of the two ways in which the joints can place it: the one on the left of what leads to it, or on the right; see
     /// [`crate::scene::pose`].
     pub side: Branch,
@@ -226,7 +228,7 @@ pub struct Push {
     pub blow: bool,
 }
 
-/// A spring between a point of a body and a fixed place or a point of another body. It pulls and pushes.
+/// A spring between a point of a body and a fixed place or a point of another body, or one that turns its body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strut {
     /// Name.
@@ -235,10 +237,36 @@ pub struct Strut {
     pub at: Spot,
     /// Its other end.
     pub to: StrutEnd,
-    /// Stiffness, N/m, > 0.
+    /// Stiffness, > 0: N/m, of a torsion spring N m/rad.
     pub stiffness_n_m: Num,
-    /// Its natural length, told directly or by its stretch at the start.
+    /// Its natural length, told directly or by its stretch at the start; of a torsion spring the angle of its body at which it is
+    /// relaxed, or by which it is wound at the start, degrees.
     pub rest: crate::scene::Rest,
+    /// Whether it pulls and pushes.
+    pub acts: Acts,
+}
+
+/// Does a spring pull and push? One that does but one of them is met on the way, and let go of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Acts {
+    /// Both.
+    #[default]
+    Both,
+    /// It pushes where it is shorter than its natural length, or turns its body forward.
+    Pushes,
+    /// It pulls where it is longer, or turns its body back.
+    Pulls,
+}
+
+impl Strut {
+    /// Is it a torsion spring?
+    pub const fn twists(&self) -> bool {
+        matches!(self.to, StrutEnd::Twist)
+    }
+    /// Units of its stiffness and of what says when it is relaxed.
+    pub const fn units(&self) -> [&'static str; 2] {
+        if self.twists() { ["N*m/rad", "1"] } else { ["N/m", "m"] }
+    }
 }
 
 /// The other end of a spring.
@@ -255,4 +283,6 @@ pub enum StrutEnd {
         /// Direction of the line, degrees counter-clockwise from the right.
         direction_deg: Num,
     },
+    /// None: a torsion spring, which holds its body back by its angle, from half a turn before to half a turn after where it is relaxed.
+    Twist,
 }

@@ -10,7 +10,8 @@ use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, trig};
 use crate::scene::{
-    Branch, Coordinate, Degree, JointKind, Num, Numbers, Place, Planar, Ray, Scene, Spot, Surface,
+    Branch, Coordinate, Degree, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
+    Surface,
 };
 use smallvec::{SmallVec, smallvec};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -151,6 +152,12 @@ pub fn foot<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<Output = X>>(
 ) -> [X; 2] {
     let way = (near[0] - through[0]) * along[0] + (near[1] - through[1]) * along[1];
     [through[0] + along[0] * way, through[1] + along[1] * way]
+}
+
+/// How far an axis has turned from a direction, in the sense in which the angle of its body counts: half a turn at most.
+pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
+    let (along, across) = (dot(from, axis), from[0] * axis[1] - from[1] * axis[0]);
+    trig::angle(across, along).signed(sense(planar))
 }
 
 /// Below this sine a line is level.
@@ -370,6 +377,20 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
         self.arc.map_or_else(|| T::of(1.0), |arc| arc.ratio)
+    }
+    /// Direction of the axis of a body at which its torsion spring is relaxed; zero of another spring.
+    pub fn relaxed(&self, strut: &Strut) -> Option<[T; 2]> {
+        let planar = self.scene.planar(strut.at.body).filter(|_| strut.twists());
+        let Some(planar) = planar else { return Some([T::zero(); 2]) };
+        Some(match strut.rest {
+            Rest::Length(angle) => axis(planar, &Half::of_degrees(self.n.get(angle))),
+            Rest::Stretch(wound) => {
+                let [c, s] = self.poses::<T>(T::zero(), true)?[strut.at.body].axis;
+                let [cosine, sine] = direction(self.n, wound);
+                let back = -sine.signed(sense(planar));
+                [c * cosine - s * back, s * cosine + c * back]
+            }
+        })
     }
     /// Rate of the leading angle at the start: a spin is that of its body, a speed that of its mass centre, positive where the
     /// leading angle grows. `None` where what has it does not move with that angle.

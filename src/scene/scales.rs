@@ -39,7 +39,7 @@ impl Scales {
             "N" => [1, 1, -2],
             "N/m" => [1, 0, -2],
             "N/s" => [1, 1, -3],
-            "N*m" | "J" => [1, 2, -2],
+            "N*m" | "N*m/rad" | "J" => [1, 2, -2],
             "N*m/s" | "W" => [1, 2, -3],
             "kg*m^2" => [1, 2, 0],
             "kg*m^2/s" => [1, 2, -1],
@@ -220,12 +220,13 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         tell(&mut push.direction_deg, "1");
     }
     for strut in &mut scene.struts {
-        tell(&mut strut.stiffness_n_m, "N/m");
+        let [stiffness, length] = strut.units();
+        tell(&mut strut.stiffness_n_m, stiffness);
         let (Rest::Length(rest) | Rest::Stretch(rest)) = &mut strut.rest;
-        tell(rest, "m");
+        tell(rest, length);
         match &mut strut.to {
             StrutEnd::Ground(place) => place.iter_mut().for_each(|x| tell(x, "m")),
-            StrutEnd::Spot(_) => {}
+            StrutEnd::Spot(_) | StrutEnd::Twist => {}
             StrutEnd::Guide { through_m, direction_deg } => {
                 through_m.iter_mut().for_each(|x| tell(x, "m"));
                 tell(direction_deg, "1");

@@ -2,7 +2,9 @@
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
 use crate::num::{gauss, shown, trig};
-use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Num, Owner, Quantity, Rest, Span, Tie};
+use crate::scene::{
+    Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Rest, Span, Tie,
+};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
@@ -224,6 +226,9 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// What is not covered.
     pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
+        if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made != Made::Cord)) {
+            return beyond(Beyond::Mesh);
+        }
         let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),

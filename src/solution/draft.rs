@@ -161,10 +161,12 @@ impl<'a> Draft<'a> {
             let shown = draft.symbols.shown(symbol);
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
-            let weighs =
-                |b: &Body| b.pin.is_some() || b.planar.is_some() || matches!(b.mass, Mass::Weight(_));
+            let level = draft.scene.lies_level();
+            let carries = |b: &Body| b.pin.is_some() || b.planar.is_some() && !level;
+            let weighs = |b: &Body| carries(b) || matches!(b.mass, Mass::Weight(_));
             let bodies = &draft.scene.bodies;
-            let falls = (draft.scene.end != End::AtOnce || draft.forces_asked())
+            let falls = !level
+                && (draft.scene.end != End::AtOnce || draft.forces_asked())
                 && !bodies.iter().all(Body::massless);
             let idle = draft.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {

@@ -1,6 +1,6 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
 use crate::num::shown;
-use crate::scene::{End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
+use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{Expr, SymbolId, ZERO, number, positive_first, ratio, root, square, sum};
@@ -226,6 +226,13 @@ impl Joined<'_, '_> {
             self.t.tell(short);
             self.t.tell(wide);
         }
+        for strut in &self.t.scene.struts {
+            match strut.acts {
+                Acts::Both => {}
+                Acts::Pushes => self.say("joined.only_pushes", &[]),
+                Acts::Pulls => self.say("joined.only_pulls", &[]),
+            }
+        }
         if !self.single() {
             let all = positive_first(self.t.works.clone());
             let work = self.t.page.find(&["W", "A_{W}"], "J", all.clone());
@@ -357,8 +364,10 @@ impl Joined<'_, '_> {
         springs.extend(self.t.units.iter().copied());
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
         if !wanted.is_empty() {
+            let twists = self.t.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.t.springs.is_empty(), self.t.units.is_empty()) {
                 (true, _) => "joined.cord_there",
+                (false, true) if twists => "joined.spring_moment",
                 (false, true) => "joined.spring_force",
                 (false, false) => "joined.spring_there",
             };

@@ -7,8 +7,8 @@ use crate::num::linear::Linear;
 use crate::num::{Jet, trig};
 use crate::scene::pose::{self, Layout};
 use crate::scene::{
-    Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Spot, Start, StrutEnd, Surface,
+    Acts, Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
+    RotaryInertia, Spot, Start, StrutEnd, Surface,
 };
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
@@ -951,7 +951,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn act(&mut self) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let still = scene.end == End::AtOnce;
-        for body in 0..self.bodies.len() {
+        let weighed = if scene.lies_level() { 0 } else { self.bodies.len() };
+        for body in 0..weighed {
             let weight = self.bodies[body].mass.times(&self.g);
             let down = [Sum::default(), Sum::one(number(-1))];
             self.pulls.push(Pull {
@@ -1032,7 +1033,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         }
         for strut in 0..scene.struts.len() {
-            self.spring(strut);
+            self.spring(strut)?;
         }
         self.works.retain(|w| *w != ZERO);
         Ok(())
@@ -1057,14 +1058,18 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.scene.value(push.force_n, data) * work.unwrap_or(f64::NAN)
     }
 
-    fn spring(&mut self, strut: usize) {
+    fn spring(&mut self, strut: usize) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let it = &scene.struts[strut];
+        if it.twists() {
+            return self.torsion(strut);
+        }
         let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
         let near = self.spot(it.at);
         let far = match it.to {
             StrutEnd::Ground(place) => self.ground(place),
             StrutEnd::Spot(spot) => self.spot(spot),
+            StrutEnd::Twist => near.clone(),
             StrutEnd::Guide { through_m, direction_deg } => {
                 let (through, unit) = (self.ground(through_m), self.direction(direction_deg));
                 plus(&through, &along(&dot(&less(&near, &through), &unit), &unit))
@@ -1094,6 +1099,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             ));
             lengths.push(length);
         }
+        for x in &mut stretch {
+            let beyond = self.value(x);
+            let idle = match it.acts {
+                Acts::Both => false,
+                Acts::Pushes => beyond >= 0.0,
+                Acts::Pulls => beyond <= 0.0,
+            };
+            if idle {
+                *x = ZERO;
+            }
+        }
         if let [first, last] = &stretch[..] {
             self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
         }
@@ -1109,6 +1125,46 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.pulls.push(pull);
         }
         self.springs.push(force);
+        Ok(())
+    }
+
+    /// A torsion spring: its work, and its moment against the angle by which it is wound.
+    fn torsion(&mut self, strut: usize) -> Result<(), DerivationStop> {
+        let scene = self.scene;
+        let it = &scene.struts[strut];
+        let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+        let Some(turn) = self.bodies[it.at.body].turn else { return beyond() };
+        let angles = self.turns[turn].at.clone();
+        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        let pi = self.draft.pi();
+        let stiffness = self.number(it.stiffness_n_m, "k_t", "N m/rad");
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = it.rest;
+        let rest = self.number(rest, r"\beta_0", "deg");
+        let instant = scene.end == End::AtOnce;
+        let mut wound: Vec<Expr> = Vec::new();
+        for which in if instant { END..=END } else { START..=END } {
+            let angle: Expr = match it.rest {
+                Rest::Length(_) => angles[which].clone() - &rest,
+                Rest::Stretch(_) if instant => rest.clone(),
+                Rest::Stretch(_) => &rest + &angles[which] - &angles[START],
+            };
+            let is = angle * pi / half;
+            wound.push(self.named_by([r"\beta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
+        }
+        if let [first, last] = &wound[..] {
+            self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
+        }
+        let name = if tag.is_empty() {
+            r"M_{\mathrm{s}}".to_owned()
+        } else {
+            tagged("M", &format!(r"\mathrm{{s}}{tag}"))
+        };
+        let moment = self.page.find(&[&name, &tagged("M", "t")], "N m", stiffness * &wound[wound.len() - 1]);
+        let back = if self.bodies[it.at.body].clockwise { 1 } else { -1 };
+        let (turn, along) = (Sum::one(Factors::one().signed(back)), [Sum::default(), Sum::default()]);
+        self.pulls.push(Pull { body: it.at.body, unknown: None, size: moment.factors(), along, turn });
+        self.springs.push(moment);
+        Ok(())
     }
 
     /// A new quantity by the first of these letters that is free with this below it.
@@ -1623,6 +1679,10 @@ impl<'d, 'a> Plane<'d, 'a> {
                 return self.of_joint(label.quantity, j).ok_or_else(none);
             }
             (Q::Drive, _) => self.driver.ok_or_else(none)?,
+            (Q::Moment, Owner::Strut(s)) => {
+                let moment = *self.springs.get(s).ok_or_else(none)?;
+                self.page.find(&["M", "M_t"], "N m", ZERO - moment)
+            }
             (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
             (Q::KineticEnergy, _) => {
                 let speeds = self.speeds();

@@ -63,6 +63,7 @@ macro_rules! beyond {
 beyond! {
     GrowingForce "growing_force";
     Mechanism "mechanism";
+    Mesh "mesh";
     Unfound "unfound";
 }
 

@@ -300,6 +300,10 @@ fn compared(
             (eom, energy) = (0.0, 0.0);
             entry.eom = Some(eom);
         }
+        if energy == 0.0 && eom != 0.0 && vanishes(eom, 8.0 * U, entry.scale) {
+            eom = 0.0;
+            entry.eom = Some(eom);
+        }
         entry.energy = Some(energy);
         if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
             entry.cond = condition::numbers::<Dd>(scene, data, course, std::slice::from_ref(entry))[0];

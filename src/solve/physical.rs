@@ -32,7 +32,7 @@ pub fn fill_drive<P: Real>(
     (regime, checks, words): (&mut Regime, &mut [Check], &mut [(Label, Word)]),
 ) {
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-    let balanced = scene.start.is_empty() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
+    let balanced = scene.starts_from_rest() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
     if balanced {
         let held =
             scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
@@ -47,8 +47,8 @@ pub fn fill_drive<P: Real>(
         check.ok &= !balanced;
         check.required = hold.f64();
         check.available = push.f64();
-        // What is thrown needs no drive.
-        check.margin = if scene.start.is_empty() { margin(push, hold) } else { 1.0 };
+        // What is thrown or struck needs no drive.
+        check.margin = if scene.starts_from_rest() { margin(push, hold) } else { 1.0 };
     }
 }
 

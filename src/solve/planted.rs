@@ -1,9 +1,10 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, GivenForce,
-    Growth, Joint, JointKind, Line, Mass, Num, Particle, Pin, PinSpring, Place, Planar, Push, Ray, Rest,
-    RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie, Zero,
+    Acts, Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
+    GivenForce, Growth, Joint, JointKind, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place, Planar,
+    Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie,
+    Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -31,7 +32,7 @@ fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
 }
 
 fn cord(from: (usize, Option<f64>, bool), to: Far) -> Tie {
-    Tie::Cord(Cord { name: "cord".to_owned(), from: cord_end(from), to })
+    Tie::Cord(Cord { name: "cord".to_owned(), from: cord_end(from), to, made: Made::Cord })
 }
 
 fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
@@ -97,6 +98,7 @@ fn rod(name: &str, start: Option<f64>) -> Body {
         clockwise: false,
         start_deg: start.map(f),
         driven: None,
+        level: false,
         origin_m: None,
         side: Branch::Ahead,
     });
@@ -141,6 +143,7 @@ fn guided(mu_k: Option<f64>, end: f64) -> Scene {
         to: StrutEnd::Ground([f(1.4), f(0.3)]),
         stiffness_n_m: f(20.0),
         rest: Rest::Length(f(0.4)),
+        acts: Acts::Both,
     });
     scene.couples.push(Couple { body: 0, moment_n_m: f(1.5), forward: false });
     scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(end));
@@ -173,8 +176,17 @@ fn linkage(slider: bool) -> Scene {
             to: StrutEnd::Spot(spot(2, 2)),
             stiffness_n_m: f(15.0),
             rest: Rest::Stretch(f(0.2)),
+            acts: Acts::Pulls,
         });
     }
+    scene.struts.push(Strut {
+        name: "torsion".to_owned(),
+        at: spot(1, 0),
+        to: StrutEnd::Twist,
+        stiffness_n_m: f(2.0),
+        rest: Rest::Length(f(20.0)),
+        acts: Acts::Both,
+    });
     scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(45.0));
     scene
 }

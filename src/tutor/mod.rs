@@ -472,6 +472,7 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::FrictionIfRolled | Q::MuRequired | Q::KBound => "rolling",
         Q::T => "time",
         Q::Tension => "tension",
+        Q::RimForce => "pin",
         Q::CordTravel | Q::Displacement | Q::Distance | Q::Phi | Q::Rise | Q::DTurn => "way",
         Q::SlipDistance | Q::SlipSpeed => "slip",
         Q::Heat | Q::WorkPull | Q::PowerPull | Q::WorkCouple | Q::PowerCouple | Q::Work => "work",

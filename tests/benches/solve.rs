@@ -33,6 +33,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
                 name: "cord".into(),
                 from: CordEnd { body: 0, attach: Attach::Wound(d(1), Side::Top), forward: true },
                 to: Far::Pull(d(6)),
+                made: Made::Cord,
             }),
         ],
         couples: vec![],

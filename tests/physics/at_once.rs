@@ -282,13 +282,23 @@ fn composed(dice: &mut Dice) -> Scene {
     for b in 1..count {
         if !dice.one_in(4) {
             let (from, to) = (end(b - 1, &bodies, dice), end(b, &bodies, dice));
-            ties.push(Tie::Cord(Cord { name: format!("c{b}"), from, to: Far::Body(to) }));
+            ties.push(Tie::Cord(Cord {
+                name: format!("c{b}"),
+                from,
+                to: Far::Body(to),
+                made: slipstick::scene::Made::Cord,
+            }));
         }
     }
     if dice.one_in(3) {
         let b = dice.pick(count as u64) as usize;
         let from = end(b, &bodies, dice);
-        ties.push(Tie::Cord(Cord { name: "held".to_owned(), from, to: Far::Fixed }));
+        ties.push(Tie::Cord(Cord {
+            name: "held".to_owned(),
+            from,
+            to: Far::Fixed,
+            made: slipstick::scene::Made::Cord,
+        }));
     }
     let (couples, growths, start) = (Vec::new(), Vec::new(), Vec::new());
     Scene {

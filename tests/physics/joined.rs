@@ -569,6 +569,183 @@ end: at once
     assert!(solved(ladder).1.checks.iter().any(|c| !c.ok));
 }
 
+/// What is struck at rest needs no force to set it going: draws hold although nothing, or less than the weight, drives it.
+#[test]
+fn what_is_struck_needs_no_drive() {
+    let text = "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data:
+      m: {name: m, unit: kg, draw: 4 to 6 step 0.5}
+      L: {name: L, unit: m, draw: 1.0 to 1.4 step 0.1}
+      J: {name: J, unit: N*s, draw: 20 to 24 step 1}
+      a: {name: a, unit: deg, draw: 0 to 10 step 1}
+    scene:
+      bodies: {rod: {mass: m, shape: {rod: L}, moves: in the plane, angle: from hanging}}
+      joints: {O: {pins: rod.A}}
+      forces: [impulse: {on: rod.B, magnitude: J, from the axis: 90 deg}]
+      start: {rod: {angle: a}}
+      end: {angle: {of: rod, reaches: 60 deg}}
+    questions: {omega: {ask: w, unit: rad/s}}
+    statement: 'm {{ m }}, L {{ L }}, J {{ J }}, a {{ a }}, {{ g }}'
+";
+    let bank = load::scenes_only(text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+    let maker = Maker::new(&bank.problems[0], 1, "struck");
+    for student in 0..10 {
+        let variant = maker.variant(&student.to_string()).unwrap_or_else(|e| panic!("{e}"));
+        let [m, l, j, a] = variant.data[..4] else { panic!("{:?}", variant.data) };
+        // m L^2/3 w = J L, then (m L^2/3) w^2/2 changes by the weight.
+        let start = 3.0 * j / (m * l);
+        let risen = l / 2.0 * (f64::to_radians(a).cos() - 0.5);
+        let square = start * start - 6.0 * 9.81 * risen / (l * l);
+        near(value(&bank.problems[0].cases[0].scene, &variant.solved, "omega"), square.sqrt(), 1e-12);
+    }
+}
+
+/// A bar in two slots meets a spring on its way (as in Meriam & Kraige, sample problem 6/10): speed and time against a balance by hand and
+/// its quadrature over the two parts of the way; then a ladder with friction, which meets one too. Numbers by
+/// Python: five points of Gauss in each of 300 steps, and a Runge-Kutta of dw/dq = 2 a(q, w) written out for this ladder.
+#[test]
+fn a_spring_that_only_pushes_is_met_on_the_way() {
+    let bar = "
+bodies: {bar: {mass: 18 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from vertical, points: {A: 0 m, B: midway}}}
+joints: {floor: {guides: bar.A, along: horizontal}, slot: {guides: bar.B, along: vertical}}
+forces: [spring: {on: bar.B, to: [0 m, -0.6 m], stiffness: 5000 N/m, natural length: 0.75 m, only: pushes}]
+start: {bar: {angle: 30 deg}}
+end: {angle: {of: bar, reaches: 85 deg}}
+";
+    // Half the length is 0.6 m: B is as high above the floor as 0.6 cos, the spring is 0.15 m above it.
+    let speed = |degrees: f64| {
+        let (s, c) = f64::to_radians(degrees).sin_cos();
+        let work = 18.0 * 9.81 * 0.6 * (f64::to_radians(30.0).cos() - c)
+            - 2500.0 * f64::max(0.0, 0.15 - 0.6 * c).powi(2);
+        (2.0 * work / (18.0 * (0.12 + 0.36 * s * s))).sqrt()
+    };
+    let found = told(bar, &["omega", "spring.spring_force", "t"]);
+    let pressed = 5000.0 * (0.6 * f64::to_radians(85.0).cos() - 0.15);
+    all_near(&found[..2], &[speed(85.0), pressed], 1e-13);
+    near(found[2], 0.404_490_581_08, 1e-10);
+    let before = bar.replace("85 deg", "70 deg");
+    all_near(&told(&before, &["omega", "spring.spring_force"]), &[speed(70.0), 0.0], 1e-13);
+    let ladder = "
+bodies: {rod: {mass: 6 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from horizontal}}
+joints: {floor: {guides: rod.A, along: horizontal, mu_k: 0.1}, wall: {guides: rod.B, along: vertical}}
+forces: [spring: {on: rod.A, to: [-1.5 m, 0 m], stiffness: 400 N/m, natural length: 0.5 m, only: pushes}]
+start: {rod: {angle: 60 deg}}
+end: {angle: {of: rod, reaches: 20 deg}}
+";
+    near(told(ladder, &["omega"])[0], 3.062_810_760_657, 1e-12);
+    // A strap pulls only: slack at first, it stops a rod that falls from upright.
+    let strap = "
+bodies: {rod: {mass: 4 kg, shape: {rod: 1 m}, moves: in the plane, angle: from upright}}
+joints: {O: {pins: rod.A}}
+forces: [spring: {on: rod.B, to: [0 m, 1 m], stiffness: 120 N/m, natural length: 1 m, only: pulls}]
+start: {rod: {angle: 10 deg}}
+end: {angle: {of: rod, reaches: 100 deg}}
+";
+    let (fallen, stretch) = (
+        0.5 * (f64::to_radians(10.0).cos() - f64::to_radians(100.0).cos()),
+        2.0 * f64::to_radians(50.0).sin() - 1.0,
+    );
+    let square = 2.0 * (4.0 * 9.81 * fallen - 60.0 * stretch * stretch) / (4.0 / 3.0);
+    all_near(&told(strap, &["omega", "spring.spring_force"]), &[square.sqrt(), 120.0 * stretch], 1e-13);
+    // Where it is met, nothing oscillates evenly.
+    let still = bar.replace("end: {angle: {of: bar, reaches: 85 deg}}", "end: equilibrium");
+    let text = format!(
+        "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {{}}\n    scene:\n{}    questions: {{q: {{quantity: phi, ask: none}}}}\n",
+        still.trim_matches('\n').lines().map(|line| format!("      {line}\n")).collect::<String>()
+    );
+    let refused =
+        load::scenes_only(&text, "t.yaml").expect_err("an equilibrium on a spring that only pushes");
+    assert!(refused.iter().any(|f| f.to_string().contains("`spring` only pushes or pulls")), "{refused:?}");
+}
+
+/// In a horizontal plane no weight acts: a pinned rod under a couple, and one that is given by its weight, on a spring.
+#[test]
+fn nothing_falls_in_a_horizontal_plane() {
+    let rod = "
+bodies: {rod: {mass: 4 kg, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right}}
+joints: {O: {pins: rod.A}}
+forces: [couple: {on: rod, moment: 6 N*m}]
+start: {rod: {angle: 0 deg}}
+end: {angle: {of: rod, reaches: 90 deg}}
+";
+    // I = 4/3: alpha = 4.5, omega^2 = 9 (pi/2), and the pin draws the mass centre inward and forward.
+    let square = 4.5 * std::f64::consts::PI;
+    let found = told(rod, &["omega", "alpha", "O.pin_x", "O.pin_y", "t"]);
+    all_near(
+        &found,
+        &[square.sqrt(), 4.5, -4.0 * 0.5 * 4.5, -4.0 * 0.5 * square, square.sqrt() / 4.5],
+        1e-13,
+    );
+    let sprung = "
+bodies: {rod: {weight: 39.24 N, shape: {rod: 1 m}, moves: in a horizontal plane, angle: from right}}
+joints: {O: {pins: rod.A}}
+forces: [spring: {on: rod.B, to: [0 m, 1 m], stiffness: 30 N/m, natural length: 0 m}]
+start: {rod: {angle: 0 deg}}
+end: {angle: {of: rod, reaches: 90 deg}}
+";
+    all_near(&told(sprung, &["omega"]), &[(30.0 * 2.0 / (4.0 / 3.0) as f64).sqrt()], 1e-12);
+    let mixed = rod.replace("bodies: {rod:", "bodies: {b: {mass: 1 kg, moves: in the plane}, rod:");
+    let text = format!(
+        "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {{}}\n    scene:\n{}    questions: {{q: {{quantity: kinetic_energy, ask: none}}}}\n",
+        mixed.trim_matches('\n').lines().map(|line| format!("      {line}\n")).collect::<String>()
+    );
+    let refused = load::scenes_only(&text, "t.yaml").expect_err("two planes");
+    assert!(
+        refused.iter().any(|f| f.to_string().contains("some bodies move in a horizontal plane")),
+        "{refused:?}"
+    );
+}
+
+/// A rod on a torsion spring: speed, moment, small oscillations, and the angle after a time, by a Runge-Kutta in Python of
+/// I phi'' = -m g (L/2) sin phi - k (phi - 40 deg), 4000 steps.
+#[test]
+fn a_torsion_spring_holds_a_rod() {
+    let rod = "
+bodies: {rod: {mass: 15 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right clockwise}}
+joints: {O: {pins: rod.A}}
+forces: [torsion: {on: rod.A, stiffness: 80 N*m/rad, relaxed at: 0 deg}]
+start: {rod: {angle: 0 deg, spin: 2 rad/s}}
+end: {angle: {of: rod, reaches: 60 deg}}
+";
+    let turned = f64::to_radians(60.0);
+    let square = 4.0 + 2.0 * (15.0 * 9.81 * 0.5 * turned.sin() - 40.0 * turned * turned) / 5.0;
+    all_near(&told(rod, &["omega", "spring.moment"]), &[square.sqrt(), -80.0 * turned], 1e-13);
+    let wound = "
+bodies: {rod: {mass: 15 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}}
+joints: {O: {pins: rod.A}}
+forces: [torsion: {on: rod.A, stiffness: 80 N*m/rad, wound: -30 deg}]
+start: {rod: {angle: 10 deg}}
+end: {time: {of: rod, is: 0.2 s}}
+";
+    all_near(&told(wound, &["omega", "spring.moment"]), &[0.942_448_681_531, 33.479_517_473_48], 1e-11);
+    let mut q = 0.5;
+    for _ in 0..100 {
+        q = 15.0 * 9.81 * 0.5 / 80.0 * f64::cos(q);
+    }
+    let period = 2.0 * std::f64::consts::PI * (5.0 / (80.0 + 15.0 * 9.81 * 0.5 * q.sin())).sqrt();
+    let still =
+        rod.replace(", spin: 2 rad/s", "").replace("{angle: {of: rod, reaches: 60 deg}}", "equilibrium");
+    all_near(&told(&still, &["phi", "period_small"]), &[q, period], 1e-12);
+    // At an instant, and on a body that does not lead.
+    let crank = "
+bodies:
+  crank: {mass: 1e-9 kg, shape: {rod: 0.3 m}, moves: in the plane, angle: from right}
+  bar: {mass: 3 kg, shape: {rod: 0.8 m}, moves: in the plane, angle: from hanging}
+joints: {O: {pins: crank.A}, A: {hinges: [crank.B, bar.A]}}
+forces: [torsion: {on: bar.A, stiffness: 10 N*m/rad, relaxed at: 90 deg}]
+start: {crank: {angle: -90 deg}, bar: {angle: 0 deg}}
+end: at once
+";
+    // The crank hangs: its end can only move sidewise, without a force. A couple M about the mass centre of a free bar.
+    let moment = 5.0 * std::f64::consts::PI;
+    all_near(&told(crank, &["spring.moment", "bar.alpha"]), &[moment, moment / (3.0 * 0.64 / 12.0)], 1e-6);
+}
+
 /// Small oscillations: a disc in a bowl, a rod in two slots (a pendulum of 2L/3), a bar on two springs, a wheel off its centre, two
 /// rods welded at right angles; and a block on a cylinder, which has no equilibrium to return to.
 #[test]

@@ -68,8 +68,10 @@ pub enum Load {
     Force(Spot, f64, f64, bool),
     /// Body, moment counter-clockwise.
     Couple(usize, f64),
-    /// Point, fixed place or other point, stiffness, natural length.
-    Spring(Spot, Far, f64, f64),
+    /// Point, fixed place or other point, stiffness, natural length; 1 if it only pulls, -1 if it only pushes, else 0.
+    Spring(Spot, Far, f64, f64, f64),
+    /// Body, stiffness, direction of its axis at which it is relaxed.
+    Torsion(usize, f64, f64),
     /// Point, impulse, direction.
     Blow(Spot, f64, f64),
 }
@@ -649,6 +651,13 @@ fn loads(m: &mut Machine, l: &mut Lot) {
                 m.force_text.push(format!("force: {{on: {on}, magnitude: {f}, {word}: {d}}}"));
                 m.loads.push(Load::Force(spot, force, radians(direction), turns));
             }
+            1 if m.bodies[body].turns && l.in_100(30) => {
+                let (stiffness, relaxed) = (grid(l, 1.0, 60.0, 0), grid(l, -180.0, 180.0, 0));
+                let (kt, angle) = (m.number(l, stiffness, 0, "N*m/rad"), m.number(l, relaxed, 0, "deg"));
+                m.force_text.push(format!("torsion: {{on: {on}, stiffness: {kt}, relaxed at: {angle}}}"));
+                let Body { from, sense, .. } = m.bodies[body];
+                m.loads.push(Load::Torsion(body, stiffness, radians(from + sense * relaxed)));
+            }
             1 if m.bodies[body].turns => {
                 let moment = grid(l, 1.0, 40.0, 0);
                 let forward = l.in_100(50);
@@ -677,9 +686,12 @@ fn loads(m: &mut Machine, l: &mut Lot) {
                 }
                 let (stiffness, natural) = (grid(l, 5.0, 300.0, 0), grid(l, 0.05, 1.5, 2));
                 let (ks, l0) = (m.number(l, stiffness, 0, "N/m"), m.number(l, natural, 2, "m"));
-                m.force_text
-                    .push(format!("spring: {{on: {on}, to: {to}, stiffness: {ks}, natural length: {l0}}}"));
-                m.loads.push(Load::Spring(spot, far, stiffness, natural));
+                let (acts, only) =
+                    l.of(&[(0.0, ""), (0.0, ""), (1.0, ", only: pulls"), (-1.0, ", only: pushes")]);
+                m.force_text.push(format!(
+                    "spring: {{on: {on}, to: {to}, stiffness: {ks}, natural length: {l0}{only}}}"
+                ));
+                m.loads.push(Load::Spring(spot, far, stiffness, natural, acts));
             }
             _ => {}
         }

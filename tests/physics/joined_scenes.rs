@@ -122,14 +122,21 @@ impl<'m> Judge<'m> {
     }
     /// Tension of a spring, and the unit vector from its near to its far end.
     fn spring(&self, q: &[f64], load: &Load) -> Option<(f64, V2)> {
-        let Load::Spring(at, far, stiffness, natural) = *load else { return None };
+        let Load::Spring(at, far, stiffness, natural, acts) = *load else { return None };
         let far = match far {
             Far::Place(p) => p,
             Far::Spot(s) => self.place(q, s),
         };
         let apart = plus(far, -1.0, self.place(q, at));
         let l = length(apart);
-        Some((stiffness * (l - natural), apart.map(|x| x / l)))
+        let stretch = if acts * (l - natural) < 0.0 { 0.0 } else { l - natural };
+        Some((stiffness * stretch, apart.map(|x| x / l)))
+    }
+    /// Moment of a torsion spring on its body, counter-clockwise.
+    fn torsion(&self, q: &[f64], load: &Load) -> Option<f64> {
+        let Load::Torsion(b, stiffness, relaxed) = *load else { return None };
+        let turned = q[3 * b + 2] - relaxed;
+        Some(-stiffness * libm::atan2(libm::sin(turned), libm::cos(turned)))
     }
     fn forces(&self, q: &[f64]) -> Vec<f64> {
         let mut all = vec![0.0; self.n];
@@ -149,7 +156,7 @@ impl<'m> Judge<'m> {
                     let angle = direction + if turns { q[3 * at.0 + 2] } else { 0.0 };
                     push(at, unit(angle).map(|x| x * force));
                 }
-                Load::Couple(..) | Load::Blow(..) => {}
+                Load::Couple(..) | Load::Torsion(..) | Load::Blow(..) => {}
                 Load::Spring(at, far, ..) => {
                     let (tension, e) = self.spring(q, load).expect("a spring");
                     push(at, e.map(|x| x * tension));
@@ -160,8 +167,10 @@ impl<'m> Judge<'m> {
             }
         }
         for load in &self.m.loads {
-            if let Load::Couple(b, moment) = load {
-                all[3 * b + 2] += moment;
+            match *load {
+                Load::Couple(b, moment) => all[3 * b + 2] += moment,
+                Load::Torsion(b, ..) => all[3 * b + 2] += self.torsion(q, load).unwrap_or(0.0),
+                _ => {}
             }
         }
         all
@@ -825,9 +834,12 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
                 }
                 _ => (forces[first[j] + 1], pulls),
             },
-            ("spring_force", Owner::Strut(s)) => {
-                let spring = m.loads.iter().filter_map(|load| judge.spring(q, load)).nth(s);
-                (spring.ok_or("no such spring")?.0, pulls)
+            ("spring_force" | "moment", Owner::Strut(s)) => {
+                let mut springs = m.loads.iter().filter_map(|load| match *load {
+                    Load::Torsion(b, ..) => Some(judge.torsion(q, load)? * m.bodies[b].sense),
+                    _ => Some(judge.spring(q, load)?.0),
+                });
+                (springs.nth(s).ok_or("no such spring")?, pulls)
             }
             _ => {
                 faults.push(format!(

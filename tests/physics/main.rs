@@ -25,6 +25,7 @@ mod joined_scenes;
 mod ladder;
 mod lagrange;
 mod limits;
+mod meshes;
 mod pinned_bits;
 mod pinned_draws;
 mod published;

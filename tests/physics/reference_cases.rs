@@ -34,6 +34,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
             name: "cord".into(),
             from: CordEnd { body: 0, attach: Attach::Wound(Num::Datum(radius), Side::Top), forward: true },
             to,
+            made: Made::Cord,
         })
     };
     let base = Scene {

@@ -100,6 +100,7 @@ fn swinging(scene: &str) -> String {
         ("y_A", "m"),
         ("ks", "N/m"),
         ("l0", "m"),
+        ("kt", "N*m/rad"),
         ("phi0", "deg"),
         ("w0", "rad/s"),
         ("phi1", "deg"),

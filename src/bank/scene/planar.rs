@@ -4,13 +4,13 @@ use crate::bank::node::{Fields, Node, Value, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::told;
 use crate::scene::{
-    Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot, Strut,
-    StrutEnd, Surface,
+    Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot,
+    Strut, StrutEnd, Surface,
 };
 use crate::units::spell;
 
-/// How a body in the plane is written.
-pub const IN_THE_PLANE: &str = "in the plane";
+/// How a body in the plane is written, and one in a plane that lies level.
+pub const PLANES: [&str; 2] = ["in the plane", "in a horizontal plane"];
 
 /// Where the axis of a body begins.
 const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
@@ -27,7 +27,7 @@ const JOINTS: [(&str, &str); 7] = [
 ];
 
 /// From where angles count, and whether clockwise.
-const ANGLES: [(&str, (Ray, bool)); 14] = [
+const ANGLES: [(&str, (Ray, bool)); 18] = [
     ("from horizontal", (Ray::Right, false)),
     ("from vertical", (Ray::Up, true)),
     ("from upright", (Ray::Up, true)),
@@ -42,11 +42,15 @@ const ANGLES: [(&str, (Ray, bool)); 14] = [
     ("from down clockwise", (Ray::Down, true)),
     ("from down counter-clockwise", (Ray::Down, false)),
     ("from horizontal clockwise", (Ray::Right, true)),
+    ("from vertical clockwise", (Ray::Up, true)),
+    ("from vertical counter-clockwise", (Ray::Up, false)),
+    ("from hanging clockwise", (Ray::Down, true)),
+    ("from hanging counter-clockwise", (Ray::Down, false)),
 ];
 
 impl SceneReader<'_> {
     /// How a body lies in the plane; the start gives its angle.
-    pub(super) fn planar(&self, fields: &mut Fields, body: &Body) -> Planar {
+    pub(super) fn planar(&self, fields: &mut Fields, body: &Body, level: bool) -> Planar {
         let f = self.faults;
         let rod = match body.inertia {
             Some(RotaryInertia::Shape(Shape::Rod, length)) => Some(length),
@@ -84,7 +88,7 @@ impl SceneReader<'_> {
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
         let side = side.unwrap_or_default();
-        Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, side }
+        Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, level, side }
     }
 
     /// A distance along the axis of a body: a length, or a place of a rod in words.
@@ -322,6 +326,39 @@ impl SceneReader<'_> {
         Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, blow })
     }
 
+    /// A torsion spring between a body and what does not move.
+    pub(super) fn torsion(&self, node: &Node, bodies: &[Body], count: usize) -> Option<Strut> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a torsion spring (on, stiffness, relaxed at)", f)?;
+        let at = fields.need("on", "rod.A").and_then(|n| self.spot(n, bodies));
+        let stiffness = self.need_number(&mut fields, "stiffness", "kt", Need::TORSION);
+        let rest = match (fields.get("relaxed at"), fields.get("wound")) {
+            (Some(n), None) => self.number(n, Need::ANGLE).map(Rest::Length),
+            (None, Some(n)) => self.number(n, Need::ANGLE).map(Rest::Stretch),
+            _ => {
+                let hint = "write `relaxed at: 0 deg`, the angle of its body, or `wound: 30 deg`, how far it is wound at the start";
+                f.hint(node, "a torsion spring is relaxed at an angle, or wound by one at the start", hint);
+                None
+            }
+        };
+        let name =
+            fields.get("name").and_then(Node::text).map_or_else(|| default("spring", count), str::to_owned);
+        fields.close();
+        let (to, acts) = (StrutEnd::Twist, Acts::Both);
+        let at = at.filter(|spot| {
+            let turns = bodies[spot.body].turns;
+            if !turns {
+                f.hint(
+                    node,
+                    told!("`{}` does not turn", bodies[spot.body].name),
+                    "give it a shape or another inertia",
+                );
+            }
+            turns
+        });
+        Some(Strut { name, at: at?, to, stiffness_n_m: stiffness?, rest: rest?, acts })
+    }
+
     /// A spring at a point of a body in the plane.
     pub(super) fn strut(&self, node: &Node, bodies: &[Body], count: usize) -> Option<Strut> {
         let f = self.faults;
@@ -342,10 +379,13 @@ impl SceneReader<'_> {
         });
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
         let rest = self.natural(node, &mut fields);
+        let words = [("pushes", Acts::Pushes), ("pulls", Acts::Pulls)];
+        let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
+        let acts = acts.unwrap_or_default();
         let name =
             fields.get("name").and_then(Node::text).map_or_else(|| default("spring", count), str::to_owned);
         fields.close();
-        Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest? })
+        Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
 
     /// Natural length of a spring, or its stretch at the start.

@@ -14,7 +14,7 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Pose};
 use crate::scene::{
-    End, Joint, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, StrutEnd,
+    Acts, End, Joint, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
 };
 use crate::solve::outcome::{self, Course, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
@@ -42,8 +42,12 @@ struct Account<'a, T: Real> {
     layout: Layout<'a, T>,
     /// Distance of the mass centre of each body along its axis, and its radius of gyration.
     centres: SmallVec<[(T, T); 2]>,
-    /// Natural length of each spring.
+    /// Natural length of each spring; 0 of a torsion spring.
     natural: SmallVec<[T; 2]>,
+    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
+    relaxed: SmallVec<[Vector<T>; 2]>,
+    /// Ways after which springs are met or let go of.
+    meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
     sense: f64,
     /// For each joint: sense in which its point slides where it rubs, else 0.
@@ -91,6 +95,10 @@ struct Balance<T> {
     size: f64,
 }
 
+/// The lesser of two.
+fn least<T: Real>(one: T, other: &T) -> T {
+    if other.below(one) { *other } else { one }
+}
 fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
@@ -158,6 +166,7 @@ impl<T: Real> Account<'_, T> {
             return Ok(road);
         }
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
+        self.meets = ball::unwatched(|| self.springs_met());
         if matches!(scene.end, End::Angle(..)) {
             self.settle(spin, drive, (asked, &mut road))?;
         } else {
@@ -183,6 +192,8 @@ impl<'a, T: Real> Account<'a, T> {
             layout: Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?,
             centres: centres.collect(),
             natural: SmallVec::new(),
+            relaxed: SmallVec::new(),
+            meets: SmallVec::new(),
             sense: 1.0,
             slides: scene.joints.iter().map(|_| 0.0).collect(),
             rubs: scene.joints.iter().map(|_| 0.0).collect(),
@@ -192,10 +203,12 @@ impl<'a, T: Real> Account<'a, T> {
             looked: Cell::new(0),
         };
         let poses = account.placed()?;
-        for strut in &scene.struts {
+        for (s, strut) in scene.struts.iter().enumerate() {
+            account.relaxed.push(account.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
             account.natural.push(match strut.rest {
+                _ if strut.twists() => T::zero(),
                 Rest::Length(l) => n.get(l),
-                Rest::Stretch(x) => account.length(&poses, strut.at, &strut.to).value - n.get(x),
+                Rest::Stretch(x) => account.length(&poses, s).value - n.get(x),
             });
         }
         Ok(account)
@@ -209,6 +222,18 @@ impl<'a, T: Real> Account<'a, T> {
     fn placed(&self) -> Result<Poses<T>, Refusal> {
         self.layout.poses(T::zero(), true).ok_or(Refusal::Freedoms(2))
     }
+    /// Ways after which springs that only push or pull are met or let go of, one after the other.
+    fn springs_met(&self) -> SmallVec<[T; 4]> {
+        let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
+        let all = (0..self.scene.struts.len()).filter(one_sided).flat_map(|s| {
+            let value = |way: T| Ok::<_, Refusal>(self.length(&self.poses(way)?, s).value - self.natural[s]);
+            root::changes((horizon, T::of(STEP)), &value).unwrap_or_default()
+        });
+        let mut all: SmallVec<[T; 4]> = all.collect();
+        all.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
+        all
+    }
     fn point(&self, poses: &Poses<T>, spot: Spot) -> pose::Point<T> {
         poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
@@ -221,9 +246,19 @@ impl<'a, T: Real> Account<'a, T> {
         let apart = plant!("energy: equimomental particles", gyration);
         [centre + apart, centre - apart].map(|along| poses[body].point([along, T::zero()]))
     }
-    fn length(&self, poses: &Poses<T>, at: Spot, to: &StrutEnd) -> Jet<T> {
-        let near = self.point(poses, at);
+    /// Length of a spring; of a torsion spring the angle of its body from where that is relaxed.
+    fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
+        let Strut { at, to, .. } = &self.scene.struts[s];
+        let near = self.point(poses, *at);
         let far = match to {
+            StrutEnd::Twist => {
+                let (Pose { axis, .. }, sense) = (&poses[at.body], self.counts(at.body));
+                let planar = self.scene.planar(at.body);
+                let turned = |p| pose::turned_from(p, axis.map(|x| x.value), self.relaxed[s]);
+                let (first, second) = poses[at.body].turn();
+                let value = planar.map_or_else(T::zero, turned);
+                return Jet { value, first: first.signed(sense), second: second.signed(sense) };
+            }
             StrutEnd::Ground(place) => pose::ground(self.n, *place).map(Jet::fixed),
             StrutEnd::Spot(spot) => self.point(poses, *spot),
             StrutEnd::Guide { through_m, direction_deg } => {
@@ -234,6 +269,15 @@ impl<'a, T: Real> Account<'a, T> {
         };
         let (x, y) = (far[0] - near[0], far[1] - near[1]);
         (x * x + y * y).root()
+    }
+
+    /// Does a spring of this length press, or pull, where it can do but one of them?
+    fn bears(&self, s: usize, length: T) -> bool {
+        match self.scene.struts[s].acts {
+            Acts::Both => true,
+            Acts::Pushes => length.below(self.natural[s]),
+            Acts::Pulls => self.natural[s].below(length),
+        }
     }
 
     /// The motion of unit rate of the leading angle.
@@ -500,9 +544,19 @@ impl<'a, T: Real> Account<'a, T> {
             let turn = motion[c.body][2].signed(self.counts(c.body));
             powers.push(moment * if c.forward { turn } else { -turn });
         }
-        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
+            if strut.acts != Acts::Both && !self.bears(s, self.length(poses, s).value) {
+                continue;
+            }
             let near = self.point(poses, strut.at).map(|x| x.value);
             let (far, moves) = match strut.to {
+                StrutEnd::Twist => {
+                    let turn = motion[strut.at.body][2].signed(self.counts(strut.at.body));
+                    let stiffness =
+                        plant!("energy: power of a torsion spring", self.n.massive(strut.stiffness_n_m));
+                    powers.push(-(stiffness * self.length(poses, s).value * turn));
+                    continue;
+                }
                 StrutEnd::Ground(place) => (pose::ground(self.n, place), [T::zero(); 2]),
                 StrutEnd::Spot(spot) => {
                     (self.point(poses, spot).map(|x| x.value), self.of_spot(poses, motion, spot))
@@ -573,9 +627,10 @@ impl<'a, T: Real> Account<'a, T> {
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
             add(moment * if c.forward { turned } else { -turned });
         }
-        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
-            let (a, b) =
-                (self.length(from, strut.at, &strut.to).value, self.length(to, strut.at, &strut.to).value);
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
+            // Where it does not act, it is as if it had its natural length.
+            let [a, b] = [from, to].map(|poses| self.length(poses, s).value);
+            let [a, b] = [a, b].map(|length| if self.bears(s, length) { length } else { *natural });
             // (x0 - x1)(x0 + x1) of the stretches.
             let stored = (a - b) * ((a - *natural) + (b - *natural));
             let stiffness =
@@ -607,7 +662,7 @@ impl<'a, T: Real> Account<'a, T> {
         let mut solved = self.solved.borrow_mut();
         while solved.last().is_none_or(|s| s.ends.1.below(way)) {
             let (at, square) = solved.last().map_or((T::zero(), from), |s| (s.ends.1, s.squares.1));
-            let mut next = at + T::of(8.0 * STEP);
+            let mut next = self.meets.iter().filter(|x| at.below(**x)).fold(at + T::of(8.0 * STEP), least);
             let stretch = (0..=gauss::halvings()).find_map(|_| {
                 let stretch = self.collocate((at, next), square).transpose();
                 next = (at + next).scale2(-1);
@@ -729,17 +784,7 @@ impl<'a, T: Real> Account<'a, T> {
                 let next = if next.below(far) { next } else { far };
                 let now = value(next)?;
                 if now.sign() == 0.0 || (now.sign() > 0.0) == rising {
-                    let mut last: Option<(T, T)> = None;
-                    let found = root::between(before, next, rising, |x| {
-                        let now = value(x)?;
-                        let slope = match last {
-                            Some((at, before)) if !(x - at).is_zero() => (now - before) / (x - at),
-                            _ => T::zero(),
-                        };
-                        last = Some((x, now));
-                        Ok::<_, Refusal>((now, slope))
-                    })?;
-                    return Ok(Some(found));
+                    return Ok(Some(root::between_values(before, next, rising, value)?));
                 }
                 before = next;
             }
@@ -801,7 +846,13 @@ impl<'a, T: Real> Account<'a, T> {
             let square = if rest && square.sign() <= 0.0 { (way * other.square()).square() } else { square };
             Ok::<_, Refusal>(middle * sine / square.scale2(1).root())
         };
-        let time = gauss::long_integral(slowness, T::zero(), T::constant(Dd::PI))?;
+        let (mut time, mut angle) = (T::zero(), T::zero());
+        for met in self.meets.iter().filter(|x| x.below(way)).map(|x| *x / way) {
+            let next = trig::angle(met.root(), (T::of(1.0) - met).root()).scale2(1);
+            time = time + gauss::long_integral(slowness, angle, next)?;
+            angle = next;
+        }
+        let time = time + gauss::long_integral(slowness, angle, T::constant(Dd::PI))?;
         Ok(plant!("energy: time of joined bodies", time))
     }
 
@@ -1100,8 +1151,8 @@ impl<'a, T: Real> Account<'a, T> {
             let bend = poses[c.body].turn().1.signed(self.counts(c.body));
             sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
         }
-        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
-            let long = self.length(poses, strut.at, &strut.to);
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
+            let long = self.length(poses, s);
             let bend = long.first.square() + (long.value - *natural) * long.second;
             sum = sum
                 - plant!("energy: spring on the bend of a way", self.n.massive(strut.stiffness_n_m)) * bend;
@@ -1246,9 +1297,14 @@ impl<'a, T: Real> Account<'a, T> {
             }
         }
         for (s, (strut, natural)) in scene.struts.iter().zip(&self.natural).enumerate() {
-            let length = self.length(poses, strut.at, &strut.to).value;
-            let force = self.n.massive(strut.stiffness_n_m) * length.balance(-*natural);
-            self.say(road, Quantity::SpringForce, Owner::Strut(s), force);
+            let length = self.length(poses, s).value;
+            let stretch = if self.bears(s, length) { length.balance(-*natural) } else { T::zero() };
+            let force = self.n.massive(strut.stiffness_n_m) * stretch;
+            if strut.twists() {
+                self.say(road, Quantity::Moment, Owner::Strut(s), -force);
+            } else {
+                self.say(road, Quantity::SpringForce, Owner::Strut(s), force);
+            }
         }
     }
 }

@@ -19,7 +19,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Numbers, Owner, Quantity,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Made, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, Tie,
 };
 use crate::solve::energy::account::{Account, Store};
@@ -723,13 +723,14 @@ impl<'a, T: Real> Ledger<'a, T> {
                 {
                     self.say_open(Quantity::Friction, Owner::Body(*body));
                 }
-                Tie::Cord(_) if held.is_open(t) => self.say_open(Quantity::Tension, Owner::Tie(t)),
+                Tie::Cord(c) if held.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     self.say(Quantity::Friction, Owner::Body(*body), held[t].signed(self.up(*body)));
                 }
                 Tie::Cord(c) => match c.to {
                     Far::Pull(_) => {}
                     Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
+                    _ if c.made != Made::Cord => self.say(c.force(), Owner::Tie(t), held[t].abs()),
                     Far::Body(_) | Far::Fixed => self.say(Quantity::Tension, Owner::Tie(t), held[t]),
                 },
             }

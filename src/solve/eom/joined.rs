@@ -57,6 +57,8 @@ struct Motion<'m, 'a, T: Real> {
     slides: SmallVec<[f64; 4]>,
     /// The same times the side of the guide to which it presses, 1 or -1: see [`rubbing`].
     rubs: SmallVec<[f64; 4]>,
+    /// Leading angles at which springs are met or let go of, from the start of the scene.
+    meets: SmallVec<[T; 4]>,
     /// Panels that may still be made.
     panels: Cell<u32>,
 }
@@ -207,6 +209,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         near: T::zero(),
         slides,
         rubs,
+        meets: mechanism.meets(sense, (horizon(), T::of(STRIDE / 16.0))),
         panels: Cell::new(PANELS),
     };
     // Friction may hold what would set off without it.
@@ -218,6 +221,11 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     }
     motion.set_off(&state)?.to_its_end(&mut teller)?;
     Ok(teller.road)
+}
+
+/// The angle up to which a motion is followed.
+fn horizon<T: Real>() -> T {
+    T::constant(Dd::PI * Dd::new(2.0 * TURNS))
 }
 
 /// The slope of a function, by differences over ever smaller spans from which the error is extrapolated.
@@ -428,7 +436,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let least = width.size() * SHORTEST;
         while at.below(end) {
             let far = self.variable(self.way(at).0 + T::of(STRIDE));
-            let next = [at + width, far].into_iter().fold(end, |a, b| if b.below(a) { b } else { a });
+            let ahead = self.meets.iter().map(|angle| (*angle - self.start).signed(self.sense));
+            let meets =
+                ahead.filter(|way| way.sign() > 0.0).map(|way| self.variable(way)).filter(|x| at.below(*x));
+            let next = meets.chain([at + width, far]).fold(end, |a, b| if b.below(a) { b } else { a });
             let panel = self.panel((at, next), from)?;
             // Beyond where it comes to rest no time is smooth.
             let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
@@ -565,18 +576,22 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let share = |x: T| (x - a) / (b - a);
         let square = |x: T| long::<T>().at(&panel.squares, share(x));
         match (why, level) {
-            (Why::Speed, Some((level, rising))) => secant(before, after, rising, &|x| Ok(square(x) - level)),
+            (Why::Speed, Some((level, rising))) => {
+                root::between_values(before, after, rising, &|x| Ok(square(x) - level))
+            }
             (Why::Leaves(joint), _) => {
                 let forces = panel.pushes.iter().find(|p| p.0 == joint).map(|p| &p.1);
                 let force = |x: T| forces.map_or_else(T::zero, |forces| long::<T>().at(forces, share(x)));
-                let x = secant(before, after, force(after).sign() > 0.0, &|x| Ok(force(x)))?;
+                let x = root::between_values(before, after, force(after).sign() > 0.0, &|x| {
+                    Ok::<_, Refusal>(force(x))
+                })?;
                 // What the interpolation leaves of the force is taken off by one step.
                 let step = (x - before).scale2(-20);
                 let slope = (force(x) - force(x - step)) / step;
                 let (_, response) = self.at(self.way(x).0)?;
                 Ok(x - self.pushed(&response, joint, square(x)) / slope)
             }
-            _ => secant(before, after, false, &|x| Ok(square(x))),
+            _ => root::between_values(before, after, false, &|x| Ok(square(x))),
         }
     }
 
@@ -606,9 +621,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// Follows the motion to the end that is asked and tells what is there.
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
         let degrees = || T::constant(Dd::new(180.0) / Dd::PI);
-        let (mut asked, mut far, mut level) = (None, horizon, None);
+        let (mut asked, mut far, mut level) = (None, horizon(), None);
         match scene.end {
             End::Angle(_, angle) => {
                 let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
@@ -659,7 +673,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
             if t.at_most(most) {
-                let way = secant(T::zero(), stop.way, true, &|way| Ok(self.time(way, false)? - t))?;
+                let way = root::between_values(T::zero(), stop.way, true, &|way| {
+                    Ok::<_, Refusal>(self.time(way, false)? - t)
+                })?;
                 // What pushes is watched up to there alone.
                 least = nothing;
                 stop = Stop { why: Why::Far, ..self.stop(way, None, false, &mut least)? };
@@ -732,25 +748,6 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
 }
 
-/// The root of a function without a known slope between two places: by the secant of the last two values, never out of its bracket.
-fn secant<T: Real>(
-    low: T,
-    high: T,
-    rising: bool,
-    value: &dyn Fn(T) -> Result<T, Refusal>,
-) -> Result<T, Refusal> {
-    let mut last: Option<(T, T)> = None;
-    root::between(low, high, rising, |x| {
-        let now = value(x)?;
-        let slope = match last {
-            Some((at, before)) if !(x - at).is_zero() => (now - before) / (x - at),
-            _ => T::zero(),
-        };
-        last = Some((x, now));
-        Ok((now, slope))
-    })
-}
-
 /// What is said, with the units put back.
 struct Teller<'t, 'a, T: Real> {
     scene: &'a Scene,
@@ -785,7 +782,9 @@ impl<T: Real> Teller<'_, '_, T> {
         while sense != 0.0 && found.is_none() && before.below(full) {
             let next = before + T::of(STRIDE / 16.0);
             if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
-                let way = secant(before, next, false, &|x| Ok(drive(x.signed(sense))?.signed(sense)))?;
+                let way = root::between_values(before, next, false, &|x| {
+                    Ok::<_, Refusal>(drive(x.signed(sense))?.signed(sense))
+                })?;
                 found = Some(way.signed(sense));
             }
             before = next;
@@ -944,9 +943,13 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say(Quantity::PinForce, of, (x.square() + y.square()).root());
             }
         }
-        for s in 0..scene.struts.len() {
-            let force = mechanism.tension(state, s);
-            self.say_scaled(Quantity::SpringForce, Owner::Strut(s), force, force.size() + pulls);
+        for (s, strut) in scene.struts.iter().enumerate() {
+            let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
+            if strut.twists() {
+                self.say_scaled(Quantity::Moment, of, -force, force.size() + pulls * mechanism.size());
+            } else {
+                self.say_scaled(Quantity::SpringForce, of, force, force.size() + pulls);
+            }
         }
     }
 }

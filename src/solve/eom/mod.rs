@@ -16,7 +16,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Heading, Label, Numbers, Owner,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Heading, Label, Made, Numbers, Owner,
     Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, grown, respond};
@@ -791,7 +791,11 @@ impl<'a, T: Real> Walk<'a, T> {
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
                     self.hold(Held::Rolling(t, force(most), available));
                 }
-                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && self.asked.held => {
+                Tie::Cord(c)
+                    if matches!(c.to, Far::Body(_) | Far::Fixed)
+                        && c.made == Made::Cord
+                        && self.asked.held =>
+                {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
                     let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
                     let share = self.share_of_tension(t, c, least, at);
@@ -923,7 +927,7 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction of the contacts and tension of the cords at this tension of the spring.
     fn forces(&mut self, tension: T) {
-        if !self.asks(&[Quantity::Friction, Quantity::Tension]) {
+        if !self.asks(&[Quantity::Friction, Quantity::Tension, Quantity::RimForce]) {
             return;
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -933,7 +937,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 {
                     self.say_open(Quantity::Friction, Owner::Body(*body));
                 }
-                Tie::Cord(_) if self.response.is_open(t) => self.say_open(Quantity::Tension, Owner::Tie(t)),
+                Tie::Cord(c) if self.response.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     let f = self.friction(t, tension);
                     let scale = self.friction_scale(&self.response, *body, f, tension);
@@ -947,7 +951,8 @@ impl<'a, T: Real> Walk<'a, T> {
                         let ends = tie.actions().map(|end| end.body);
                         let forces = ends.map(|b| self.friction_scale(&self.response, b, f, tension));
                         let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.f64().abs() };
-                        self.say_scaled(Quantity::Tension, Owner::Tie(t), f, scale);
+                        let f = if c.made == Made::Cord { f } else { f.abs() };
+                        self.say_scaled(c.force(), Owner::Tie(t), f, scale);
                     }
                 },
             }

@@ -17,8 +17,9 @@ use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
+use crate::num::root;
 use crate::scene::pose::{self, Layout};
-use crate::scene::{JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
+use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
 
@@ -46,8 +47,10 @@ pub struct Mechanism<'a, T: Real> {
     /// How many velocities there are.
     columns: usize,
     layout: Layout<'a, T>,
-    /// Natural length of each spring.
+    /// Natural length of each spring; 0 of a torsion spring.
     natural: SmallVec<[T; 2]>,
+    /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
+    relaxed: SmallVec<[Vector<T>; 2]>,
 }
 
 /// Where all bodies are.
@@ -149,6 +152,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             held: held.scan(0, sums).collect(),
             layout,
             natural: SmallVec::new(),
+            relaxed: SmallVec::new(),
         };
         if scene.struts.is_empty() {
             return Ok(mechanism);
@@ -159,7 +163,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 let (_, _, apart) = mechanism.strut(&start, strut.at, &strut.to);
                 dot(apart, apart).root()
             };
+            mechanism.relaxed.push(mechanism.layout.relaxed(strut).ok_or(Refusal::Freedoms(2))?);
             mechanism.natural.push(match strut.rest {
+                _ if strut.twists() => T::zero(),
                 Rest::Length(l) => n.get(l),
                 Rest::Stretch(x) => length - n.get(x),
             });
@@ -216,6 +222,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 let along = pose::direction(self.n, *direction_deg);
                 (pose::foot(near, pose::ground(self.n, *through_m), along), None)
             }
+            StrutEnd::Twist => (near, None),
         };
         (spot, near, [far[0] - near[0], far[1] - near[1]])
     }
@@ -420,7 +427,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if blows {
             return forces;
         }
-        for (strut, natural) in self.scene.struts.iter().zip(&self.natural) {
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
+            if strut.twists() || strut.acts != Acts::Both && self.stretch(poses, s).is_zero() {
+                continue;
+            }
             let (other, _, apart) = self.strut(poses, strut.at, &strut.to);
             let stiffness =
                 plant!("eom: stiffness of a spring in the plane", self.n.massive(strut.stiffness_n_m));
@@ -433,6 +443,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
             if let Some(other) = other {
                 force(other.body, apart.map(|x| -(x * slope)), self.lever(poses, other));
             }
+        }
+        for (s, strut) in self.scene.struts.iter().enumerate().filter(|(_, strut)| strut.twists()) {
+            let stiffness = plant!("eom: stiffness of a torsion spring", self.n.massive(strut.stiffness_n_m));
+            let moment = -(stiffness * self.stretch(poses, s)).signed(self.sense(strut.at.body));
+            forces[strut.at.body][2] = forces[strut.at.body][2].balance(moment);
         }
         for c in &self.scene.couples {
             let moment = plant!("eom: moment of a couple in the plane", self.n.massive(c.moment_n_m));
@@ -749,10 +764,35 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn height(&self, state: &State<T>, body: usize) -> T {
         self.centre(&state.poses, body)[1]
     }
-    /// Force of a spring, positive if it pulls.
-    pub fn tension(&self, state: &State<T>, strut: usize) -> T {
+    /// How far a spring is longer than it naturally is, or the body of a torsion spring turned beyond where that is relaxed; 0 where it
+    /// does not act.
+    fn stretch(&self, poses: &Poses<T>, strut: usize) -> T {
+        let beyond = self.beyond(poses, strut);
+        match self.scene.struts[strut].acts {
+            Acts::Pushes if beyond.sign() > 0.0 => T::zero(),
+            Acts::Pulls if beyond.sign() < 0.0 => T::zero(),
+            _ => beyond,
+        }
+    }
+    fn beyond(&self, poses: &Poses<T>, strut: usize) -> T {
         let s = &self.scene.struts[strut];
-        let (_, _, apart) = self.strut(&state.poses, s.at, &s.to);
-        self.n.massive(s.stiffness_n_m) * dot(apart, apart).root().balance(-self.natural[strut])
+        if let (true, Some(planar)) = (s.twists(), self.scene.planar(s.at.body)) {
+            return pose::turned_from(planar, poses[s.at.body].axis, self.relaxed[strut]);
+        }
+        let (_, _, apart) = self.strut(poses, s.at, &s.to);
+        dot(apart, apart).root().balance(-self.natural[strut])
+    }
+    /// Where springs that only push or pull are met or let go of on a way from the start.
+    pub fn meets(&self, sense: f64, (far, step): (T, T)) -> SmallVec<[T; 4]> {
+        let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
+        let all = (0..self.scene.struts.len()).filter(one_sided).flat_map(|s| {
+            let value = |way: T| Ok::<_, Refusal>(self.beyond(&self.poses(way.signed(sense), false)?, s));
+            root::changes((far, step), &value).unwrap_or_default()
+        });
+        all.map(|way| way.signed(sense)).collect()
+    }
+    /// Force of a spring, positive if it pulls; moment of a torsion spring against its stretch.
+    pub fn tension(&self, state: &State<T>, strut: usize) -> T {
+        self.n.massive(self.scene.struts[strut].stiffness_n_m) * self.stretch(&state.poses, strut)
     }
 }
