@@ -181,18 +181,15 @@ fn written(draft: &mut Draft, x: f64) -> Expr {
 }
 
 /// The value of the datum that is found from a measurement: that for which the solution gives what was measured.
-pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words) -> Option<f64> {
-    let found = problem.cases.get(variant.case)?.scene.formulas.found?;
+pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene: &Scene) -> Option<f64> {
+    let found = scene.formulas.found?;
     let miss = |x: f64| -> f64 {
-        let trial = Draft::trial(problem, variant, words, x).ok().and_then(|mut draft| {
-            derive(&mut draft).ok()?;
-            match draft.found_for(found.label)? {
-                DerivedAnswer::Value(symbol) => Some(draft.symbols.value(symbol)),
-                DerivedAnswer::Word(_) => None,
-            }
-        });
+        let mut draft = Draft::trial(problem, variant, words, scene, x);
         let measured: f64 = found.measured.value(&variant.data);
-        trial.map_or(f64::NAN, |value| value - measured)
+        match derive(&mut draft).ok().and_then(|()| draft.found_for(found.label)) {
+            Some(DerivedAnswer::Value(symbol)) => draft.symbols.value(symbol) - measured,
+            _ => f64::NAN,
+        }
     };
     let [low, high] = found.range;
     let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);

@@ -12,7 +12,7 @@ use crate::bank::Problem;
 use crate::problem::maker::Variant;
 use crate::scene::Label;
 use crate::solution::derive;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::{DerivedAnswer, Draft, scene_of};
 use crate::solution::stop::DerivationStop;
 use crate::words::Words;
 
@@ -51,7 +51,8 @@ pub fn answers(
     words: &Words,
     figures: usize,
 ) -> Result<Vec<ByHand>, DerivationStop> {
-    let mut draft = Draft::by_hand(problem, variant, words, figures)?;
+    let scene = scene_of(problem, variant)?;
+    let mut draft = Draft::by_hand(problem, variant, words, &scene, figures);
     derive(&mut draft)?;
     let rough = |answer: DerivedAnswer| match answer {
         DerivedAnswer::Value(symbol) => {

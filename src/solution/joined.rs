@@ -2,18 +2,23 @@
 use crate::num::shown;
 use crate::scene::{End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
-use crate::solution::draft::{DerivedAnswer, Draft};
-use crate::solution::expr::{Expr, SymbolId, ZERO, number, positive_first, ratio, root, square, sum};
+use crate::solution::account::of_body;
+use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
+};
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::page::{WITHIN, packed};
-use crate::solution::plane::Plane;
+use crate::solution::plane::{END, Pivot, Plane, START};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::tex_digits;
+use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
+/// Step in degrees in which a way is looked over.
+const LOOK: f64 = 0.25;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
 
@@ -41,6 +46,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     if !n.instant() {
         n.forces()?;
     }
+    n.swings()?;
     n.rest()?;
     n.holds()?;
     n.limits();
@@ -86,6 +92,10 @@ impl Joined<'_, '_> {
         };
         self.say(name, &[]);
         if self.instant() || self.rubs() {
+            return;
+        }
+        if self.t.pivot.is_some() {
+            self.say("pinned.idea_pin", &[]);
             return;
         }
         self.say("joined.idea_one", &[]);
@@ -161,8 +171,28 @@ impl Joined<'_, '_> {
         }
     }
 
+    /// Moment of inertia about the pin.
+    fn about_the_pin(&mut self, pivot: &Pivot) {
+        self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
+        let square = self.t.bodies[0].mass.times(pivot.h.squared());
+        let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.t.from(pivot.about));
+        let line = self.t.chain(pivot.about, &whole);
+        let gathered = short != whole && !matches!(short, Expr::Sum(_)) && pivot.own != ZERO;
+        if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
+            let both = format!(" = {} = ", self.t.tex(&short));
+            self.t.formula(line.replacen(" = ", &both, 1));
+        } else {
+            self.t.display(pivot.about, &whole, "");
+        }
+        self.inertia = Sum::one(pivot.about);
+    }
+
     /// The speeds of the mass centres and the inertia of the motion.
     fn kinetic(&mut self) {
+        if let Some(pivot) = self.t.pivot.clone() {
+            self.about_the_pin(&pivot);
+            return;
+        }
         let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
         let rate = self.t.names(&[self.t.rate]);
         if !ratios.is_empty() {
@@ -213,8 +243,9 @@ impl Joined<'_, '_> {
         self.places();
         self.kinetic();
         let [placed, acted] = self.t.steps_of;
+        let about = self.t.pivot.as_ref().map(|p| p.about);
         let hidden: Vec<SymbolId> =
-            self.t.springs.iter().copied().chain(self.t.units.iter().copied()).collect();
+            self.t.springs.iter().copied().chain(self.t.units.iter().copied()).chain(about).collect();
         let needed: Vec<SymbolId> =
             self.t.steps[placed..acted].iter().map(|s| s.symbol).filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
@@ -261,7 +292,11 @@ impl Joined<'_, '_> {
         self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
         let works = positive_first(self.t.works.clone());
         let last = if given == Some(ZERO) { ZERO } else { ratio(1, 2).by(&j).by(square(rate)) };
-        let right = sum([last, -first.clone()]);
+        let same = first == ratio(1, 2).by(&j).by(square(&self.t.first)) && last != ZERO;
+        let right = match same && !from_rest {
+            true => ratio(1, 2) * &j * (square(rate) - square(&self.t.first)),
+            false => sum([last, -first.clone()]),
+        };
         if let Some(is) = &given {
             self.t.page.step(rate, is.clone());
             // The place is that of the key: there the balance has to hold.
@@ -288,7 +323,7 @@ impl Joined<'_, '_> {
         let twice = twice.expr();
         let is = if from_rest {
             twice.over(&j)
-        } else if first == ratio(1, 2).by(&j).by(square(&self.t.first)) {
+        } else if same {
             square(&self.t.first) + twice.over(&j)
         } else {
             (twice + first.by(number(2))) / j
@@ -299,6 +334,9 @@ impl Joined<'_, '_> {
             return Err(Beyond::Unfound.into());
         }
         self.t.display(rate, &is, r" \quad (\mathrm{E})");
+        if self.single() && self.t.sense < 0.0 && self.t.bodies[0].omega == Some(rate) {
+            self.say("pinned.magnitude", &[("omega", &self.t.names(&[rate]))]);
+        }
         Ok(())
     }
 
@@ -336,6 +374,9 @@ impl Joined<'_, '_> {
                 } else {
                     self.t.told(rate);
                 }
+                if let Some(pivot) = self.t.pivot.clone() {
+                    self.about_the_pin(&pivot);
+                }
             } else {
                 let value = self.key_rate();
                 self.t.symbols.settle(rate, value, 0.0);
@@ -347,11 +388,13 @@ impl Joined<'_, '_> {
                 self.t.tell(ratios);
             }
         }
+        let before = self.t.steps.len();
         self.t.solve()?;
-        let late: Vec<SymbolId> = self.t.steps[self.t.steps_of[0]..]
+        let about = self.t.pivot.as_ref().map(|p| p.about);
+        let late: Vec<SymbolId> = self.t.steps[self.t.steps_of[0]..before]
             .iter()
             .map(|s| s.symbol)
-            .filter(|s| *s != self.t.rate)
+            .filter(|s| *s != self.t.rate && Some(*s) != about)
             .collect();
         let mut springs: Vec<SymbolId> = self.t.springs.to_vec();
         springs.extend(self.t.units.iter().copied());
@@ -360,13 +403,21 @@ impl Joined<'_, '_> {
             let name = match (self.t.springs.is_empty(), self.t.units.is_empty()) {
                 (true, _) => "joined.cord_there",
                 (false, true) => "joined.spring_force",
+                (false, false) if self.t.pivot.is_some() => "pinned.spring_there",
                 (false, false) => "joined.spring_there",
             };
             self.say(name, &[]);
             self.t.tell(wanted);
         }
         self.t.skip_new();
-        self.say(if self.instant() { "joined.senses" } else { "joined.senses_there" }, &[]);
+        let pivot = self.t.pivot.clone();
+        let forces = pivot.as_ref().map(|p| p.force.map(|f| self.t.names(&[f])));
+        let pieces = forces.as_ref().map(|[radial, across]| [("radial", &**radial), ("across", &**across)]);
+        // The place has been named with the force of the spring.
+        let there =
+            if self.instant() || pieces.is_some() && !self.t.springs.is_empty() { "" } else { "_there" };
+        let name = if pieces.is_some() { "pinned.senses" } else { "joined.senses" };
+        self.say(&format!("{name}{there}"), pieces.as_ref().map_or(&[], |p| &p[..]));
         let mut rows = Vec::new();
         let mut firsts = Vec::new();
         for body in 0..self.t.bodies.len() {
@@ -381,17 +432,19 @@ impl Joined<'_, '_> {
             self.say("motion.of", &[("list", &firsts.join(", "))]);
         }
         let demands = self.t.demands();
-        if demands.len() <= FEW {
-            self.say("joined.demands", &[]);
-            let lines: Vec<String> = demands.iter().map(|(_, l, r)| self.t.equation(l, r)).collect();
-            self.t.formulas(lines);
-        } else {
+        if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
+        } else if !demands.is_empty() {
+            self.say("joined.demands", &[]);
+            let lines: Vec<String> = demands.iter().map(|(l, r)| self.t.equation(l, r)).collect();
+            self.t.formulas(lines);
         }
         if id == "long" {
             let (alpha, omega) = self.leading();
             let angle = self.t.letter.clone();
-            self.say("joined.integral", &[("alpha", &alpha), ("omega", &omega), ("angle", &angle)]);
+            let own = [("alpha", &*alpha), ("omega", &omega), ("angle", &angle)];
+            let name = if pieces.is_some() { "pinned.integral" } else { "joined.integral" };
+            self.say(name, &[&own[..], pieces.as_ref().map_or(&[], |p| &p[..])].concat());
         }
         Ok(())
     }
@@ -438,6 +491,16 @@ impl Joined<'_, '_> {
         let speeds: Vec<SymbolId> = self.t.bodies.iter().map(|b| b.v).collect();
         let newton = [reactions.clone(), accelerations, rates.clone()].concat();
         let energy = [speeds, rates].concat();
+        if let Some(pivot) = &self.t.pivot {
+            // Moments about the pin ask for none of its forces.
+            let (alpha, pin) = (self.t.names(&self.t.accelerations()), self.t.names(&pivot.force));
+            let few = self.t.names(&[self.t.rate]);
+            let many = format!("{alpha}, {few}");
+            let count = [("n", "2"), ("many", &*many), ("k", "1"), ("few", &few)];
+            self.say("pinned.why", &[&count[..], &[("pin", &pin), ("alpha", &alpha)]].concat());
+            self.say("why.ask", &[]);
+            return;
+        }
         let (many, few) = (self.t.names(&newton), self.t.names(&energy));
         let (n, k) = (newton.len().to_string(), energy.len().to_string());
         let ties = self.t.phrase("joined.ties", &[]);
@@ -459,9 +522,13 @@ impl Joined<'_, '_> {
         self.t.begin("forces");
         self.t.skip_new();
         let kinetic = |q: Quantity| {
-            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension)
-                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::Moment | Q::Drive)
+            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension | Q::Moment)
+                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinRadial | Q::PinTangential)
+                || matches!(q, Q::PinAngle | Q::Drive)
         };
+        if self.t.pivot.is_some() {
+            return self.forces_of_the_pin(&kinetic);
+        }
         let mut values: Vec<SymbolId> = Vec::new();
         for label in self.t.labels().into_iter().filter(|l| kinetic(l.quantity)) {
             if label.quantity == Q::PinForce {
@@ -523,6 +590,167 @@ impl Joined<'_, '_> {
         self.t.skip_new();
         Ok(())
     }
+    /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
+    fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
+        let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        let Some(pivot) = self.t.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
+        for label in &asked {
+            let symbol = self.t.get(*label)?;
+            self.t.answer(*label, DerivedAnswer::Value(symbol));
+        }
+        self.t.skip_new();
+        let held = asked.iter().any(|l| l.quantity != Quantity::Alpha);
+        let solved = self.t.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));
+        let first = self.t.steps.iter().position(|s| self.t.accelerations().contains(&s.symbol));
+        let later: Vec<SymbolId> = self.t.steps[first.unwrap_or(0)..].iter().map(|s| s.symbol).collect();
+        let later = later.into_iter().filter(|s| !pivot.force.contains(s));
+        self.say("pinned.forces", &[("angle", &self.angle(END))]);
+        self.t.tell(solved.chain(later).collect::<Vec<_>>());
+        if held {
+            let signs = [
+                ["radial", "pinned.pin_toward", "pinned.pin_outward"],
+                ["across", "pinned.pin_with", "pinned.pin_against"],
+            ];
+            for (symbol, [piece, plus, minus]) in pivot.force.into_iter().zip(signs) {
+                let (value, name) = (self.t.symbols.value(symbol), self.t.names(&[symbol]));
+                if value != 0.0 && !value.is_nan() {
+                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Does nothing but its weight act on a body on a pin?
+    fn pendulum(&self) -> Option<Pivot> {
+        let s = self.t.scene;
+        let alone = s.couples.is_empty() && s.pushes.is_empty() && s.struts.is_empty();
+        self.t.pivot.clone().filter(|_| alone)
+    }
+
+    /// Periods and the greatest speed of a pendulum.
+    fn swings(&mut self) -> Result<(), DerivationStop> {
+        let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
+        let [whole, small, _, fastest] = all.map(|q| self.t.asks(q));
+        let Some(pivot) = self.pendulum().filter(|_| all.iter().any(|q| self.t.asks(*q))) else {
+            return Ok(());
+        };
+        let of = |n: &mut Self, quantity| {
+            let label = of_body(quantity, n.t.lead);
+            let symbol = n.t.get(label)?;
+            n.t.answer(label, DerivedAnswer::Value(symbol));
+            Ok::<_, DerivationStop>(symbol)
+        };
+        self.t.begin("swings");
+        self.t.skip_new();
+        if fastest {
+            of(self, Quantity::OmegaMax)?;
+            self.say("pinned.fastest", &[]);
+            self.t.tell_new();
+        }
+        let frequency = of(self, Quantity::OmegaSmall)?;
+        if small {
+            of(self, Quantity::PeriodSmall)?;
+        }
+        self.say("pinned.small", &[]);
+        self.t.tell_new();
+        if whole {
+            self.period(pivot, frequency);
+        }
+        Ok(())
+    }
+
+    /// The real period, by the arithmetic-geometric mean.
+    fn period(&mut self, pivot: Pivot, frequency: SymbolId) {
+        let t = &mut self.t;
+        let (first, started) = (t.turns[0].at[START].clone(), t.first != ZERO);
+        let half =
+            if pivot.up { t.symbols.given(r"180^\circ", 180.0, "180", "", true) - first } else { first };
+        let half = half / number(2);
+        let amplitude = match started {
+            true => root(square(sine(&half)) + square(&t.first / (number(2) * frequency))),
+            false => t.positive(&sine(&half)),
+        };
+        let over = t.value(&amplitude) > 1.0;
+        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
+        let (names, pi) = ([r"\kappa_c", r"\lambda_c"], Expr::from(t.draft.pi()));
+        let (mut a, rest, turns) = if over {
+            let kappa = t.find(&[r"\kappa", r"\lambda"], "1", amplitude);
+            (t.symbols.value(kappa), root(square(kappa) - ONE), pi)
+        } else {
+            let rest = if started { root(ONE - square(&amplitude)) } else { t.positive(&cosine(half)) };
+            (1.0, rest, number(2) * pi)
+        };
+        let rest = t.find(&names, "1", rest);
+        let mut b = t.symbols.value(rest);
+        t.tell_new();
+        let mut pairs = Vec::new();
+        for _ in 0..40 {
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+            if pairs.len() < 3 {
+                let [a, b] = [a, b].map(|x| tex_digits(&shown::significant(x, 6), t.words));
+                pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
+            }
+            if (a - b).abs() <= 1e-15 * a {
+                break;
+            }
+        }
+        t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
+        let name = t.free(&[r"\mu", r"\nu"]);
+        let mean = t.symbols.found(&name, a, "");
+        let shown = t.shown(mean);
+        t.page.say("pinned.mean_found", &[("mean", &shown)]);
+        let period = t.find(&[r"\tau", r"\tau_1"], "s", turns / (frequency * mean));
+        let label = of_body(Quantity::Period, t.lead);
+        t.answer(label, DerivedAnswer::Value(period));
+        t.tell_new();
+    }
+
+    /// An angle of the leading body at the start or at the end, with its value.
+    fn angle(&self, which: usize) -> String {
+        match &self.t.turns[0].at[which] {
+            Expr::Symbol(s) => self.t.shown(*s),
+            _ => format!("${} = 0$", self.t.letter),
+        }
+    }
+
+    /// Which way a body on a pin goes, and that it gets there.
+    fn gets_there(&mut self, pivot: &Pivot) {
+        let [start, end] = [START, END].map(|which| self.angle(which));
+        let sense = self.t.phrase(if self.t.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
+        let rough = |n: &Self, value: f64, unit: &str| {
+            format!(r"${}\ {}$", tex_digits(&shown::significant(value, FIGURES), n.t.words), tex_of(unit))
+        };
+        let [first, last] = self.t.turns[0].at.each_ref().map(|a| self.t.value(a));
+        let (square, moments) = (self.t.square(pivot), self.t.equations(0).swap_remove(0).0);
+        let drive = self.t.expanded(&moments);
+        if self.t.first == ZERO {
+            let moment = self.t.along_way(&drive, first);
+            let moment = rough(self, moment, "N m");
+            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
+        } else {
+            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
+        }
+        // How often the moment changes its sense on the way.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
+        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
+        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
+        let drives: Vec<f64> = (0..=steps).map(|i| self.t.along_way(&drive, at(i)) * self.t.sense).collect();
+        let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+        let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+        let angle = [("angle", end.as_str())];
+        if matches!(self.t.scene.end, End::TurningPoint(_)) {
+            self.say("pinned.turns_there", &angle);
+        } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
+            self.say("pinned.only_faster", &angle);
+        } else if turns <= 1 && drives[0] >= 0.0 {
+            self.say("pinned.brakes_late", &angle);
+        } else {
+            let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
+            self.say("pinned.never_rests", &[angle[0], ("least", &rough(self, least, "rad^2/s^2"))]);
+        }
+    }
+
     /// Displayed lines so far.
     fn lines(&self) -> usize {
         let written = self.t.sections.iter().chain([&self.t.out]).flat_map(|s| &s.blocks);
@@ -560,6 +788,9 @@ impl Joined<'_, '_> {
     /// Do the contacts press, are the cords taut? Over the whole way as the key has it.
     fn holds(&mut self) -> Result<(), DerivationStop> {
         self.t.begin("holds");
+        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.instant()) {
+            self.gets_there(&pivot);
+        }
         let scene = self.t.scene;
         let (mut pressed, mut taut) = (Vec::new(), Vec::new());
         for (j, joint) in scene.joints.iter().enumerate() {
@@ -591,7 +822,7 @@ impl Joined<'_, '_> {
 
     fn limits(&mut self) {
         self.t.begin("limits");
-        let rotation = self.t.rotation();
+        let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
         let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
         if moving && !self.inertia.is_zero() && !rotation.is_zero() {
             let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
@@ -600,10 +831,8 @@ impl Joined<'_, '_> {
             if self.t.first == ZERO && percent != "100" {
                 let light = self.t.symbols.value(self.t.rate)
                     / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
-                let unit = "rad/s";
-                let fast = shown::significant(light, crate::solution::symbols::FIGURES);
-                let unit = crate::solution::draft::tex_of(unit);
-                let fast = format!(r"${}\ {unit}$", tex_digits(&fast, self.t.words));
+                let fast = tex_digits(&shown::significant(light, FIGURES), self.t.words);
+                let fast = format!(r"${fast}\ {}$", tex_of("rad/s"));
                 let shown = self.t.shown(self.t.rate);
                 if !matches!(self.t.scene.end, End::Speed(..)) {
                     self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
@@ -624,10 +853,11 @@ impl Joined<'_, '_> {
     fn onward(&mut self) {
         self.t.begin("onward");
         let name = match self.t.scene.end {
-            End::AtOnce => "joined.onward_instant",
+            End::AtOnce if !self.t.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.t.springs.is_empty() => "joined.onward_spring",
+            _ if self.t.pivot.is_some() => "pinned.onward",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
         };

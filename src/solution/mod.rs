@@ -37,7 +37,7 @@ use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{Owner, Scene, Slope};
 use crate::sheet::document::Document;
-use crate::solution::draft::{DerivedAnswer, Detail, Draft};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft, scene_of};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::tex_digits;
 use crate::solution::text::{Block, SolutionSection};
@@ -104,14 +104,15 @@ fn made(
     (words, templates, detail): (&Words, &Templates, Detail),
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
-    let mut draft = Draft::new(problem, variant, words)?;
+    let scene = scene_of(problem, variant)?;
+    let mut draft = Draft::new(problem, variant, words, &scene);
     draft.detail = detail;
     let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),
         Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
-            draft = Draft::new(problem, variant, words)?;
+            draft = Draft::new(problem, variant, words, &scene);
             Some(what)
         }
     };

@@ -3,20 +3,19 @@
 use crate::figure::names;
 use crate::num::shown;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Slope, Span,
-    Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
 };
-use crate::solution::account::{Account, Eliminated, LOOK, marked, of_body, of_scene, of_tie, speed_of};
+use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, root, sine, square, sum,
+    Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::{Page, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, Pivot};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Particles};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
@@ -455,11 +454,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn idea(&mut self) {
         self.begin("idea");
         let spring = self.spring.is_some();
-        let pinned = self.m.pivot.is_some();
         let name = match (self.short, self.scene.end) {
-            (Short::Instant, _) if pinned => "pinned.idea_instant",
-            (_, End::Angle(..)) => "pinned.idea",
-            (_, End::Speed(..) | End::TurningPoint(_)) if pinned => "pinned.idea_speed",
             (Short::Instant, _) => "idea.instant",
             (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
@@ -472,9 +467,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (Short::Energy, _) => "idea.speed",
         };
         self.say(name, &[]);
-        if pinned && self.short == Short::Energy {
-            self.say("pinned.idea_pin", &[]);
-        }
         if matches!(self.short, Short::Energy | Short::Motion) {
             let cords = self.cords();
             let ties =
@@ -510,15 +502,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin_as("short", "short_energy");
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
-        let pivot = self.m.pivot.clone();
-        match &pivot {
-            Some(pivot) => self.before_the_balance(pivot),
-            None if self.asks(Quantity::Direction) => self.tell_direction(),
-            None => {}
+        if self.asks(Quantity::Direction) {
+            self.tell_direction();
         }
-        let place = pivot.is_some() || matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         let lead = self.lead();
-        if place && pivot.is_none() && self.value(&self.s) < 0.0 {
+        if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
             self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
         }
@@ -550,13 +539,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let from = if place { self.from(symbol) } else { self.way_by_energy() };
             self.display(symbol, &from, r" \quad (\mathrm{E})");
         }
-        match pivot {
-            None => self.tell_groups(),
-            Some(_) if self.sense < 0.0 => {
-                self.say("pinned.magnitude", &[("omega", &self.names(&[self.speed()]))]);
-            }
-            Some(_) => {}
-        }
+        self.tell_groups();
         // Speeds that are asked.
         self.skip_new();
         if !place {
@@ -571,62 +554,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let fastest = [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax];
         if spring.is_some() && fastest.iter().any(|q| self.asks(*q)) {
             self.tell_fastest();
-        }
-    }
-
-    /// Moment of inertia about the pin.
-    fn tell_inertia(&mut self, pivot: &Pivot) {
-        let own = &pivot.own;
-        self.say(if *own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
-        let mass = &self.m.parts[self.lead().body].mass;
-        let short = own.factors().plus(&mass.times(square(&pivot.h))).expr();
-        let whole = own + mass.expr() * square(&pivot.h);
-        let line = self.chain(pivot.about, &whole);
-        let gathered = short != whole && !matches!(short, Expr::Sum(_)) && *own != ZERO;
-        if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
-            self.formula(line.replacen(" = ", &format!(" = {} = ", self.tex(&short)), 1));
-        } else {
-            self.display(pivot.about, &whole, "");
-        }
-    }
-
-    /// What the balance of a body on a pin takes: where it ends, the angle turned, the lengths of the spring.
-    fn before_the_balance(&mut self, pivot: &Pivot) {
-        self.tell_inertia(pivot);
-        let of = |n: &Self, names: [&str; 2]| n.symbols.named(&names);
-        let stretched = of(self, ["l_0", "l_n"]).filter(|l| self.steps.iter().any(|s| s.symbol == *l));
-        let first = of(self, ["s_0", "d_0"]);
-        if stretched.is_some() {
-            self.say("pinned.natural", &[]);
-            self.tell(first.into_iter().chain(stretched));
-        }
-        let name = match self.scene.end {
-            End::TurningPoint(_) => Some("pinned.angle_turning"),
-            End::Speed(..) => Some("pinned.angle_speed"),
-            _ => None,
-        };
-        if let Some(name) = name {
-            self.say(name, &[("angle", &self.angle(&self.last))]);
-        }
-        let turned = self.symbols.named(&[&format!(r"\Delta {}", self.symbols.tex(pivot.angle))]);
-        if turned.is_some() {
-            self.say("pinned.radians", &[]);
-            self.tell(turned);
-        }
-        if pivot.spring.is_some() {
-            self.say("pinned.lengths", &[]);
-            let rest =
-                [["s_1", "d_1"], [r"\delta_0", "e_0"], [r"\delta_1", "e_1"]].map(|names| of(self, names));
-            self.tell(first.filter(|_| stretched.is_none()).into_iter().chain(rest.into_iter().flatten()));
-        }
-    }
-
-    /// An angle of a body on a pin, with its value.
-    fn angle(&self, angle: &Expr) -> String {
-        match (angle, &self.m.pivot) {
-            (Expr::Symbol(s), _) => self.shown(*s),
-            (_, Some(pivot)) => format!("${} = 0$", self.symbols.tex(pivot.angle)),
-            _ => String::new(),
         }
     }
 
@@ -676,12 +603,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if let Some(s) = &self.spring {
             works.push(ratio(1, 2) * &s.stiffness * (square(&s.stretch) - square(&self.last)));
         }
-        if self.m.pivot.is_some() {
-            works.clone_from(&self.works);
-        } else {
-            let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
-            works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
-        }
+        let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
+        works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
             let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.speed(c)?)));
@@ -782,9 +705,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             _ => "short_motion",
         };
         self.begin_as(id, title);
-        if let Some(pivot) = self.m.pivot.clone() {
-            return self.motion_on(&pivot);
-        }
         let first = self.short == Short::Instant
             || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
         self.tell_ratios();
@@ -801,7 +721,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
         }
-        let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
+        let links = if self.m.one {
+            self.links(true, |n, c| n.m.acceleration(c))
+        } else {
+            self.demands().iter().map(|(left, right)| format!("${}$", self.equation(left, right))).collect()
+        };
         if let Some(s) = self.spring.clone() {
             // One place on the way, not that at the end.
             let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
@@ -849,46 +773,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.integrate(id == "long");
         Ok(())
-    }
-
-    /// The equations of motion of a body on a pin, at any angle.
-    fn motion_on(&mut self, pivot: &Pivot) -> Result<(), DerivationStop> {
-        if self.short == Short::Instant {
-            self.tell_inertia(pivot);
-            let v = self.speed();
-            self.tell([v]);
-        }
-        let [radial, across, phi] =
-            [pivot.radial, pivot.across, pivot.angle].map(|s| self.symbols.tex(s).to_owned());
-        let [a, v] = [self.acceleration(), self.speed()].map(|s| self.symbols.tex(s).to_owned());
-        let [inline_radial, inline_across, inline_phi] = [&radial, &across, &phi].map(|s| format!("${s}$"));
-        let pieces = [("radial", &*inline_radial), ("across", &*inline_across), ("phi", &*inline_phi)];
-        self.say(if pivot.up { "pinned.from_upright" } else { "pinned.from_hanging" }, &pieces);
-        self.write_rows();
-        if pivot.spring.is_some() {
-            self.say("pinned.spring_rows", &[]);
-        }
-        if self.short != Short::Instant {
-            let pieces =
-                [("alpha", &*a), ("omega", &*v), ("phi", &*phi), ("radial", &*radial), ("across", &*across)];
-            self.say("pinned.integral", &pieces);
-        }
-        Ok(())
-    }
-
-    /// What the ties demand of the accelerations.
-    fn demands(&self) -> Vec<String> {
-        let each = |(tie, _): (usize, SymbolId)| {
-            let terms = self.tied(tie).into_iter().filter_map(|(c, share)| {
-                let a = self.m.acceleration(c)?;
-                Some(share.by(a))
-            });
-            let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
-            let right = sum(right.into_iter().map(|t| -t));
-            let (left, right) = if left.is_empty() { (right, ZERO) } else { (sum(left), right) };
-            format!("${} = {}$", self.tex(&left), self.tex(&right))
-        };
-        self.reactions().into_iter().map(each).collect()
     }
 
     /// All equations at once: what comes out.
@@ -940,9 +824,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
-        if self.m.pivot.is_some() {
-            return self.motion("short");
-        }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
             let _ = self.get(speed_of(c));
@@ -1338,7 +1219,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        let even = self.hidden().is_empty() && self.spring.is_none() && self.m.pivot.is_none();
+        let even = self.hidden().is_empty() && self.spring.is_none();
         self.begin_as("why", if even { "which" } else { "why" });
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, speeds) = (self.accelerations(), self.speeds());
@@ -1349,11 +1230,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (many, few) = (self.names(&newton), self.names(&energy));
         let (n, k) = (newton.len().to_string(), energy.len().to_string());
         let pieces = [("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)];
-        if let Some(pivot) = &self.m.pivot {
-            let pin = self.names(&[pivot.radial, pivot.across]);
-            let alpha = self.names(&[self.acceleration()]);
-            self.say("pinned.why", &[&pieces[..], &[("pin", &*pin), ("alpha", &*alpha)]].concat());
-        } else if even {
+        if even {
             self.say("why.neither", &pieces);
         } else {
             let hidden = self.names(&reactions);
@@ -1399,22 +1276,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
             self.get(*label)?;
         }
-        let wanted = |q: Quantity| {
-            use Quantity::{
-                Friction, Normal, PinAngle, PinForce, PinRadial, PinTangential, PinX, PinY, SpringForce,
-                Tension,
-            };
-            matches!(q, Friction | Tension | Normal | SpringForce | PinRadial | PinTangential)
-                || matches!(q, PinForce | PinX | PinY | PinAngle)
-        };
-        if self.m.pivot.is_some()
-            && asked.iter().any(|l| wanted(l.quantity) && l.quantity != Quantity::SpringForce)
-        {
-            let body = self.lead().body;
-            for quantity in [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential] {
-                self.get(of_body(quantity, body))?;
-            }
-        }
+        let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
         for label in asked.iter().filter(|l| wanted(l.quantity)) {
             self.get(*label)?;
         }
@@ -1422,11 +1284,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let _ = self.get(of_body(Quantity::Friction, *body));
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
-        if self.m.pivot.is_some() {
-            if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-                self.say("pinned.forces", &[("angle", &self.angle(&self.last))]);
-            }
-        } else if sprung {
+        if sprung {
             let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
             self.forget(at_end.collect::<Vec<_>>());
             self.say("forces.spring", &[]);
@@ -1446,92 +1304,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for (t, body) in rolling {
             self.read_friction(t, body)?;
         }
-        if let Some(pivot) = self.m.pivot.clone() {
-            let signs = [
-                (pivot.radial, ["radial", "pinned.pin_toward", "pinned.pin_outward"]),
-                (pivot.across, ["across", "pinned.pin_with", "pinned.pin_against"]),
-            ];
-            for (symbol, [piece, plus, minus]) in signs {
-                let (value, name) = (self.symbols.value(symbol), self.names(&[symbol]));
-                if value != 0.0 && !value.is_nan() {
-                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
-                }
-            }
-            self.swings_on(&pivot)?;
-        }
-        Ok(())
-    }
-
-    /// Periods and the greatest speed of a pendulum.
-    fn swings_on(&mut self, pivot: &Pivot) -> Result<(), DerivationStop> {
-        let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
-        let [whole, _, _, fastest] = all.map(|q| self.asks(q));
-        if !self.scene.is_pendulum() || !all.iter().any(|q| self.asks(*q)) {
-            return Ok(());
-        }
-        let body = self.lead().body;
-        self.begin("swings");
-        self.skip_new();
-        if fastest {
-            self.get(of_body(Quantity::OmegaMax, body))?;
-            self.say("pinned.fastest", &[]);
-            self.tell_new();
-        }
-        let frequency = self.get(of_body(Quantity::OmegaSmall, body))?;
-        if self.asks(Quantity::PeriodSmall) {
-            self.get(of_body(Quantity::PeriodSmall, body))?;
-        }
-        self.say("pinned.small", &[]);
-        self.tell_new();
-        if whole { self.period(pivot, frequency) } else { Ok(()) }
-    }
-
-    /// The real period, by the arithmetic-geometric mean.
-    fn period(&mut self, pivot: &Pivot, frequency: SymbolId) -> Result<(), DerivationStop> {
-        let half = match pivot.up {
-            true => {
-                (self.symbols.given(r"180^\circ", 180.0, "180", "", true) - &pivot.first) / Expr::Number(2, 1)
-            }
-            false => &pivot.first / Expr::Number(2, 1),
-        };
-        let started = self.v0 != ZERO;
-        let amplitude = if started {
-            root(square(sine(&half)) + square(&self.v0 / (Expr::Number(2, 1) * frequency)))
-        } else {
-            self.size(sine(&half))
-        };
-        let over = self.value(&amplitude) > 1.0;
-        self.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
-        let (names, pi) = ([r"\kappa_c", r"\lambda_c"], self.draft.pi());
-        let (mut a, rest, turns) = if over {
-            let kappa = self.find(&[r"\kappa", r"\lambda"], "1", amplitude);
-            (self.symbols.value(kappa), root(square(kappa) - ONE), Expr::from(pi))
-        } else {
-            let rest = if started { root(ONE - square(&amplitude)) } else { self.size(cosine(half)) };
-            (1.0, rest, Expr::Number(2, 1) * pi)
-        };
-        let rest = self.find(&names, "1", rest);
-        let mut b = self.symbols.value(rest);
-        self.tell_new();
-        let mut pairs = Vec::new();
-        for _ in 0..40 {
-            (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| tex_digits(&shown::significant(x, 6), self.words));
-                pairs.push(format!("${a}$ {} ${b}$", self.words.get("solution.pinned.and")));
-            }
-            if (a - b).abs() <= 1e-15 * a {
-                break;
-            }
-        }
-        self.say("pinned.means", &[("pairs", &pairs.join("; "))]);
-        let name = self.free(&[r"\mu", r"\nu"]);
-        let mean = self.symbols.found(&name, a, "");
-        self.say("pinned.mean_found", &[("mean", &self.shown(mean))]);
-        let period = self.named(&[r"\tau", r"\tau_1"], "s");
-        let label = of_body(Quantity::Period, self.lead().body);
-        self.found(label, period, turns / (frequency * mean));
-        self.tell_new();
         Ok(())
     }
 
@@ -1609,10 +1381,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let skip = matches!(label.quantity, Quantity::FrictionIfRolled);
             if label.quantity.is_word() || skip {
                 continue;
-            }
-            if label.quantity == Quantity::T && self.m.pivot.is_some() {
-                self.tell_new();
-                self.say("pinned.time", &[]);
             }
             let symbol = self.get(*label)?;
             self.draft.answer(*label, DerivedAnswer::Value(symbol));
@@ -1789,49 +1557,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
-    /// Which way a body on a pin goes, and that it gets there.
-    fn swings_there(&mut self, pivot: &Pivot) {
-        let (first, last) = (self.value(&pivot.first), self.value(&self.last));
-        let (start, end) = (self.angle(&pivot.first), self.angle(&self.last));
-        let growing = if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" };
-        let sense = self.phrase(growing, &[]);
-        let rough = |n: &Self, value: f64, unit: &str| {
-            format!(r"${}\ {}$", tex_digits(&shown::significant(value, FIGURES), n.words), tex_of(unit))
-        };
-        let (drive, square) = (self.drive.clone(), self.square.clone());
-        if self.v0 == ZERO {
-            let moment = self.t.along_way(&drive, first);
-            let moment = rough(self, moment, "N m");
-            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
-        } else {
-            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
-        }
-        // How often the moment changes its sense on the way.
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
-        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
-        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
-        let drives: Vec<f64> = (0..=steps).map(|i| self.t.along_way(&drive, at(i)) * self.t.sense).collect();
-        let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
-        let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
-        let angle = [("angle", end.as_str())];
-        if matches!(self.scene.end, End::TurningPoint(_)) {
-            self.say("pinned.turns_there", &angle);
-        } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
-            self.say("pinned.only_faster", &angle);
-        } else if turns <= 1 && drives[0] >= 0.0 && self.t.along_way(&square, last) > 0.0 {
-            self.say("pinned.brakes_late", &angle);
-        } else {
-            let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &rough(self, least, "rad^2/s^2"))]);
-        }
-    }
-
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        if let (Some(pivot), true) = (self.m.pivot.clone(), self.short != Short::Instant) {
-            self.swings_there(&pivot);
-        }
         if !matches!(self.scene.end, End::Travel(..) | End::Position(..)) || !self.straight() {
             return Ok(());
         }
@@ -1856,10 +1584,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// A limit or two, and where the energy went.
     fn limits(&mut self) -> Result<(), DerivationStop> {
         self.begin("limits");
-        if let Some(pivot) = self.m.pivot.clone() {
-            self.limits_on(&pivot);
-            return Ok(());
-        }
         if self.slip.is_some() {
             let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
             self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
@@ -1881,22 +1605,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.skip_new();
         Ok(())
-    }
-
-    /// A particle in the place of a body on a pin, and what its mass does.
-    fn limits_on(&mut self, pivot: &Pivot) {
-        let end = self.value(&self.v);
-        if self.short == Short::Instant || pivot.own == ZERO || end == 0.0 {
-            return;
-        }
-        let percent = shown::significant(100.0 * self.value(&pivot.own.over(pivot.about)), 2);
-        let faster = end >= self.value(&self.v0).abs();
-        let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
-        self.say(name, &[("percent", &tex_digits(&percent, self.words))]);
-        let given = self.scene.bodies.iter().any(|b| matches!(b.inertia, Some(RotaryInertia::Moment(_))));
-        if self.scene.is_pendulum() && !given {
-            self.say("pinned.no_mass", &[]);
-        }
     }
 
     /// Without rotary inertia: the closed form of the speed that is left.
@@ -1966,12 +1674,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
         let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
-        let stretch = |names| self.symbols.named(names).map_or(0.0, |s| self.symbols.value(s).abs());
-        // A spring that is stretched further holds it back.
-        let braked = stretch(&[r"\delta_1", "e_1"]) > stretch(&[r"\delta_0", "e_0"]);
         let name = match () {
-            () if self.m.pivot.is_some() && braked => "pinned.onward_spring",
-            () if self.m.pivot.is_some() => "pinned.onward",
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.short == Short::Neither => "onward.slips",

@@ -1,5 +1,6 @@
 //! Writes the sections of a solution: sentences, displayed formulas, and the quantities as they are found, short ones within the
 //! sentences, wide ones on lines of their own.
+use crate::num::linear::Linear;
 use crate::num::shown;
 use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId, in_sense, positive_first};
@@ -14,6 +15,9 @@ pub const WITHIN: f64 = 34.0;
 const PACKED: f64 = LINE - 8.0;
 /// So many formulas may stand within a sentence.
 const FEW: usize = 2;
+
+/// A value of an unknown beside which what is known of an equation is small, so that its coefficient keeps all digits.
+const FAR: f64 = 1_048_576.0;
 
 /// A quantity as it was found.
 #[derive(Debug, Clone)]
@@ -79,6 +83,34 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
         let symbol = self.named(names, unit);
         self.step(symbol, from.into())
+    }
+    /// The same, or what is equal to this already.
+    pub fn find_once(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
+        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
+        known.unwrap_or_else(|| self.find(names, unit, from))
+    }
+    /// An expression with what was found put in for its symbols, down to the data.
+    pub fn expanded(&self, of: &Expr) -> Expr {
+        self.steps.iter().rev().fold(of.clone(), |all, step| all.put(step.symbol, &step.from))
+    }
+    /// What linear equations, each with both its sides, say of these unknowns, `None` of one that they leave open.
+    pub fn solved(&mut self, equations: &[(Expr, Expr)], unknowns: &[SymbolId]) -> Option<Vec<Option<f64>>> {
+        let before: Vec<f64> = unknowns.iter().map(|s| self.symbols.value(*s)).collect();
+        unknowns.iter().for_each(|s| self.symbols.place(*s, 0.0));
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        for (row, (left, right)) in equations.iter().enumerate().take(unknowns.len()) {
+            let rest = |page: &Self| page.value(left) - page.value(right);
+            let (none, uses) = (rest(self), [left.uses(), right.uses()].concat());
+            system.right(row, 0, -none);
+            for (column, symbol) in unknowns.iter().enumerate().filter(|(_, s)| uses.contains(s)) {
+                self.symbols.place(*symbol, FAR);
+                system.term(row, column, (rest(self) - none) / FAR);
+                self.symbols.place(*symbol, 0.0);
+            }
+        }
+        unknowns.iter().zip(before).for_each(|(s, x)| self.symbols.place(*s, x));
+        let solution = system.solve().ok()?;
+        Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
     }
     /// Has it been told?
     pub fn is_told(&self, symbol: SymbolId) -> bool {

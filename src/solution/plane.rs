@@ -3,8 +3,7 @@
 //!
 //! Where the bodies are, the number of an angle that the joints give, and what is integrated along the way are those of the key.
 use crate::figure::names;
-use crate::num::linear::Linear;
-use crate::num::{Jet, trig};
+use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout};
 use crate::scene::{
     Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
@@ -13,8 +12,8 @@ use crate::scene::{
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, number, positive_first, ratio, root, signed,
-    sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    signed, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, WITHIN};
@@ -171,6 +170,24 @@ struct Hold {
     given: Expr,
 }
 
+/// A single body that turns about one fixed pin: moments are taken about the pin, forces along the line to the mass centre and
+/// across.
+#[derive(Debug, Clone)]
+pub struct Pivot {
+    /// Distance from the pin to the mass centre.
+    pub h: Factors,
+    /// Moment of inertia about the mass centre.
+    pub own: Expr,
+    /// Moment of inertia about the pin.
+    pub about: SymbolId,
+    /// Force of the pin toward it from the mass centre, and across, positive with a growing angle.
+    pub force: [SymbolId; 2],
+    /// Does the angle count from upright?
+    pub up: bool,
+    /// The pin.
+    place: Point,
+}
+
 /// A scene of joined bodies as far as it is known.
 pub struct Plane<'d, 'a> {
     /// The page, with the draft and what was found.
@@ -217,6 +234,8 @@ pub struct Plane<'d, 'a> {
     pub steps_of: [usize; 2],
     /// Components of unit vectors along springs and cords.
     pub units: Vec<SymbolId>,
+    /// The pin of a single body.
+    pub pivot: Option<Pivot>,
     g: Expr,
 }
 
@@ -275,6 +294,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             j: None,
             steps_of: [0, 0],
             units: Vec::new(),
+            pivot: None,
             g,
         };
         this.first = this.start_rate();
@@ -289,6 +309,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 this.named(&[&name], "rad/s")
             }
         };
+        this.find_pivot();
         this.act()?;
         this.steps_of[1] = this.steps.len();
         this.hold();
@@ -297,6 +318,26 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         this.let_drift();
         Ok(this)
+    }
+
+    fn find_pivot(&mut self) {
+        let (1, [joint], None) = (self.bodies.len(), &self.scene.joints[..], self.scene.driven()) else {
+            return;
+        };
+        let JointKind::Pin { at, place_m } = joint.kind else { return };
+        let [along, aside] = self.of_spot(at);
+        let (it, place) = (self.bodies[0].clone(), self.ground(place_m));
+        let h = it.centre.plus(&along.opposite());
+        if !aside.is_zero() || it.alpha.is_none() || self.value(&h.expr()) <= 0.0 {
+            return;
+        }
+        let own = sum(it.inertia.iter().map(Factors::expr));
+        let about = &own + it.mass.expr() * square(h.expr());
+        let about = self.page.find(&["I_O", "J_O"], "kg m^2", about);
+        let force = [["R", "O_r"], ["S", "O_t"]].map(|names| self.named(&names, "N"));
+        self.j = Some(about);
+        let up = self.turns[0].from[1] > 0.0;
+        self.pivot = Some(Pivot { h, own, about, force, up, place });
     }
 
     fn arc(&self) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
@@ -486,6 +527,24 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn rates(&self, point: &Point, which: usize) -> Vector {
         [self.rate(&point[0], which), self.rate(&point[1], which)]
     }
+    /// The directions in which forces are told, at the asked place: to the right and up; of a body on a pin toward the pin and
+    /// across, with a growing angle.
+    fn basis(&self) -> [Vector; 2] {
+        let Some(Turn { from, across, .. }) = self.turns.first().filter(|_| self.pivot.is_some()) else {
+            let unit = |x: i8, y: i8| [x, y].map(|x| sign(f64::from(x))).map(Sum::one);
+            return [unit(1, 0), unit(0, 1)];
+        };
+        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, END)));
+        let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
+        let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
+        let toward = [Sum::of([c, s]).opposite(), Sum::of([d, t]).opposite()];
+        [toward, [Sum::of([u, e.opposite()]), Sum::of([w, f.opposite()])]]
+    }
+    /// A vector, right and up, in these directions.
+    fn frame(&self, v: &Vector) -> Vector {
+        self.basis().map(|direction| product(v, &direction))
+    }
+
     /// The angle that the leading body has turned, in radians with its sign.
     fn turned(&mut self) -> SymbolId {
         if let Some(turned) = self.turned {
@@ -662,7 +721,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
         let name = match (planar.start_deg, scene.end) {
             (Some(Num::Datum(i)), _) | (_, End::Angle(_, Num::Datum(i))) => {
-                self.problem.data[i].tex.split('_').next().unwrap_or(&tex).to_owned()
+                let own = self.problem.data[i].tex.split('_').next();
+                own.filter(|t| t.starts_with('\\')).unwrap_or(&tex).to_owned()
             }
             _ => tex,
         };
@@ -937,14 +997,25 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     // -- forces ---------------------------------------------------------------------------------------------------------
 
-    fn lever(&mut self, spot: Spot) -> Point {
-        let point = self.spot(spot);
-        less(&point, &self.centre(spot.body))
+    /// From the point about which moments are taken to a point of a body, right and up.
+    fn lever(&mut self, body: usize, point: &Point) -> Vector {
+        let about = self.pivot.as_ref().map_or_else(|| self.centre(body), |p| p.place.clone());
+        self.places(&less(point, &about), END)
     }
-    fn pull(&mut self, spot: Spot, size: Factors, direction: Vector, unknown: Option<SymbolId>) -> Pull {
-        let lever = self.lever(spot);
-        let lever = self.places(&lever, END);
-        Pull { body: spot.body, unknown, size, turn: cross(&lever, &direction), along: direction }
+    /// A force at a point of a body, along a direction of [`Self::frame`].
+    fn pull(
+        &mut self,
+        body: usize,
+        point: &Point,
+        size: Factors,
+        along: Vector,
+        unknown: Option<SymbolId>,
+    ) -> Pull {
+        let lever = self.lever(body, point);
+        // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
+        let hand = if self.pivot.is_some() { -self.sense_of(body) } else { 1 };
+        let turn = cross(&self.frame(&lever), &along).times(Factors::one().signed(hand));
+        Pull { body, unknown, size, along, turn }
     }
 
     /// Weights, forces, couples and springs, with their works.
@@ -953,14 +1024,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let still = scene.end == End::AtOnce;
         for body in 0..self.bodies.len() {
             let weight = self.bodies[body].mass.times(&self.g);
-            let down = [Sum::default(), Sum::one(number(-1))];
-            self.pulls.push(Pull {
-                body,
-                unknown: None,
-                size: weight.clone(),
-                along: down,
-                turn: Sum::default(),
-            });
+            let (down, centre) = ([Sum::default(), Sum::one(number(-1))], self.centre(body));
+            let down = self.frame(&down);
+            let pull = self.pull(body, &centre, weight.clone(), down, None);
+            self.pulls.push(pull);
             if !still {
                 let [_, y] = self.centre(body);
                 let fall = self.at(&y, START).plus(&self.at(&y, END).opposite());
@@ -993,7 +1060,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             } else {
                 vector(&unit)
             };
-            let pull = self.pull(push.at, size.clone(), along, None);
+            let (point, along) = (self.spot(push.at), self.frame(&along));
+            let pull = self.pull(push.at.body, &point, size.clone(), along, None);
             self.pulls.push(pull);
             if still {
                 continue;
@@ -1053,7 +1121,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
         let work: Result<f64, Wrong> =
-            crate::num::gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
+            gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
         self.scene.value(push.force_n, data) * work.unwrap_or(f64::NAN)
     }
 
@@ -1100,12 +1168,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let names = if tag.is_empty() { "F_s".to_owned() } else { tagged("F", &format!("s{tag}")) };
         let other = tagged("F", &format!(r"\mathrm{{s}}{tag}"));
         let force = self.page.find(&[&names, &other], "N", stiffness * &stretch[stretch.len() - 1]);
+        let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
-        let pull = self.pull(it.at, force.factors(), along.clone(), None);
+        let back = along.clone().map(|x| x.opposite());
+        let pull = self.pull(it.at.body, &near, force.factors(), along, None);
         self.pulls.push(pull);
         if let StrutEnd::Spot(spot) = it.to {
-            let back = along.map(|x| x.opposite());
-            let pull = self.pull(spot, force.factors(), back, None);
+            let pull = self.pull(spot.body, &far, force.factors(), back, None);
             self.pulls.push(pull);
         }
         self.springs.push(force);
@@ -1121,7 +1190,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         match (of[0].is_zero(), of[1].is_zero()) {
             (true, _) => self.positive(&of[1].expr()),
             (_, true) => self.positive(&of[0].expr()),
-            _ => root(square(of[0].expr()) + square(of[1].expr())),
+            _ => {
+                let (legs, law) = (square(of[0].expr()) + square(of[1].expr()), product(of, of).expr());
+                root(if width(&self.tex(&law)) < width(&self.tex(&legs)) { law } else { legs })
+            }
         }
     }
 
@@ -1131,7 +1203,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         [0, 1].map(|i| match small {
             _ if small[i] => Sum::default(),
             [false, false] => {
-                let way = ["x", "y"][i];
+                let way = if self.pivot.is_some() { ["r", "t"][i] } else { ["x", "y"][i] };
                 let symbol = self.named_by(names, &format!("{way}{tag}"), "1", apart[i].expr() / length);
                 self.units.extend(symbol.uses());
                 Sum::one(symbol)
@@ -1143,6 +1215,14 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The forces of the joints, and what each demands.
     fn hold(&mut self) {
         let scene = self.scene;
+        if let Some(Pivot { force, place, .. }) = self.pivot.clone() {
+            let along = [[1.0, 0.0], [0.0, 1.0]].map(|u| u.map(|x| Sum::of([sign(x)])));
+            for (unknown, along) in force.into_iter().zip(along) {
+                let pulls = vec![self.pull(0, &place, Factors::one(), along, Some(unknown))];
+                self.holds.push(Hold { joint: 0, unknown, pulls, inward: Sum::default(), given: ZERO });
+            }
+            return;
+        }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = below(joint);
             let letters: &[&str] = match joint.kind {
@@ -1260,16 +1340,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let mut inward = Sum::default();
         let mut pulls = Vec::new();
         for (spot, u) in ends {
-            pulls.push(self.pull(*spot, Factors::one(), u.clone(), Some(force)));
+            let point = self.spot(*spot);
+            pulls.push(self.pull(spot.body, &point, Factors::one(), u.clone(), Some(force)));
             if !self.moves {
                 continue;
             }
-            let lever = self.lever(*spot);
-            let lever = self.places(&lever, END);
+            let lever = self.lever(spot.body, &point);
             let spin = self.spin(spot.body);
             inward = inward.plus(&product(u, &lever).times(square(&spin)));
             if let Some(toward) = &toward {
-                let point = self.spot(*spot);
                 let v = self.rates(&point, END);
                 inward = inward.plus(&product(&v, &v).times(toward));
             }
@@ -1288,8 +1367,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sense = Factors::one().signed(if key * up * presses < 0.0 { -1 } else { 1 });
         let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
         let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
-        let mut pull = self.pull(at, mu.factors(), along, Some(normal));
-        pull.unknown = Some(normal);
+        let point = self.spot(at);
+        let pull = self.pull(at.body, &point, mu.factors(), along, Some(normal));
         let name = tagged("F", &below(&self.scene.joints[joint]));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force));
@@ -1310,7 +1389,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// All forces on a body.
     pub fn on(&self, body: usize) -> impl Iterator<Item = &Pull> {
         let joints = self.holds.iter().flat_map(|h| &h.pulls);
-        self.pulls.iter().chain(joints).filter(move |p| p.body == body)
+        joints.chain(&self.pulls).filter(move |p| p.body == body)
     }
     /// The forces of the joints.
     pub fn reactions(&self) -> Vec<SymbolId> {
@@ -1318,36 +1397,50 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// All accelerations.
     pub fn accelerations(&self) -> Vec<SymbolId> {
-        self.bodies.iter().flat_map(|b| b.a.into_iter().chain(b.alpha)).collect()
+        let free = self.pivot.is_none();
+        self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
+    }
+    /// The acceleration of the mass centre of a body on a pin, in the directions of [`Self::basis`].
+    fn on_circle(&self, pivot: &Pivot) -> [Expr; 2] {
+        let rate = if self.moves { square(self.rate) } else { ZERO };
+        [pivot.h.by(rate), self.bodies[0].alpha.map_or(ZERO, |alpha| pivot.h.by(alpha))]
     }
 
     /// The equations of motion of a body, both sides.
     pub fn equations(&self, body: usize) -> Vec<(Expr, Expr)> {
         let it = &self.bodies[body];
-        let size = |p: &Pull| p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u));
+        let share = |p: &Pull, of: &Sum, sense: i8| {
+            let size = p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense);
+            of.terms().iter().map(|t| size.times(t)).collect::<Vec<_>>()
+        };
         let mut all = Vec::new();
-        for i in 0..2 {
-            let left = self.on(body).map(|p| p.along[i].times(size(p)).expr());
-            all.push((positive_first(left), it.mass.by(it.a[i])));
+        let a = self.pivot.as_ref().map_or_else(|| it.a.map(Expr::from), |p| self.on_circle(p));
+        for (i, a) in a.into_iter().enumerate() {
+            let left = self.on(body).map(|p| Sum::of(share(p, &p.along[i], 1)).expr());
+            all.push((positive_first(left), it.mass.by(a)));
         }
         if let Some(alpha) = it.alpha {
-            let sense = Factors::one().signed(self.sense_of(body));
-            let moments = |couple: bool| {
-                let all = self.on(body).filter(|p| p.along.iter().all(Sum::is_zero) == couple);
-                let each = all.flat_map(|p| {
-                    let size = size(p).times(&sense);
-                    p.turn.terms().iter().map(move |t| size.times(t)).collect::<Vec<_>>()
-                });
+            let moments = |which: &dyn Fn(&Pull) -> bool| {
+                let each = self.on(body).filter(|p| which(p));
+                let each = each.flat_map(|p| share(p, &p.turn, self.sense_of(body)));
                 Sum::of(each.collect::<Vec<_>>()).expr()
             };
-            let left = positive_first([moments(true), moments(false)]);
-            all.push((left, sum(it.inertia.iter().map(|i| i.by(alpha)))));
+            let couple = |p: &Pull| p.along.iter().all(Sum::is_zero);
+            let of_spring = |p: &Pull| p.size.expr().uses().iter().any(|s| self.springs.contains(s));
+            // About a pin the spring's moment stands by itself.
+            let apart = |p: &Pull| self.pivot.is_some() && of_spring(p);
+            let left = [moments(&couple), moments(&|p| apart(p)), moments(&|p| !couple(p) && !apart(p))];
+            let left = positive_first(left);
+            match &self.pivot {
+                Some(pivot) => all.insert(0, (left, pivot.about * alpha)),
+                None => all.push((left, sum(it.inertia.iter().map(|i| i.by(alpha))))),
+            }
         }
         all
     }
-    /// What the joints demand of the accelerations: the joint, both sides.
-    pub fn demands(&self) -> Vec<(usize, Expr, Expr)> {
-        let each = self.holds.iter().map(|h| {
+    /// What the joints demand of the accelerations, both sides.
+    pub fn demands(&self) -> Vec<(Expr, Expr)> {
+        let each = self.holds.iter().filter(|_| self.pivot.is_none()).map(|h| {
             let mut left = Vec::new();
             for pull in &h.pulls {
                 let it = &self.bodies[pull.body];
@@ -1355,70 +1448,40 @@ impl<'d, 'a> Plane<'d, 'a> {
                 left.extend([0, 1].map(|i| pull.along[i].times(it.a[i]).expr()));
                 left.extend(it.alpha.map(|a| pull.turn.times(&sense).times(a).expr()));
             }
-            let right = h.inward.times(square(self.rate)).expr() + &h.given;
-            (h.joint, positive_first(left), right)
+            let rate = if self.moves { h.inward.times(square(self.rate)).expr() } else { ZERO };
+            (positive_first(left), rate + &h.given)
         });
         each.collect()
     }
 
     /// Solves the equations of motion and the demands of the joints together; gives every unknown its value.
     pub fn solve(&mut self) -> Result<(), DerivationStop> {
+        let mut equations: Vec<(Expr, Expr)> =
+            (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
+        if let (Some(pivot), Some(alpha)) = (self.pivot.clone(), self.bodies[0].alpha) {
+            // Moments about the pin have one unknown, and each of the others one more.
+            let own = [alpha, pivot.force[0], pivot.force[1]];
+            for (symbol, (left, right)) in own.into_iter().zip(equations) {
+                let is = match symbol == alpha {
+                    true => left.over(pivot.about),
+                    false => positive_first([right - left.put(symbol, &ZERO)]),
+                };
+                self.page.step(symbol, is);
+            }
+            return Ok(());
+        }
+        equations.extend(self.demands());
         let unknowns = [self.accelerations(), self.reactions()].concat();
-        let place = |s: SymbolId| unknowns.iter().position(|u| *u == s);
-        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
-        let mut row = 0;
-        let turns = |b: usize| if self.bodies[b].alpha.is_some() { 3 } else { 2 };
-        for body in 0..self.bodies.len() {
-            let it = &self.bodies[body];
-            let own: Vec<SymbolId> = it.a.into_iter().chain(it.alpha).collect();
-            let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
-            let sense = f64::from(self.sense_of(body));
-            for (k, own) in own.into_iter().enumerate() {
-                let inertia = if k < 2 { self.value(&it.mass.expr()) } else { inertia };
-                if let Some(at) = place(own) {
-                    system.term(row + k, at, -inertia);
-                }
-            }
-            for pull in self.on(body) {
-                let size = self.value(&pull.size.expr());
-                let shares = [pull.along[0].expr(), pull.along[1].expr(), pull.turn.expr()];
-                for (k, share) in shares.iter().enumerate().take(turns(body)) {
-                    let share = size * self.value(share) * if k == 2 { sense } else { 1.0 };
-                    match pull.unknown.and_then(place) {
-                        Some(at) => system.term(row + k, at, share),
-                        None => system.right(row + k, 0, -share),
-                    }
-                }
-            }
-            row += turns(body);
-        }
-        let rate = if self.moves { self.symbols.value(self.rate) } else { 0.0 };
-        for hold in &self.holds {
-            for pull in &hold.pulls {
-                let it = &self.bodies[pull.body];
-                let sense = f64::from(self.sense_of(pull.body));
-                for (i, a) in it.a.iter().enumerate() {
-                    if let Some(at) = place(*a) {
-                        system.term(row, at, self.value(&pull.along[i].expr()));
-                    }
-                }
-                if let Some(at) = it.alpha.and_then(place) {
-                    system.term(row, at, sense * self.value(&pull.turn.expr()));
-                }
-            }
-            let right = self.value(&hold.inward.expr()) * rate * rate + self.value(&hold.given);
-            system.right(row, 0, right);
-            row += 1;
-        }
-        let Ok(solution) = system.solve() else { return beyond() };
+        let Some(solution) = self.page.solved(&equations, &unknowns) else { return beyond() };
         let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
-        let rates = self.accelerations().len();
-        let g = self.value(&self.g);
-        for (i, symbol) in unknowns.into_iter().enumerate().filter(|(i, _)| !solution.is_open(*i)) {
+        let (rates, g) = (self.accelerations().len(), self.value(&self.g));
+        for (i, (symbol, value)) in unknowns.into_iter().zip(solution).enumerate() {
             // What is 0 but for rounding.
-            let (value, scale) = (solution.get(i, 0), if i < rates { g } else { weights });
-            let value = if value.abs() < ROUNDING * scale { 0.0 } else { value };
-            self.symbols.settle(symbol, value, 0.0);
+            let scale = if i < rates { g } else { weights };
+            if let Some(value) = value {
+                let value = if value.abs() < ROUNDING * scale { 0.0 } else { value };
+                self.symbols.settle(symbol, value, 0.0);
+            }
         }
         Ok(())
     }
@@ -1524,7 +1587,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Of a single body, what is left when the forces of the joints are eliminated, `J q'' = Q - B q'^2`: `Q` and `B`.
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
-        let [it] = &self.bodies[..] else { return None };
+        let ([it], None) = (&self.bodies[..], &self.pivot) else { return None };
         let (mass, centre) = (it.mass.clone(), self.centre(0));
         if self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
             return None;
@@ -1550,6 +1613,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(DerivedAnswer::Value(known)) = self.found_for(label) {
             return Ok(known);
         }
+        if let Some(found) = self.of_pivot(label)? {
+            return Ok(found);
+        }
         let none = || DerivationStop::Beyond(Beyond::Quantity(label.quantity));
         let key = self.variant.solved.get(label).map(|e| e.value());
         let rate = if self.moves { self.rate.into() } else { ZERO };
@@ -1570,8 +1636,16 @@ impl<'d, 'a> Plane<'d, 'a> {
                 omega
             }
             (Q::Alpha, Owner::Body(b)) => self.bodies[b].alpha.ok_or_else(none)?,
-            (Q::AX, Owner::Body(b)) => self.bodies[b].a[0],
-            (Q::AY, Owner::Body(b)) => self.bodies[b].a[1],
+            (Q::AX | Q::AY, Owner::Body(b)) => {
+                let i = usize::from(label.quantity == Q::AY);
+                let (a, basis) = (self.bodies[b].a[i], self.basis());
+                if let Some(pivot) = &self.pivot {
+                    let shares = self.on_circle(pivot).into_iter().zip(basis);
+                    let is = positive_first(shares.map(|(a, unit)| unit[i].times(a).expr()));
+                    self.page.step(a, is);
+                }
+                a
+            }
             (Q::V, Owner::Body(b)) => {
                 let centre = self.centre(b);
                 let is = match self.speeds.get(b) {
@@ -1645,6 +1719,95 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => return Err(none()),
         };
         Ok(symbol)
+    }
+
+    /// What a quantity is of a body on a pin that no other body has, or has in another way.
+    fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
+        use Quantity as Q;
+        let Some(pivot) = self.pivot.clone() else { return Ok(None) };
+        let ([r, s], about) = (pivot.force, pivot.about);
+        let mgh = self.bodies[0].mass.times(&self.g).times(&pivot.h);
+        let of = |this: &mut Self, quantity| this.get(Label { quantity, ..label });
+        let (names, is) = match label.quantity {
+            Q::IO => return Ok(Some(about)),
+            Q::PinRadial => return Ok(Some(r)),
+            Q::PinTangential => return Ok(Some(s)),
+            Q::SpringForce => return Ok(self.springs.first().copied()),
+            Q::PinForce => (["F_O", "O"], root(square(r) + square(s))),
+            Q::PinX | Q::PinY => {
+                let i = usize::from(label.quantity == Q::PinY);
+                let shares = [r, s].into_iter().zip(self.basis());
+                let is = positive_first(shares.map(|(force, unit)| unit[i].times(force).expr()));
+                ([["O_x", "X_O"], ["O_y", "Y_O"]][i], is)
+            }
+            Q::PinAngle => {
+                let (x, y) = (of(self, Q::PinX)?, of(self, Q::PinY)?);
+                let angle = arc_cosine(x / root(square(x) + square(y)));
+                ([r"\psi_O", r"\chi_O"], in_sense(angle, self.symbols.value(y)))
+            }
+            Q::RotationalFraction => ([r"\eta", r"eta"], pivot.own.over(about)),
+            Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
+            Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple().by(self.turned())),
+            Q::PowerCouple => {
+                let rate = in_sense(of(self, Q::Omega)?.into(), self.sense);
+                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], self.couple().by(&rate))
+            }
+            Q::OmegaMax => {
+                let height = signed(cosine(&self.turns[0].at[START]), pivot.up);
+                let gained = mgh.times(number(2)).by(ONE + height).over(about);
+                ([r"\omega_{\mathrm{max}}", r"\omega_{m}"], root(square(&self.first) + gained))
+            }
+            Q::OmegaSmall => ([r"\Omega", r"\omega_s"], root(mgh.expr() / about)),
+            Q::PeriodSmall => {
+                let frequency = of(self, Q::OmegaSmall)?;
+                ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
+            }
+            Q::T if self.scene.end != End::AtOnce && !self.turns[0].at[END].uses().is_empty() => {
+                let (t, time) = (self.named(&["t", "t_1"], "s"), self.time());
+                self.symbols.settle(t, time, 0.0);
+                return Ok(Some(self.page.step(t, t.into())));
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(self.page.find_once(&names, label.quantity.unit(), is)))
+    }
+    /// The moment of all couples, positive with a growing angle.
+    fn couple(&mut self) -> Expr {
+        let couples = self.scene.couples.iter();
+        let each = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
+        positive_first(each.collect::<Vec<_>>())
+    }
+    /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
+    pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
+        let angle = self.turns[0].at[END].uses();
+        let kept: Vec<f64> = angle.iter().map(|a| self.symbols.value(*a)).collect();
+        angle.iter().for_each(|a| self.symbols.place(*a, degrees));
+        let value = self.page.expanded(of).value(&self.symbols);
+        angle.iter().zip(kept).for_each(|(a, x)| self.symbols.place(*a, x));
+        value
+    }
+    /// The square of the angular speed of a body on a pin, by the balance of work.
+    pub fn square(&self, pivot: &Pivot) -> Expr {
+        let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
+        self.page.expanded(&square)
+    }
+    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
+    /// cosine takes away.
+    fn time(&mut self) -> f64 {
+        let Some(square) = self.pivot.as_ref().map(|p| self.square(p)) else { return f64::NAN };
+        let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
+        let (half, pieces) = (0.5 * (last - first).abs(), 40);
+        let step = std::f64::consts::PI / f64::from(pieces);
+        let mut pace = |theta: f64| {
+            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
+            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
+            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
+        };
+        let mut piece = |i: i32| {
+            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
+            gauss::mean(&places.collect::<Vec<f64>>())
+        };
+        step * (0..pieces).map(&mut piece).sum::<f64>()
     }
 
     fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
