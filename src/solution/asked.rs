@@ -2,7 +2,6 @@
 //! datum that is found from a measurement.
 use crate::bank::Problem;
 use crate::num::formula::{Formula, Step};
-use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Given, Label, Owner, Scene, Term};
 use crate::solution::derive;
@@ -217,7 +216,7 @@ pub fn not_given(draft: &mut Draft) {
         && let Expr::Symbol(measured) = page.number(crate::scene::Num::Datum(found.measured.datum), "x", "1")
         && let Some(DerivedAnswer::Value(forward)) = page.found_for(found.label)
     {
-        let digits = tex_digits(&shown::significant(page.symbols.value(unknown), FIGURES), page.words);
+        let digits = page.digits(page.symbols.value(unknown), FIGURES);
         let unit = tex_of(&page.problem.data[datum].unit.dimension().to_string());
         let value = format!("${} = {digits}\\ {unit}$", page.symbols.tex(unknown));
         let (name, told) = (page.names(&[unknown]), page.shown(measured));

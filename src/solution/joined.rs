@@ -1,19 +1,19 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::num::shown;
 use crate::scene::{End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
-use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
+use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Sum};
+use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
 use crate::solution::plane::{END, Pivot, Plane, START};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
+use std::ops::{Deref, DerefMut};
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
@@ -22,66 +22,30 @@ const LOOK: f64 = 0.25;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
 
-/// Writes the sections.
-///
-/// # Errors
-/// What is not covered, by name.
-pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let mut n = Joined { t: Plane::new(draft)?, inertia: Sum::default() };
-    n.idea();
-    n.sketch();
-    if n.instant() {
-        n.motion("short", "one_motion")?;
-        n.forces()?;
-        n.t.begin_as("why", "which");
-        n.say("joined.why_instant", &[]);
-    } else if n.rubs() {
-        n.motion("short", "one_motion")?;
-        n.integrate_friction()?;
-    } else {
-        n.energy()?;
-        n.motion("long", "long_motion")?;
-        n.why();
-    }
-    if !n.instant() {
-        n.forces()?;
-    }
-    n.swings()?;
-    n.rest()?;
-    n.holds()?;
-    n.limits();
-    n.onward();
-    Ok(())
-}
-
 /// Is a joint of some kind?
 type IsKind = fn(&JointKind) -> bool;
 
-struct Joined<'d, 'a> {
+/// Who words bodies that are joined in the plane.
+pub struct Joined<'d, 'a> {
     t: Plane<'d, 'a>,
     /// `J` of `1/2 J q'^2`.
     inertia: Sum,
 }
 
-impl Joined<'_, '_> {
-    fn instant(&self) -> bool {
-        self.t.scene.end == End::AtOnce
+impl<'d, 'a> Deref for Joined<'d, 'a> {
+    type Target = Plane<'d, 'a>;
+    fn deref(&self) -> &Self::Target {
+        &self.t
     }
-    fn rubs(&self) -> bool {
-        !self.t.frictions.is_empty()
+}
+impl DerefMut for Joined<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.t
     }
-    fn single(&self) -> bool {
-        self.t.bodies.len() == 1
-    }
-    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.t.page.say(name, pieces);
-    }
-    fn joint(&self, is: IsKind) -> bool {
-        self.t.scene.joints.iter().any(|j| is(&j.kind))
-    }
+}
 
+impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     fn idea(&mut self) {
-        self.t.begin("idea");
         let name = match self.t.scene.end {
             End::AtOnce => "joined.idea_instant",
             _ if self.rubs() => "joined.idea_rubs",
@@ -113,12 +77,196 @@ impl Joined<'_, '_> {
             .collect();
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
+    fn ways(&mut self) -> Result<(), DerivationStop> {
+        if self.instant() {
+            self.motion("short", "one_motion")?;
+            self.t.begin_as("why", "which");
+            self.say("joined.why_instant", &[]);
+        } else if self.rubs() {
+            self.motion("short", "one_motion")?;
+            self.integrate_friction()?;
+        } else {
+            self.energy()?;
+            self.motion("long", "long_motion")?;
+            self.why();
+        }
+        Ok(())
+    }
+    fn forces(&mut self) -> Result<(), DerivationStop> {
+        use Quantity as Q;
+        let kinetic = |q: Quantity| {
+            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension | Q::Moment)
+                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinRadial | Q::PinTangential)
+                || matches!(q, Q::PinAngle | Q::Drive)
+        };
+        if self.t.pivot.is_some() {
+            self.forces_of_the_pin(&kinetic)?;
+            return self.swings();
+        }
+        let mut values: Vec<SymbolId> = Vec::new();
+        for label in self.t.labels().into_iter().filter(|l| kinetic(l.quantity)) {
+            if label.quantity == Q::PinForce {
+                // Its components come first.
+                for quantity in [Q::PinX, Q::PinY] {
+                    let part = self.t.get(Label { quantity, ..label })?;
+                    if !values.contains(&part) {
+                        values.push(part);
+                    }
+                }
+            }
+            let symbol = self.t.get(label)?;
+            self.t.answer(label, DerivedAnswer::Value(symbol));
+            if !values.contains(&symbol) {
+                values.push(symbol);
+            }
+        }
+        if values.is_empty() {
+            return Ok(());
+        }
+        if let Some([power, bend]) = self.t.eliminated() {
+            if self.instant() {
+                let before = self.t.steps.len();
+                let speeds = self.t.speeds();
+                self.inertia = self.t.inertia(&speeds);
+                let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
+                if !named.is_empty() {
+                    let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
+                    self.say("joined.speed", &[("speeds", &speed)]);
+                    self.t.tell(named);
+                }
+            }
+            let (alpha, _) = self.leading();
+            let bend = bend.times(square(self.t.rate)).opposite();
+            let right = power.plus(&bend).expr();
+            let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
+            let fits = width(&line) <= LINE;
+            self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
+            if fits {
+                self.t.formula(line);
+            }
+        } else {
+            self.say("joined.together", &[]);
+        }
+        // What the equations were solved for besides, where the page has room for it.
+        let others = [self.t.accelerations(), self.t.reactions()].concat();
+        let known = |s: &SymbolId| !self.t.symbols.value(*s).is_nan() && !values.contains(s);
+        let others: Vec<SymbolId> = others.into_iter().filter(known).collect();
+        let room = MOST.saturating_sub(self.lines());
+        let chains =
+            |n: &Self, all: &[SymbolId]| -> Vec<String> { all.iter().map(|s| n.t.step_of(*s)).collect() };
+        let all = [values.clone(), others].concat();
+        let enough = self.single() && packed(chains(self, &all)).len() <= room;
+        let told = chains(self, if enough { &all } else { &values });
+        match &told[..] {
+            [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
+            _ => self.t.formulas(told),
+        }
+        self.t.skip_new();
+        Ok(())
+    }
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.get(label)
+    }
+    fn before(&mut self, label: Label) {
+        if label.quantity == Quantity::T && !matches!(self.t.scene.end, End::Time(..)) {
+            self.t.tell_new();
+            self.say("joined.time", &[]);
+        }
+    }
+    fn holds(&mut self) -> Result<(), DerivationStop> {
+        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.instant()) {
+            self.gets_there(&pivot);
+        }
+        let scene = self.t.scene;
+        let (mut pressed, mut taut) = (Vec::new(), Vec::new());
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let leaves = matches!(scene.end, End::Leaves(l) if l == j);
+            let (quantity, list) = match joint.kind {
+                JointKind::Cord { .. } => (Quantity::Tension, &mut taut),
+                kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
+                _ => continue,
+            };
+            let Some(force) = self.t.of_joint(quantity, j) else { continue };
+            if leaves {
+                // The place is that of the key: there the force has to vanish.
+                let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
+                if self.t.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
+                    return Err(Beyond::Differs(quantity).into());
+                }
+            } else if !self.t.symbols.value(force).is_nan() {
+                list.push(self.t.shown(force));
+            }
+        }
+        for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
+            if !list.is_empty() {
+                let name = if self.instant() { format!("{name}_at_once") } else { name.to_owned() };
+                self.say(&name, &[("force", &list.join(", "))]);
+            }
+        }
+        Ok(())
+    }
+    fn limits(&mut self) -> Result<(), DerivationStop> {
+        let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
+        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
+        if moving && !self.inertia.is_zero() && !rotation.is_zero() {
+            let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
+            let percent = self.t.digits(percent, 2);
+            self.say("limits.spin", &[("percent", &percent)]);
+            if self.t.first == ZERO && percent != "100" {
+                let light = self.t.symbols.value(self.t.rate)
+                    / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
+                let fast = self.t.rough(light, "rad/s");
+                let shown = self.t.shown(self.t.rate);
+                if !matches!(self.t.scene.end, End::Speed(..)) {
+                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
+                }
+            }
+        }
+        let scene = self.t.scene;
+        let weights = scene.pushes.is_empty() && scene.couples.is_empty() && scene.struts.is_empty();
+        let body = &scene.bodies[0];
+        let given =
+            matches!(body.inertia, Some(RotaryInertia::Moment(_))) || matches!(body.mass, Mass::Weight(_));
+        if self.single() && weights && !given {
+            self.say("joined.no_mass", &[]);
+        }
+        Ok(())
+    }
+    fn onward(&self) -> &'static str {
+        match self.t.scene.end {
+            End::AtOnce if !self.t.moves => "joined.onward_instant",
+            End::Leaves(_) => "joined.onward_leaves",
+            _ if self.rubs() => "joined.onward_rubs",
+            _ if !self.t.springs.is_empty() => "joined.onward_spring",
+            _ if self.t.pivot.is_some() => "pinned.onward",
+            _ if self.single() => "joined.onward",
+            _ => "joined.onward_linkage",
+        }
+    }
+}
 
-    fn sketch(&mut self) {
-        self.t.begin("sketch");
-        let mut all = vec![Block::Picture("scene".to_owned())];
-        all.extend(self.t.scene.bodies.iter().map(|b| Block::Picture(format!("forces-{}", b.name))));
-        self.t.out.blocks = all;
+impl<'d, 'a> Joined<'d, 'a> {
+    /// Of a scene.
+    ///
+    /// # Errors
+    /// Joints that do not place a body.
+    pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
+        Ok(Self { t: Plane::new(draft)?, inertia: Sum::default() })
+    }
+    fn instant(&self) -> bool {
+        self.t.scene.end == End::AtOnce
+    }
+    fn rubs(&self) -> bool {
+        !self.t.frictions.is_empty()
+    }
+    fn single(&self) -> bool {
+        self.t.bodies.len() == 1
+    }
+    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        self.t.page.say(name, pieces);
+    }
+    fn joint(&self, is: IsKind) -> bool {
+        self.t.scene.joints.iter().any(|j| is(&j.kind))
     }
 
     /// Where the bodies are: what the joints say of their angles, and the place where the motion ends.
@@ -418,19 +566,9 @@ impl Joined<'_, '_> {
             if self.instant() || pieces.is_some() && !self.t.springs.is_empty() { "" } else { "_there" };
         let name = if pieces.is_some() { "pinned.senses" } else { "joined.senses" };
         self.say(&format!("{name}{there}"), pieces.as_ref().map_or(&[], |p| &p[..]));
-        let mut rows = Vec::new();
-        let mut firsts = Vec::new();
-        for body in 0..self.t.bodies.len() {
-            let before = rows.len();
-            for (left, right) in self.t.equations(body) {
-                rows.push(format!(r"{} \quad ({})", self.t.equation(&left, &right), rows.len() + 1));
-            }
-            firsts.push(format!("{} ({})–({})", self.t.bodies[body].name, before + 1, rows.len()));
-        }
-        self.t.formulas(rows);
-        if !self.single() {
-            self.say("motion.of", &[("list", &firsts.join(", "))]);
-        }
+        let each = |b: usize| (self.t.bodies[b].name.clone(), self.t.equations(b));
+        let all: Vec<_> = (0..self.t.bodies.len()).map(each).collect();
+        self.t.rows(&all);
         let demands = self.t.demands();
         if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
@@ -501,95 +639,16 @@ impl Joined<'_, '_> {
             self.say("why.ask", &[]);
             return;
         }
-        let (many, few) = (self.t.names(&newton), self.t.names(&energy));
-        let (n, k) = (newton.len().to_string(), energy.len().to_string());
-        let ties = self.t.phrase("joined.ties", &[]);
         let forces = if reactions.len() <= FEW {
             self.t.names(&reactions)
         } else {
             self.t.phrase("joined.forces_of_joints", &[])
         };
-        self.say("why.newton", &[("many", &many), ("n", &n), ("ties", ties.trim_end())]);
-        self.say("why.eliminate", &[("forces", &forces)]);
-        self.say("why.energy", &[("few", &few), ("k", &k)]);
+        self.t.compare(&newton, &energy, "joined.ties", Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
     }
 
-    /// Accelerations and forces: what elimination leaves, and the values.
-    fn forces(&mut self) -> Result<(), DerivationStop> {
-        use Quantity as Q;
-        self.t.begin("forces");
-        self.t.skip_new();
-        let kinetic = |q: Quantity| {
-            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension | Q::Moment)
-                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinRadial | Q::PinTangential)
-                || matches!(q, Q::PinAngle | Q::Drive)
-        };
-        if self.t.pivot.is_some() {
-            return self.forces_of_the_pin(&kinetic);
-        }
-        let mut values: Vec<SymbolId> = Vec::new();
-        for label in self.t.labels().into_iter().filter(|l| kinetic(l.quantity)) {
-            if label.quantity == Q::PinForce {
-                // Its components come first.
-                for quantity in [Q::PinX, Q::PinY] {
-                    let part = self.t.get(Label { quantity, ..label })?;
-                    if !values.contains(&part) {
-                        values.push(part);
-                    }
-                }
-            }
-            let symbol = self.t.get(label)?;
-            self.t.answer(label, DerivedAnswer::Value(symbol));
-            if !values.contains(&symbol) {
-                values.push(symbol);
-            }
-        }
-        if values.is_empty() {
-            return Ok(());
-        }
-        if let Some([power, bend]) = self.t.eliminated() {
-            if self.instant() {
-                let before = self.t.steps.len();
-                let speeds = self.t.speeds();
-                self.inertia = self.t.inertia(&speeds);
-                let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
-                if !named.is_empty() {
-                    let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
-                    self.say("joined.speed", &[("speeds", &speed)]);
-                    self.t.tell(named);
-                }
-            }
-            let (alpha, _) = self.leading();
-            let bend = bend.times(square(self.t.rate)).opposite();
-            let right = power.plus(&bend).expr();
-            let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
-            let fits = width(&line) <= LINE;
-            self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
-            if fits {
-                self.t.formula(line);
-            }
-        } else {
-            self.say("joined.together", &[]);
-        }
-        // What the equations were solved for besides, where the page has room for it.
-        let others = [self.t.accelerations(), self.t.reactions()].concat();
-        let known = |s: &SymbolId| !self.t.symbols.value(*s).is_nan() && !values.contains(s);
-        let others: Vec<SymbolId> = others.into_iter().filter(known).collect();
-        let room = MOST.saturating_sub(self.lines());
-        let chains =
-            |n: &Self, all: &[SymbolId]| -> Vec<String> { all.iter().map(|s| n.t.step_of(*s)).collect() };
-        let all = [values.clone(), others].concat();
-        let enough = self.single() && packed(chains(self, &all)).len() <= room;
-        let told = chains(self, if enough { &all } else { &values });
-        match &told[..] {
-            [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
-            _ => self.t.formulas(told),
-        }
-        self.t.skip_new();
-        Ok(())
-    }
     /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
     fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
         let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
@@ -688,7 +747,7 @@ impl Joined<'_, '_> {
         for _ in 0..40 {
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
             if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| tex_digits(&shown::significant(x, 6), t.words));
+                let [a, b] = [a, b].map(|x| t.digits(x, 6));
                 pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
             }
             if (a - b).abs() <= 1e-15 * a {
@@ -718,15 +777,12 @@ impl Joined<'_, '_> {
     fn gets_there(&mut self, pivot: &Pivot) {
         let [start, end] = [START, END].map(|which| self.angle(which));
         let sense = self.t.phrase(if self.t.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
-        let rough = |n: &Self, value: f64, unit: &str| {
-            format!(r"${}\ {}$", tex_digits(&shown::significant(value, FIGURES), n.t.words), tex_of(unit))
-        };
         let [first, last] = self.t.turns[0].at.each_ref().map(|a| self.t.value(a));
         let (square, moments) = (self.t.square(pivot), self.t.equations(0).swap_remove(0).0);
         let drive = self.t.expanded(&moments);
         if self.t.first == ZERO {
             let moment = self.t.along_way(&drive, first);
-            let moment = rough(self, moment, "N m");
+            let moment = self.t.rough(moment, "N m");
             self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
         } else {
             self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
@@ -747,7 +803,7 @@ impl Joined<'_, '_> {
             self.say("pinned.brakes_late", &angle);
         } else {
             let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &rough(self, least, "rad^2/s^2"))]);
+            self.say("pinned.never_rests", &[angle[0], ("least", &self.t.rough(least, "rad^2/s^2"))]);
         }
     }
 
@@ -764,104 +820,5 @@ impl Joined<'_, '_> {
     fn factor(&self, of: &Expr) -> String {
         let text = self.t.tex(of);
         if matches!(of, Expr::Sum(_)) { format!("({text})") } else { text }
-    }
-
-    /// All that is asked and not told yet.
-    fn rest(&mut self) -> Result<(), DerivationStop> {
-        self.t.begin("rest");
-        self.t.skip_new();
-        for label in self.t.labels() {
-            if label.quantity.is_word() {
-                continue;
-            }
-            if label.quantity == Quantity::T && !matches!(self.t.scene.end, End::Time(..)) {
-                self.t.tell_new();
-                self.say("joined.time", &[]);
-            }
-            let symbol = self.t.get(label)?;
-            self.t.answer(label, DerivedAnswer::Value(symbol));
-        }
-        self.t.tell_new();
-        Ok(())
-    }
-
-    /// Do the contacts press, are the cords taut? Over the whole way as the key has it.
-    fn holds(&mut self) -> Result<(), DerivationStop> {
-        self.t.begin("holds");
-        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.instant()) {
-            self.gets_there(&pivot);
-        }
-        let scene = self.t.scene;
-        let (mut pressed, mut taut) = (Vec::new(), Vec::new());
-        for (j, joint) in scene.joints.iter().enumerate() {
-            let leaves = matches!(scene.end, End::Leaves(l) if l == j);
-            let (quantity, list) = match joint.kind {
-                JointKind::Cord { .. } => (Quantity::Tension, &mut taut),
-                kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
-                _ => continue,
-            };
-            let Some(force) = self.t.of_joint(quantity, j) else { continue };
-            if leaves {
-                // The place is that of the key: there the force has to vanish.
-                let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
-                if self.t.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
-                    return Err(Beyond::Differs(quantity).into());
-                }
-            } else if !self.t.symbols.value(force).is_nan() {
-                list.push(self.t.shown(force));
-            }
-        }
-        for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
-            if !list.is_empty() {
-                let name = if self.instant() { format!("{name}_at_once") } else { name.to_owned() };
-                self.say(&name, &[("force", &list.join(", "))]);
-            }
-        }
-        Ok(())
-    }
-
-    fn limits(&mut self) {
-        self.t.begin("limits");
-        let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
-        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
-        if moving && !self.inertia.is_zero() && !rotation.is_zero() {
-            let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
-            let percent = shown::significant(percent, 2);
-            self.say("limits.spin", &[("percent", &tex_digits(&percent, self.t.words))]);
-            if self.t.first == ZERO && percent != "100" {
-                let light = self.t.symbols.value(self.t.rate)
-                    / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
-                let fast = tex_digits(&shown::significant(light, FIGURES), self.t.words);
-                let fast = format!(r"${fast}\ {}$", tex_of("rad/s"));
-                let shown = self.t.shown(self.t.rate);
-                if !matches!(self.t.scene.end, End::Speed(..)) {
-                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
-                }
-            }
-        }
-        let scene = self.t.scene;
-        let weights = scene.pushes.is_empty() && scene.couples.is_empty() && scene.struts.is_empty();
-        let body = &scene.bodies[0];
-        let given =
-            matches!(body.inertia, Some(RotaryInertia::Moment(_))) || matches!(body.mass, Mass::Weight(_));
-        if self.single() && weights && !given {
-            self.say("joined.no_mass", &[]);
-        }
-        self.t.skip_new();
-    }
-
-    fn onward(&mut self) {
-        self.t.begin("onward");
-        let name = match self.t.scene.end {
-            End::AtOnce if !self.t.moves => "joined.onward_instant",
-            End::Leaves(_) => "joined.onward_leaves",
-            _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.t.springs.is_empty() => "joined.onward_spring",
-            _ if self.t.pivot.is_some() => "pinned.onward",
-            _ if self.single() => "joined.onward",
-            _ => "joined.onward_linkage",
-        };
-        self.say(name, &[]);
-        self.t.end();
     }
 }

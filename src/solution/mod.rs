@@ -190,11 +190,7 @@ fn made(
 
 /// All that is derived: the scene, then what is asked of it by formulas.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.lead().is_some() {
-        joined::sections(draft)?
-    } else {
-        narrate::sections(draft)?
-    }
+    narrate::sections(draft)?;
     asked::not_given(draft);
     asked::answer(draft)
 }

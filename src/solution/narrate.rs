@@ -1,7 +1,6 @@
 //! Words a scene of lines and axles from its terms: idea, short way, long way, why the one is shorter, forces, whether what was
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
-use crate::num::shown;
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
 };
@@ -12,11 +11,12 @@ use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
+use crate::solution::joined::Joined;
 use crate::solution::page::{Page, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::symbols::FIGURES;
 use crate::solution::terms::{Action, ForceKind, ForceSource, Particles};
-use crate::solution::text::{Block, LINE, SolutionSection};
+use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
@@ -49,11 +49,80 @@ struct LegEnd {
     phi: SymbolId,
 }
 
-/// Writes the sections of a scene of lines and axles.
+/// What a solution says of a kind of scene. The order is one for all: [`tell`].
+pub trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 'a>>> {
+    /// What to look at, and what need not be known.
+    fn idea(&mut self);
+    /// The short way, the long one, and why the one is shorter.
+    ///
+    /// # Errors
+    /// What is not covered, as of all these.
+    fn ways(&mut self) -> Result<(), DerivationStop>;
+    /// Forces that are asked.
+    ///
+    /// # Errors
+    /// Those of [`Self::ways`].
+    fn forces(&mut self) -> Result<(), DerivationStop>;
+    /// A quantity, looked up or derived.
+    ///
+    /// # Errors
+    /// Those of [`Self::ways`].
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
+    /// What is said before a quantity that is asked besides.
+    fn before(&mut self, label: Label);
+    /// Is what was assumed so?
+    ///
+    /// # Errors
+    /// Those of [`Self::ways`].
+    fn holds(&mut self) -> Result<(), DerivationStop>;
+    /// A limit or two.
+    ///
+    /// # Errors
+    /// Those of [`Self::ways`].
+    fn limits(&mut self) -> Result<(), DerivationStop>;
+    /// A question to go on with, by name.
+    fn onward(&self) -> &'static str;
+}
+
+/// Writes the sections, one after the other.
+fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
+    n.begin("idea");
+    n.idea();
+    n.sketch();
+    n.ways()?;
+    n.begin("forces");
+    n.skip_new();
+    n.forces()?;
+    n.begin("rest");
+    n.skip_new();
+    for label in asked::needed(n.scene, n.problem) {
+        if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
+            n.before(label);
+            let symbol = n.get(label)?;
+            n.answer(label, DerivedAnswer::Value(symbol));
+        }
+    }
+    n.tell_new();
+    n.begin("holds");
+    n.holds()?;
+    n.begin("limits");
+    n.limits()?;
+    n.skip_new();
+    n.begin("onward");
+    let name = n.onward();
+    n.say(name, &[]);
+    n.end();
+    Ok(())
+}
+
+/// Writes the sections of a scene.
 ///
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.lead().is_some() {
+        return tell(&mut Joined::new(draft)?);
+    }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return particles(draft);
     }
@@ -80,46 +149,9 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         End::Time(..) => Short::Motion,
         _ => Short::Energy,
     };
-    let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
     let mut n = Narrator::new(account, short);
-    n.idea();
-    n.sketch();
-    n.end();
-    n.draft.sections.extend(rolled);
-    match short {
-        Short::Energy | Short::Motion if swings => n.swings()?,
-        Short::Energy => {
-            n.energy();
-            n.motion("long")?;
-            n.why();
-        }
-        Short::Motion => {
-            n.motion("short")?;
-            n.why_not_energy();
-        }
-        Short::Neither => {
-            n.motion("short")?;
-            n.energy_of_slip()?;
-        }
-        Short::Together => {
-            n.motion("short")?;
-            if !stays {
-                n.why_together();
-            }
-        }
-        Short::Instant => n.instant()?,
-    }
-    let forced = short != Short::Instant || n.forces_asked();
-    if forced {
-        n.forces()?;
-    }
-    n.rest()?;
-    if forced {
-        n.holds()?;
-    }
-    n.limits()?;
-    n.onward();
-    Ok(())
+    n.rolled = rolled;
+    tell(&mut n)
 }
 
 /// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
@@ -136,8 +168,7 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     let each = |of: &dyn Fn(usize) -> Expr| sum((0..p.names.len()).map(of));
     page.begin("idea");
     page.say("lamina.idea", &[]);
-    page.begin("sketch");
-    page.out.blocks = vec![Block::Picture("scene".to_owned())];
+    page.sketch();
     page.begin_as("short", "short_lamina");
     page.say("lamina.centre", &[]);
     let total = |page: &mut Page, tex: &str, unit: &str, all: Expr| {
@@ -234,7 +265,7 @@ fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) ->
             e => {
                 let value = page.value(&e);
                 let value = if value.abs() < NOTHING { 0.0 } else { value };
-                format!("${}$", tex_digits(&shown::significant(value, FIGURES), page.words))
+                format!("${}$", page.digits(value, FIGURES))
             }
         });
         rows.push(std::iter::once(format!("${name}$")).chain(cells).collect());
@@ -337,6 +368,8 @@ struct Narrator<'d, 'a> {
     still_slips: bool,
     /// Are the ratios of displacements on the page?
     ratios_told: bool,
+    /// What is said of contacts that are taken as rolling.
+    rolled: Vec<SolutionSection>,
 }
 
 impl<'d, 'a> Deref for Narrator<'d, 'a> {
@@ -352,9 +385,219 @@ impl DerefMut for Narrator<'_, '_> {
     }
 }
 
+impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
+    fn idea(&mut self) {
+        let spring = self.spring.is_some();
+        let name = match (self.short, self.scene.end) {
+            (Short::Instant, _) => "idea.instant",
+            (Short::Together, _) if self.stays() => "idea.stays",
+            (Short::Together, _) => "idea.together",
+            (Short::Neither, End::Rolling(_)) => "thrown.idea",
+            (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
+            (Short::Neither, _) => "idea.slips",
+            (Short::Motion, _) => "idea.time",
+            (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
+            (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
+            (Short::Energy, _) => "idea.speed",
+        };
+        self.say(name, &[]);
+        if matches!(self.short, Short::Energy | Short::Motion) {
+            let cords = self.cords();
+            let ties =
+                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
+            for (found, name, idle) in ties {
+                let Some((t, body)) = found else { continue };
+                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
+                if self.short == Short::Energy {
+                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
+                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
+                }
+            }
+            if !cords.is_empty() {
+                self.say("idea.cords", &[]);
+                if self.short == Short::Energy {
+                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
+                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
+                }
+            }
+        }
+    }
+    fn ways(&mut self) -> Result<(), DerivationStop> {
+        let rolled = std::mem::take(&mut self.rolled);
+        self.end();
+        self.draft.sections.extend(rolled);
+        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        match self.short {
+            Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
+            Short::Energy => {
+                self.energy();
+                self.motion("long")?;
+                self.why();
+                Ok(())
+            }
+            Short::Motion => {
+                self.motion("short")?;
+                self.why_not_energy();
+                Ok(())
+            }
+            Short::Neither => {
+                self.motion("short")?;
+                self.energy_of_slip()
+            }
+            Short::Together => {
+                self.motion("short")?;
+                if !self.stays() {
+                    self.why_together();
+                }
+                Ok(())
+            }
+            Short::Instant => self.instant(),
+        }
+    }
+    fn forces(&mut self) -> Result<(), DerivationStop> {
+        if !self.forced() {
+            return Ok(());
+        }
+        let asked = asked::needed(self.scene, self.problem);
+        let rolling = self.rolling();
+        for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
+            self.get(*label)?;
+        }
+        let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
+        for label in asked.iter().filter(|l| wanted(l.quantity)) {
+            self.get(*label)?;
+        }
+        for (_, body) in &rolling {
+            let _ = self.get(of_body(Quantity::Friction, *body));
+        }
+        let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
+        if sprung {
+            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
+            self.forget(at_end.collect::<Vec<_>>());
+            self.say("forces.spring", &[]);
+        } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
+            let a = self.acceleration();
+            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
+            let back = place && self.short == Short::Energy && self.v0 == ZERO;
+            let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
+            let by = self.stated(a, &in_sense(by, self.sense));
+            self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
+        }
+        if !rolling.is_empty() {
+            let normals = self.normals();
+            self.forget(normals);
+        }
+        self.tell_new();
+        for (t, body) in rolling {
+            self.read_friction(t, body)?;
+        }
+        Ok(())
+    }
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.get(label)
+    }
+    fn before(&mut self, label: Label) {
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let even = self.m.one && self.v0 == ZERO && self.spring.is_none();
+        if label.quantity == Quantity::T && place && even {
+            self.say("forces.mean", &[]);
+        }
+    }
+    fn holds(&mut self) -> Result<(), DerivationStop> {
+        if !self.forced() {
+            return Ok(());
+        }
+        let lead = self.lead();
+        let part = &self.m.parts[lead.body];
+        let line = self.scene.bodies[lead.body].line;
+        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
+        let up = self.sense * f64::from(part.up) > 0.0;
+        let word = match (sloped, up) {
+            _ if self.stays() => Word::Stays,
+            (true, true) => Word::Up,
+            (true, false) => Word::Down,
+            (false, true) => Word::Forward,
+            (false, false) => Word::Back,
+        };
+        self.word(of_body(Quantity::Direction, lead.body), word);
+        self.torn_loose()?;
+        let mut taut: Vec<String> = Vec::new();
+        for tie in 0..self.scene.ties.len() {
+            match self.scene.ties[tie].clone() {
+                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
+                    self.grips(body, mu_s)?;
+                }
+                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
+                Tie::Slip { body, .. } => self.slides_against(body)?,
+                Tie::Cord(c) => match c.to {
+                    Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
+                    Far::Spring { rigid: false, .. } => {
+                        self.spring_taut(tie)?;
+                    }
+                    Far::Spring { .. } | Far::Pull(_) => {}
+                },
+                _ => {}
+            }
+        }
+        if !taut.is_empty() {
+            let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
+            self.say(name, &[("t", &taut.join(", "))]);
+        }
+        self.reaches()
+    }
+    fn limits(&mut self) -> Result<(), DerivationStop> {
+        if self.slip.is_some() {
+            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
+            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
+            return Ok(());
+        }
+        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
+            self.massless_limit();
+            self.balance_limit();
+        }
+        if self.v0 == ZERO && self.short != Short::Motion {
+            self.energies()?;
+        }
+        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
+            let still = self.get(of_scene(Quantity::XEq)).ok();
+            if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
+                let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
+                self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
+            }
+        }
+        Ok(())
+    }
+    fn onward(&self) -> &'static str {
+        let pulled =
+            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
+        let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
+        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
+        let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
+        match () {
+            () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
+            () if self.slip.is_some() => "thrown.onward",
+            () if self.short == Short::Neither => "onward.slips",
+            () if self.spring.is_some() => "onward.spring",
+            () if wheel && pulled => "onward.pulled",
+            () if wheel => "onward.wheel",
+            () if pulley && weighed => "onward.pulley",
+            () if self.held().is_some() => "onward.held",
+            () => "onward.other",
+        }
+    }
+}
+
 impl<'d, 'a> Narrator<'d, 'a> {
     fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self { t, short, rows: Vec::new(), gone: Vec::new(), still_slips: false, ratios_told: false }
+        Self {
+            t,
+            short,
+            rows: Vec::new(),
+            gone: Vec::new(),
+            still_slips: false,
+            ratios_told: false,
+            rolled: Vec::new(),
+        }
     }
     // As those of the account and the page; named here so that what they are given may look at the narrator.
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
@@ -363,8 +606,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn formula(&mut self, tex: String) {
         self.t.page.formula(tex);
     }
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        self.t.get(label)
+    fn forced(&self) -> bool {
+        self.short != Short::Instant || self.forces_asked()
     }
     fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
         self.t.page.tell(symbols);
@@ -450,52 +693,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     // The sections.
-
-    fn idea(&mut self) {
-        self.begin("idea");
-        let spring = self.spring.is_some();
-        let name = match (self.short, self.scene.end) {
-            (Short::Instant, _) => "idea.instant",
-            (Short::Together, _) if self.stays() => "idea.stays",
-            (Short::Together, _) => "idea.together",
-            (Short::Neither, End::Rolling(_)) => "thrown.idea",
-            (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
-            (Short::Neither, _) => "idea.slips",
-            (Short::Motion, _) => "idea.time",
-            (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
-            (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
-            (Short::Energy, _) => "idea.speed",
-        };
-        self.say(name, &[]);
-        if matches!(self.short, Short::Energy | Short::Motion) {
-            let cords = self.cords();
-            let ties =
-                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
-            for (found, name, idle) in ties {
-                let Some((t, body)) = found else { continue };
-                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
-                if self.short == Short::Energy {
-                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
-                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
-                }
-            }
-            if !cords.is_empty() {
-                self.say("idea.cords", &[]);
-                if self.short == Short::Energy {
-                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
-                }
-            }
-        }
-    }
-
-    fn sketch(&mut self) {
-        self.begin("sketch");
-        let mut all = vec![Block::Picture("scene".to_owned())];
-        let bodies = &self.scene.bodies;
-        all.extend(bodies.iter().map(|b| Block::Picture(format!("forces-{}", b.name))));
-        self.out.blocks = all;
-    }
 
     /// Work and energy: how far each point goes, the balance, what follows.
     fn energy(&mut self) {
@@ -845,34 +1042,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
     }
 
-    /// All rows with numbers, as many on a line as fit.
+    /// All rows with numbers.
     fn write_rows(&mut self) {
-        let mut rows: Vec<String> = Vec::new();
-        let mut n = 0;
-        let mut firsts: Vec<(usize, usize, usize)> = Vec::new();
-        for body in 0..self.m.parts.len() {
-            let before = n;
-            for (c, left, right) in self.equations(body) {
-                n += 1;
-                rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
-                self.rows.extend(c.map(|c| (c, n)));
-            }
-            if n > before {
-                firsts.push((body, before + 1, n));
-            }
-        }
-        self.formulas(rows);
-        if self.m.parts.len() > 1 {
-            let of: Vec<String> = firsts
-                .iter()
-                .map(|(body, first, last)| {
-                    let label = &self.m.parts[*body].label;
-                    let more = if last > first { format!("–({last})") } else { String::new() };
-                    format!("{label} ({first}){more}")
-                })
-                .collect();
-            self.say("motion.of", &[("list", &of.join(", "))]);
-        }
+        let each = |body: usize| (self.m.parts[body].label.clone(), self.equations(body));
+        let all: Vec<_> = (0..self.m.parts.len()).map(each).collect();
+        let rows = all.iter().flat_map(|(_, rows)| rows).zip(1..);
+        self.rows = rows.filter_map(|((c, ..), n)| Some(((*c)?, n))).collect();
+        let plain =
+            all.into_iter().map(|(name, rows)| (name, rows.into_iter().map(|(_, l, r)| (l, r)).collect()));
+        self.t.page.rows(&plain.collect::<Vec<_>>());
     }
 
     fn number_of(&self, c: Coordinate) -> String {
@@ -1227,27 +1405,19 @@ impl<'d, 'a> Narrator<'d, 'a> {
             [reactions.clone(), rubs.clone(), normals.clone(), accelerations, speeds.clone()].concat();
         let pressing: Vec<SymbolId> = if rubs.is_empty() { Vec::new() } else { normals.clone() };
         let energy: Vec<SymbolId> = [rubs.clone(), pressing, speeds].concat();
-        let (many, few) = (self.names(&newton), self.names(&energy));
-        let (n, k) = (newton.len().to_string(), energy.len().to_string());
-        let pieces = [("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)];
         if even {
-            self.say("why.neither", &pieces);
+            let (many, few) = (self.names(&newton), self.names(&energy));
+            let (n, k) = (newton.len().to_string(), energy.len().to_string());
+            self.say("why.neither", &[("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)]);
         } else {
-            let hidden = self.names(&reactions);
             let ties = match (!self.rolling().is_empty() || self.held().is_some(), !self.cords().is_empty()) {
-                (true, true) => "both",
-                (true, false) => "roll",
-                (false, true) => "cord",
-                (false, false) => "none",
+                (true, true) => "why.ties_both",
+                (true, false) => "why.ties_roll",
+                (false, true) => "why.ties_cord",
+                (false, false) => "why.ties_none",
             };
-            let ties = self.phrase(&format!("why.ties_{ties}"), &[]);
-            self.say("why.newton", &[&pieces[..], &[("ties", ties.trim_end())]].concat());
-            if self.gone.is_empty() {
-                self.say("why.no_reaction", &[]);
-            } else {
-                self.say("why.eliminate", &[("forces", &hidden)]);
-            }
-            self.say("why.energy", &pieces);
+            let gone = (!self.gone.is_empty()).then(|| self.names(&reactions));
+            self.t.page.compare(&newton, &energy, ties, gone.as_deref());
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
@@ -1265,46 +1435,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let v = self.speed();
         self.say("why.not_energy", &[("v", &self.names(&[v])), ("s", &self.inline(&self.s.clone()))]);
         self.say("why.ask", &[]);
-    }
-
-    /// Forces that are asked; friction of a rolling body always: in closed form, and why it points as it does.
-    fn forces(&mut self) -> Result<(), DerivationStop> {
-        self.begin("forces");
-        let asked = asked::needed(self.scene, self.problem);
-        self.skip_new();
-        let rolling = self.rolling();
-        for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
-            self.get(*label)?;
-        }
-        let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
-        for label in asked.iter().filter(|l| wanted(l.quantity)) {
-            self.get(*label)?;
-        }
-        for (_, body) in &rolling {
-            let _ = self.get(of_body(Quantity::Friction, *body));
-        }
-        let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
-        if sprung {
-            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
-            self.forget(at_end.collect::<Vec<_>>());
-            self.say("forces.spring", &[]);
-        } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-            let a = self.acceleration();
-            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
-            let back = place && self.short == Short::Energy && self.v0 == ZERO;
-            let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
-            let by = self.stated(a, &in_sense(by, self.sense));
-            self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
-        }
-        if !rolling.is_empty() {
-            let normals = self.normals();
-            self.forget(normals);
-        }
-        self.tell_new();
-        for (t, body) in rolling {
-            self.read_friction(t, body)?;
-        }
-        Ok(())
     }
 
     /// The closed form of a rolling body's friction, and what its signs say.
@@ -1367,68 +1497,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let factor = self.inline(&whole);
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
-    }
-
-    /// What else is asked.
-    fn rest(&mut self) -> Result<(), DerivationStop> {
-        self.begin("rest");
-        self.skip_new();
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-        if place && self.asks(Quantity::T) && self.m.one && self.v0 == ZERO && self.spring.is_none() {
-            self.say("forces.mean", &[]);
-        }
-        for label in &asked::needed(self.scene, self.problem) {
-            let skip = matches!(label.quantity, Quantity::FrictionIfRolled);
-            if label.quantity.is_word() || skip {
-                continue;
-            }
-            let symbol = self.get(*label)?;
-            self.draft.answer(*label, DerivedAnswer::Value(symbol));
-        }
-        self.tell_new();
-        Ok(())
-    }
-
-    /// Is what was assumed so? And the words that are asked.
-    fn holds(&mut self) -> Result<(), DerivationStop> {
-        self.begin("holds");
-        let lead = self.lead();
-        let part = &self.m.parts[lead.body];
-        let line = self.scene.bodies[lead.body].line;
-        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
-        let up = self.sense * f64::from(part.up) > 0.0;
-        let word = match (sloped, up) {
-            _ if self.stays() => Word::Stays,
-            (true, true) => Word::Up,
-            (true, false) => Word::Down,
-            (false, true) => Word::Forward,
-            (false, false) => Word::Back,
-        };
-        self.word(of_body(Quantity::Direction, lead.body), word);
-        self.torn_loose()?;
-        let mut taut: Vec<String> = Vec::new();
-        for tie in 0..self.scene.ties.len() {
-            match self.scene.ties[tie].clone() {
-                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
-                    self.grips(body, mu_s)?;
-                }
-                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
-                Tie::Slip { body, .. } => self.slides_against(body)?,
-                Tie::Cord(c) => match c.to {
-                    Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
-                    Far::Spring { rigid: false, .. } => {
-                        self.spring_taut(tie)?;
-                    }
-                    Far::Spring { .. } | Far::Pull(_) => {}
-                },
-                _ => {}
-            }
-        }
-        if !taut.is_empty() {
-            let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
-            self.say(name, &[("t", &taut.join(", "))]);
-        }
-        self.reaches()
     }
 
     fn word(&mut self, label: Label, word: Word) {
@@ -1581,32 +1649,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
-    /// A limit or two, and where the energy went.
-    fn limits(&mut self) -> Result<(), DerivationStop> {
-        self.begin("limits");
-        if self.slip.is_some() {
-            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
-            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
-            return Ok(());
-        }
-        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
-            self.massless_limit();
-            self.balance_limit();
-        }
-        if self.v0 == ZERO && self.short != Short::Motion {
-            self.energies()?;
-        }
-        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
-            let still = self.get(of_scene(Quantity::XEq)).ok();
-            if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
-                let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
-                self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
-            }
-        }
-        self.skip_new();
-        Ok(())
-    }
-
     /// Without rotary inertia: the closed form of the speed that is left.
     fn massless_limit(&mut self) {
         let v = self.speed();
@@ -1642,7 +1684,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return;
         }
         let force = self.tex(&action.force);
-        let digits = tex_digits(&shown::significant(self.value(&needed), FIGURES), self.words);
+        let digits = self.digits(self.value(&needed), FIGURES);
         let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
         self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
     }
@@ -1660,32 +1702,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.skip_new();
         let share = self.get(of_scene(Quantity::RotationalFraction))?;
-        let percent = shown::significant(100.0 * self.symbols.value(share), 2);
+        let percent = self.digits(100.0 * self.symbols.value(share), 2);
         self.skip_new();
-        self.say("limits.spin", &[("percent", &tex_digits(&percent, self.words))]);
+        self.say("limits.spin", &[("percent", &percent)]);
         Ok(())
-    }
-
-    /// A question to go on with.
-    fn onward(&mut self) {
-        self.begin("onward");
-        let pulled =
-            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
-        let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
-        let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
-        let name = match () {
-            () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
-            () if self.slip.is_some() => "thrown.onward",
-            () if self.short == Short::Neither => "onward.slips",
-            () if self.spring.is_some() => "onward.spring",
-            () if wheel && pulled => "onward.pulled",
-            () if wheel => "onward.wheel",
-            () if pulley && weighed => "onward.pulley",
-            () if self.held().is_some() => "onward.held",
-            () => "onward.other",
-        };
-        self.say(name, &[]);
-        self.end();
     }
 }

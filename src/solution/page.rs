@@ -195,6 +195,47 @@ impl<'d, 'a> Page<'d, 'a> {
             self.formula(line);
         }
     }
+    /// The pictures of the scene and of its free bodies.
+    pub fn sketch(&mut self) {
+        self.begin("sketch");
+        let bodies = self.scene.bodies.iter().map(|b| format!("forces-{}", b.name));
+        self.out.blocks = ["scene".to_owned()].into_iter().chain(bodies).map(Block::Picture).collect();
+    }
+    /// Equations of motion, numbered, as many to a line as it holds; of several bodies, which are whose.
+    pub fn rows(&mut self, bodies: &[(String, Vec<(Expr, Expr)>)]) {
+        let (mut rows, mut whose) = (Vec::new(), Vec::new());
+        for (name, equations) in bodies.iter().filter(|(_, equations)| !equations.is_empty()) {
+            let (first, last) = (rows.len() + 1, rows.len() + equations.len());
+            let each = equations.iter().zip(first..);
+            rows.extend(each.map(|((l, r), n)| format!(r"{} \quad ({n})", self.equation(l, r))));
+            let more = if last > first { format!("–({last})") } else { String::new() };
+            whose.push(format!("{name} ({first}){more}"));
+        }
+        self.formulas(rows);
+        if bodies.len() > 1 {
+            self.say("motion.of", &[("list", &whose.join(", "))]);
+        }
+    }
+    /// Unknowns and equations of both ways, counted alike; what has to be eliminated of the first.
+    pub fn compare(&mut self, newton: &[SymbolId], energy: &[SymbolId], ties: &str, gone: Option<&str>) {
+        let (many, few) = (self.names(newton), self.names(energy));
+        let ties = self.phrase(ties, &[]);
+        let n = newton.len().to_string();
+        self.say("why.newton", &[("many", &many), ("n", &n), ("ties", ties.trim_end())]);
+        match gone {
+            Some(forces) => self.say("why.eliminate", &[("forces", forces)]),
+            None => self.say("why.no_reaction", &[]),
+        }
+        self.say("why.energy", &[("few", &few), ("k", &energy.len().to_string())]);
+    }
+    /// A number with so many figures, as it is printed.
+    pub fn digits(&self, value: f64, figures: usize) -> String {
+        tex_digits(&shown::significant(value, figures), self.words)
+    }
+    /// `$12.3 N$`
+    pub fn rough(&self, value: f64, unit: &str) -> String {
+        format!(r"${}\ {}$", self.digits(value, FIGURES), tex_of(unit))
+    }
     /// An expression in symbols.
     pub fn tex(&self, e: &Expr) -> String {
         e.symbols(&self.symbols)
@@ -214,8 +255,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// `$e = 12.3 N$`
     pub fn relation(&self, e: &Expr, value: f64, unit: &str) -> String {
-        let digits = tex_digits(&shown::significant(value, FIGURES), self.words);
-        let unit = tex_of(unit);
+        let (digits, unit) = (self.digits(value, FIGURES), tex_of(unit));
         let unit = if unit.is_empty() { unit } else { format!(r"\ {unit}") };
         format!("${} = {digits}{unit}$", self.tex(e))
     }
