@@ -981,44 +981,32 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
-        let mut gone: Vec<Eliminated> = Vec::new();
-        let mut ties: Vec<usize> = Vec::new();
+        let (mut gone, mut ties): (Vec<Eliminated>, Vec<usize>) = (Vec::new(), Vec::new());
         while rows.len() > 1 {
-            let open = |c: &Coordinate| -> Vec<(Action, usize)> {
-                let reaction = |a: &Action| match (a.kind, a.source) {
-                    (ForceKind::Reaction, ForceSource::Tie(t)) if !ties.contains(&t) => Some(t),
-                    _ => None,
-                };
-                self.row(*c).into_iter().filter_map(|(a, _)| reaction(&a).map(|t| (a, t))).collect()
-            };
-            let Some(at) = rows.iter().position(|c| open(c).len() == 1) else {
-                return beyond(Beyond::Unfound);
-            };
-            let c = rows.remove(at);
-            let (action, tie) = open(&c).remove(0);
-            let Some(force) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
-            let is = self.solved(c, &action, self.gain(c))?;
-            gone.push(Eliminated { row: c, force, is });
+            let next = rows.iter().enumerate().find_map(|(at, c)| {
+                let mut open = self.open(*c).filter(|(t, _)| !ties.contains(t));
+                open.next().filter(|_| open.next().is_none()).map(|one| (at, one))
+            });
+            let Some((at, (tie, force))) = next else { return beyond(Beyond::Unfound) };
+            let row = rows.remove(at);
+            gone.push(Eliminated { row, force, is: self.solved(row, force)? });
             ties.push(tie);
         }
         rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Unfound.into())
     }
 
-    /// A row, solved for one of its forces, its inertia term given.
-    fn solved(&self, c: Coordinate, action: &Action, gain: Expr) -> Result<Expr, DerivationStop> {
-        let lever = self.m.lever(action, c).clone();
-        let mut rest = vec![gain];
-        let others = self.row(c).into_iter().filter(|(a, _)| a.source != action.source);
-        rest.extend(others.map(|(_, share)| -share));
-        let sense = self.value(&lever.expr());
-        let lever = self.magnitude(&lever);
-        if lever.is_zero() {
-            return beyond(Beyond::Unfound);
-        }
-        // Term by term: no fraction in a fraction.
-        let over = rest.into_iter().filter(|term| *term != ZERO);
-        let terms = over.map(|term| in_sense(term, sense).over(&lever));
-        Ok(positive_first(terms))
+    /// The reactions in a row, each with its tie.
+    fn open(&self, c: Coordinate) -> impl Iterator<Item = (usize, SymbolId)> {
+        self.row(c).into_iter().filter_map(|(a, _)| match (self.reaction_of(&a), a.source) {
+            (Some(force), ForceSource::Tie(t)) => Some((t, force)),
+            _ => None,
+        })
+    }
+
+    /// A row, solved for one of its forces.
+    fn solved(&self, c: Coordinate, force: SymbolId) -> Result<Expr, DerivationStop> {
+        let row = (self.row_sum(c), self.gain(c));
+        self.isolated(&row, force).ok_or_else(|| Beyond::Unfound.into())
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1257,37 +1245,24 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
-        let mut best: Option<(usize, Coordinate, Action, Vec<usize>)> = None;
-        for c in self.scene.coordinates() {
-            let row = self.row(c);
-            let Some((action, _)) = row.iter().find(|(a, _)| a.source == ForceSource::Tie(tie)) else {
-                continue;
-            };
-            let known = |t: usize| self.known.iter().any(|(l, _)| *l == self.label_of_tie(t));
-            let others: Vec<usize> = row
-                .iter()
-                .filter_map(|(a, _)| match (a.kind, a.source) {
-                    (ForceKind::Reaction, ForceSource::Tie(t)) if t != tie && !known(t) => Some(t),
-                    _ => None,
-                })
-                .collect();
-            if others.iter().any(|t| self.solving.contains(t)) {
-                continue;
-            }
-            let price = 2 * others.len() + usize::from(c.degree == Degree::Turn);
-            if best.as_ref().is_none_or(|(p, ..)| price < *p) {
-                best = Some((price, c, action.clone(), others));
-            }
-        }
-        let Some((_, c, action, others)) = best else { return beyond(Beyond::Unfound) };
+        let known = |t: usize| self.known.iter().any(|(l, _)| *l == self.label_of_tie(t));
+        let rows = self.scene.coordinates().filter(|c| self.open(*c).any(|(t, _)| t == tie));
+        let rows = rows.map(|c| {
+            let others = self.open(c).map(|(t, _)| t).filter(|t| *t != tie && !known(*t));
+            (c, others.collect::<Vec<usize>>())
+        });
+        let rows = rows.filter(|(_, others)| !others.iter().any(|t| self.solving.contains(t)));
+        let price =
+            |(c, others): &(Coordinate, Vec<usize>)| 2 * others.len() + usize::from(c.degree == Degree::Turn);
+        let Some((c, others)) = rows.min_by_key(price) else { return beyond(Beyond::Unfound) };
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
         if self.m.parts[c.body].a.is_some() && !self.m.parts[c.body].along.is_zero() {
             self.get(of_body(Quantity::A, c.body))?;
         }
-        let from = self.solved(c, &action, self.gain(c))?;
         let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
+        let from = self.solved(c, symbol)?;
         self.solving.pop();
         Ok(self.found(self.label_of_tie(tie), symbol, from))
     }

@@ -103,65 +103,24 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             self.forces_of_the_pin(&kinetic)?;
             return self.swings();
         }
-        let mut values: Vec<SymbolId> = Vec::new();
-        for label in self.t.labels().into_iter().filter(|l| kinetic(l.quantity)) {
-            if label.quantity == Q::PinForce {
-                // Its components come first.
-                for quantity in [Q::PinX, Q::PinY] {
-                    let part = self.t.get(Label { quantity, ..label })?;
-                    if !values.contains(&part) {
-                        values.push(part);
-                    }
-                }
-            }
-            let symbol = self.t.get(label)?;
-            self.t.answer(label, DerivedAnswer::Value(symbol));
-            if !values.contains(&symbol) {
-                values.push(symbol);
-            }
-        }
-        if values.is_empty() {
+        let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        if asked.is_empty() {
             return Ok(());
         }
-        if let Some([power, bend]) = self.t.eliminated() {
-            if self.instant() {
-                let before = self.t.steps.len();
-                let speeds = self.t.speeds();
-                self.inertia = self.t.inertia(&speeds);
-                let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
-                if !named.is_empty() {
-                    let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
-                    self.say("joined.speed", &[("speeds", &speed)]);
-                    self.t.tell(named);
+        self.eliminate();
+        let mut values: Vec<SymbolId> = Vec::new();
+        for label in asked {
+            // Components come before what they give.
+            let parts = if label.quantity == Q::PinForce { &[Q::PinX, Q::PinY][..] } else { &[] };
+            for quantity in parts.iter().copied().chain([label.quantity]) {
+                let symbol = self.t.get(Label { quantity, ..label })?;
+                self.t.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
+                if !values.contains(&symbol) {
+                    values.push(symbol);
                 }
             }
-            let (alpha, _) = self.leading();
-            let bend = bend.times(square(self.t.rate)).opposite();
-            let right = power.plus(&bend).expr();
-            let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
-            let fits = width(&line) <= LINE;
-            self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
-            if fits {
-                self.t.formula(line);
-            }
-        } else {
-            self.say("joined.together", &[]);
         }
-        // What the equations were solved for besides, where the page has room for it.
-        let others = [self.t.accelerations(), self.t.reactions()].concat();
-        let known = |s: &SymbolId| !self.t.symbols.value(*s).is_nan() && !values.contains(s);
-        let others: Vec<SymbolId> = others.into_iter().filter(known).collect();
-        let room = MOST.saturating_sub(self.lines());
-        let chains =
-            |n: &Self, all: &[SymbolId]| -> Vec<String> { all.iter().map(|s| n.t.step_of(*s)).collect() };
-        let all = [values.clone(), others].concat();
-        let enough = self.single() && packed(chains(self, &all)).len() <= room;
-        let told = chains(self, if enough { &all } else { &values });
-        match &told[..] {
-            [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
-            _ => self.t.formulas(told),
-        }
-        self.t.skip_new();
+        self.tell_values(values);
         Ok(())
     }
     fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
@@ -461,7 +420,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             self.t.formula(if width(&line) <= LINE { format!("{line}{mark}") } else { lines });
         }
         if given.is_some() {
-            self.t.told(rate);
+            self.t.tell([rate]);
             return Ok(());
         }
         let twice = Sum::of(self.t.works.iter().flat_map(|w| {
@@ -647,6 +606,76 @@ impl<'d, 'a> Joined<'d, 'a> {
         self.t.compare(&newton, &energy, "joined.ties", Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
+    }
+
+    /// What is left when the forces of the joints have been eliminated, of a single body.
+    fn eliminate(&mut self) {
+        let Some([power, bend]) = self.t.eliminated() else {
+            self.say("joined.together", &[]);
+            return;
+        };
+        if self.instant() {
+            let before = self.t.steps.len();
+            let speeds = self.t.speeds();
+            self.inertia = self.t.inertia(&speeds);
+            let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
+            if !named.is_empty() {
+                let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
+                self.say("joined.speed", &[("speeds", &speed)]);
+                self.t.tell(named);
+            }
+        }
+        let (alpha, _) = self.leading();
+        let bend = bend.times(square(self.t.rate)).opposite();
+        let right = power.plus(&bend).expr();
+        let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
+        let fits = width(&line) <= LINE;
+        self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
+        if fits {
+            self.t.formula(line);
+            let it = &self.t.bodies[self.t.lead];
+            if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.t.rate)) {
+                self.t.unravel(alpha);
+            }
+        }
+    }
+    /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
+    fn tell_values(&mut self, values: Vec<SymbolId>) {
+        let solved = [self.t.accelerations(), self.t.reactions()].concat();
+        let known = |s: &&SymbolId| !self.t.symbols.value(**s).is_nan() && !values.contains(s);
+        let all = [&values[..], &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
+        let mut needed = values.clone();
+        let mut at = 0;
+        while let Some(symbol) = needed.get(at).copied() {
+            let uses = self.t.from(symbol).uses().into_iter();
+            let more: Vec<SymbolId> = uses.filter(|s| solved.contains(s) && !needed.contains(s)).collect();
+            needed.extend(more);
+            at += 1;
+        }
+        let chains = |symbols: &[SymbolId]| {
+            let mut symbols = symbols.to_vec();
+            symbols
+                .sort_by_key(|s| self.t.steps.iter().position(|step| step.symbol == *s).map_or(0, |i| i + 1));
+            symbols.into_iter().map(|s| self.t.step_of(s)).collect::<Vec<_>>()
+        };
+        let plain = |symbols: &[SymbolId]| {
+            let uses = |s: SymbolId| self.t.from(s).uses();
+            let apart = |s: SymbolId| uses(s).iter().all(|u| !solved.contains(u) || symbols.contains(u));
+            let short = |s: SymbolId| self.t.chain(s, &s.into());
+            let each = symbols
+                .iter()
+                .map(|s| if solved.contains(s) || !apart(*s) { short(*s) } else { self.t.step_of(*s) });
+            each.collect::<Vec<_>>()
+        };
+        let room = MOST.saturating_sub(self.lines());
+        let ways = [chains(&all), chains(&needed), plain(&all)];
+        let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
+        let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
+        match &told[..] {
+            [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
+            _ => self.t.formulas(told),
+        }
+        self.t.skip_new();
     }
 
     /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.

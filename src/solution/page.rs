@@ -3,7 +3,8 @@
 use crate::num::linear::Linear;
 use crate::num::shown;
 use crate::solution::draft::{Detail, Draft, tex_of};
-use crate::solution::expr::{Expr, SymbolId, in_sense, positive_first};
+use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, positive_first};
+use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
@@ -18,6 +19,9 @@ const FEW: usize = 2;
 
 /// A value of an unknown beside which what is known of an equation is small, so that its coefficient keeps all digits.
 const FAR: f64 = 1_048_576.0;
+
+/// Below this share of a force in an equation it is not solved for.
+const FLAT: f64 = 1e-9;
 
 /// A quantity as it was found.
 #[derive(Debug, Clone)]
@@ -111,6 +115,20 @@ impl<'d, 'a> Page<'d, 'a> {
         unknowns.iter().zip(before).for_each(|(s, x)| self.symbols.place(*s, x));
         let solution = system.solve().ok()?;
         Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
+    }
+    /// An equation, solved for a quantity that is a factor of its terms: term by term, no fraction in a fraction.
+    pub fn isolated(&self, (left, right): &(Expr, Expr), symbol: SymbolId) -> Option<Expr> {
+        let flat = |e: &Expr| if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
+        let all = flat(right).into_iter().chain(flat(left).into_iter().map(|t| -t));
+        let (own, rest): (Vec<Expr>, Vec<Expr>) =
+            all.filter(|t| *t != ZERO).partition(|t| t.uses().contains(&symbol));
+        let share = Sum::of(own.iter().map(|t| (-t).factors().per(symbol))).expr();
+        let sense = self.value(&share);
+        if share.uses().contains(&symbol) || sense.abs() <= FLAT {
+            return None;
+        }
+        let share = in_sense(share, sense).factors().upright(&self.symbols);
+        Some(positive_first(rest.into_iter().map(|t| in_sense(t, sense).over(&share))))
     }
     /// Has it been told?
     pub fn is_told(&self, symbol: SymbolId) -> bool {

@@ -1460,13 +1460,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
         if let (Some(pivot), Some(alpha)) = (self.pivot.clone(), self.bodies[0].alpha) {
             // Moments about the pin have one unknown, and each of the others one more.
-            let own = [alpha, pivot.force[0], pivot.force[1]];
-            for (symbol, (left, right)) in own.into_iter().zip(equations) {
-                let is = match symbol == alpha {
-                    true => left.over(pivot.about),
-                    false => positive_first([right - left.put(symbol, &ZERO)]),
-                };
-                self.page.step(symbol, is);
+            for (symbol, row) in [alpha, pivot.force[0], pivot.force[1]].into_iter().zip(equations) {
+                let is =
+                    if symbol == alpha { Some(row.0.over(pivot.about)) } else { self.isolated(&row, symbol) };
+                self.page.step(symbol, is.ok_or(DerivationStop::Beyond(Beyond::Unfound))?);
             }
             return Ok(());
         }
@@ -1484,6 +1481,27 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         }
         Ok(())
+    }
+
+    /// What the equations give one after the other once this acceleration is known: each from one in which it is the only unknown.
+    pub fn unravel(&mut self, known: SymbolId) {
+        let mut open = [self.accelerations(), self.reactions()].concat();
+        open.retain(|s| *s != known && !self.symbols.value(*s).is_nan());
+        let mut all = self.demands();
+        all.extend((0..self.bodies.len()).flat_map(|b| self.equations(b)));
+        while let Some((at, symbol, is)) = all.iter().enumerate().find_map(|(at, row)| {
+            let uses = [row.0.uses(), row.1.uses()].concat();
+            let mut unknown = open.iter().filter(|s| uses.contains(s));
+            let (Some(symbol), None) = (unknown.next(), unknown.next()) else { return None };
+            Some((at, *symbol, self.isolated(row, *symbol)?))
+        }) {
+            // What is 0 but for rounding stays 0.
+            if self.symbols.value(symbol) != 0.0 {
+                self.page.step(symbol, is);
+            }
+            open.retain(|s| *s != symbol);
+            all.remove(at);
+        }
     }
 
     /// At an instant, the velocities that go with a turn of a single body that its joints do not place, where each force of a joint
