@@ -46,7 +46,12 @@ impl DerefMut for Joined<'_, '_> {
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     fn idea(&mut self) {
+        if self.t.blow.is_some() {
+            self.say("joined.idea_struck", &[]);
+        }
         let name = match self.t.scene.end {
+            End::AtOnce if self.t.blow.is_some() => return,
+            End::Equilibrium => "joined.idea_rest",
             End::AtOnce => "joined.idea_instant",
             _ if self.rubs() => "joined.idea_rubs",
             End::Leaves(_) => "joined.idea_leaves",
@@ -55,7 +60,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             _ => "pinned.idea_speed",
         };
         self.say(name, &[]);
-        if self.instant() || self.rubs() {
+        if self.t.scene.is_still() || self.rubs() {
             return;
         }
         if self.t.pivot.is_some() {
@@ -78,7 +83,15 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        if self.instant() {
+        if self.t.blow.is_some() {
+            self.struck();
+        }
+        if self.t.scene.end == End::Equilibrium {
+            self.at_rest()?;
+        } else if self.instant() && self.t.blow.is_some() {
+            let (rate, is) = (self.t.rate, self.t.positive(&self.t.first));
+            self.t.page.step(rate, is);
+        } else if self.instant() {
             self.motion("short", "one_motion")?;
             self.t.begin_as("why", "which");
             self.say("joined.why_instant", &[]);
@@ -133,7 +146,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         }
     }
     fn holds(&mut self) -> Result<(), DerivationStop> {
-        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.instant()) {
+        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.t.scene.is_still()) {
             self.gets_there(&pivot);
         }
         let scene = self.t.scene;
@@ -193,6 +206,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     }
     fn onward(&self) -> &'static str {
         match self.t.scene.end {
+            End::Equilibrium => "joined.onward_rest",
             End::AtOnce if !self.t.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.rubs() => "joined.onward_rubs",
@@ -242,6 +256,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             End::TurningPoint(_) => Some("pinned.angle_turning"),
             End::Speed(..) => Some("pinned.angle_speed"),
             End::Time(..) => Some("joined.angle_time"),
+            End::Equilibrium => Some("joined.angle_rest"),
             _ => None,
         };
         if let Some(name) = name {
@@ -466,6 +481,65 @@ impl<'d, 'a> Joined<'d, 'a> {
         ratio(1, 2).by(&j).by(square(&self.t.first))
     }
 
+    /// What the blow does: momentum and angular momentum, and what follows.
+    fn struck(&mut self) {
+        let Some(blow) = self.t.blow.clone() else { return };
+        self.t.begin("blow");
+        self.say(if self.t.pivot.is_some() { "joined.blow_pinned" } else { "joined.blow" }, &[]);
+        if let (Some(pivot), END) = (self.t.pivot.clone(), if self.instant() { END } else { START }) {
+            self.about_the_pin(&pivot);
+        }
+        let rows = blow.rows.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
+        self.t.formulas(rows);
+        if !blow.demands.is_empty() && blow.demands.len() <= FEW {
+            self.say("joined.blow_demands", &[]);
+            let lines = blow.demands.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
+            self.t.formulas(lines);
+        }
+        let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
+        let mut order: Vec<SymbolId> = blow.steps.iter().map(|s| s.symbol).collect();
+        order.splice(0..0, blow.unknowns.iter().copied().filter(|s| follows(s).is_none()));
+        order.retain(|s| !self.t.symbols.value(*s).is_nan());
+        self.say("joined.together_blow", &[]);
+        let lines =
+            order.iter().map(|s| self.t.chain(*s, &follows(s).map_or((*s).into(), |step| step.from.clone())));
+        let lines: Vec<String> = lines.collect();
+        self.t.formulas(lines);
+    }
+
+    /// Equilibrium: no force accelerates anything; and how it swings beside it.
+    fn at_rest(&mut self) -> Result<(), DerivationStop> {
+        self.motion("short", "rest_motion")?;
+        let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
+        let rows: Vec<(Expr, Expr)> = (0..self.t.bodies.len()).flat_map(|b| self.t.equations(b)).collect();
+        let left = rows.iter().map(|(left, _)| self.t.value(left).abs()).fold(0.0, f64::max);
+        if !(left <= AGREEMENT_REL * 9.81 * weight) {
+            return Err(Beyond::Differs(Quantity::Phi).into());
+        }
+        let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.t.asks(*q));
+        if !small {
+            return Ok(());
+        }
+        let Some(stiffness) = self.t.stiffness() else { return Err(Beyond::Mechanism.into()) };
+        self.t.begin("swings");
+        self.t.skip_new();
+        self.kinetic();
+        let k = self.t.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
+        self.t.symbols.settle(k, stiffness, 0.0);
+        self.t.k = Some(k);
+        let shown = self.t.shown(k);
+        self.say("joined.small", &[("k", &shown)]);
+        self.t.skip_new();
+        for label in self.t.labels() {
+            if matches!(label.quantity, Quantity::OmegaSmall | Quantity::PeriodSmall) {
+                let symbol = self.t.get(label)?;
+                self.t.answer(label, DerivedAnswer::Value(symbol));
+            }
+        }
+        self.t.tell_new();
+        Ok(())
+    }
+
     /// The equations of motion at the place that is asked, and what the joints demand.
     fn motion(&mut self, id: &'static str, title: &str) -> Result<(), DerivationStop> {
         self.t.begin_as(id, title);
@@ -484,7 +558,7 @@ impl<'d, 'a> Joined<'d, 'a> {
                 if let Some(pivot) = self.t.pivot.clone() {
                     self.about_the_pin(&pivot);
                 }
-            } else {
+            } else if self.t.moves {
                 let value = self.key_rate();
                 self.t.symbols.settle(rate, value, 0.0);
             }
@@ -503,6 +577,15 @@ impl<'d, 'a> Joined<'d, 'a> {
             .map(|s| s.symbol)
             .filter(|s| *s != self.t.rate && Some(*s) != about)
             .collect();
+        // Of what the works take, only what the forces at this place need.
+        let mut used = [&self.t.springs[..], &self.t.units].concat();
+        for i in (0..before).rev() {
+            let step = &self.t.steps[i];
+            if used.contains(&step.symbol) {
+                used.extend(step.from.uses());
+            }
+        }
+        let late: Vec<SymbolId> = late.into_iter().filter(|s| self.instant() || used.contains(s)).collect();
         let mut springs: Vec<SymbolId> = self.t.springs.to_vec();
         springs.extend(self.t.units.iter().copied());
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
@@ -528,7 +611,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         let each = |b: usize| (self.t.bodies[b].name.clone(), self.t.equations(b));
         let all: Vec<_> = (0..self.t.bodies.len()).map(each).collect();
         self.t.rows(&all);
-        let demands = self.t.demands();
+        let demands = if self.t.scene.end == End::Equilibrium { Vec::new() } else { self.t.demands() };
         if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {
@@ -635,7 +718,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             self.t.formula(line);
             let it = &self.t.bodies[self.t.lead];
             if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.t.rate)) {
-                self.t.unravel(alpha);
+                self.t.unravel(Some(alpha));
             }
         }
     }

@@ -4,10 +4,10 @@
 //! Where the bodies are, the number of an angle that the joints give, and what is integrated along the way are those of the key.
 use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
-use crate::scene::pose::{self, Layout};
+use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
     Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Spot, Start, StrutEnd, Surface,
+    Spot, StrutEnd, Surface,
 };
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
@@ -16,7 +16,7 @@ use crate::solution::expr::{
     signed, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
-use crate::solution::page::{Page, WITHIN};
+use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{self, tagged};
 use crate::solution::written::width;
@@ -188,6 +188,23 @@ pub struct Pivot {
     place: Point,
 }
 
+/// What blows do at an instant.
+#[derive(Debug, Clone)]
+pub struct Blow {
+    /// Momentum and angular momentum, both sides.
+    pub rows: Vec<(Expr, Expr)>,
+    /// What the joints demand of the velocities, both sides.
+    pub demands: Vec<(Expr, Expr)>,
+    /// The bodies, with the changes of velocities in the place of accelerations.
+    pub bodies: Vec<PlaneBody>,
+    /// The impulses of the joints.
+    pub impulses: Vec<(usize, SymbolId)>,
+    /// What was solved for.
+    pub unknowns: Vec<SymbolId>,
+    /// How one follows from the other.
+    pub steps: Vec<Step>,
+}
+
 /// A scene of joined bodies as far as it is known.
 pub struct Plane<'d, 'a> {
     /// The page, with the draft and what was found.
@@ -236,6 +253,12 @@ pub struct Plane<'d, 'a> {
     pub units: Vec<SymbolId>,
     /// The pin of a single body.
     pub pivot: Option<Pivot>,
+    /// The stiffness of small oscillations about equilibrium, by the angle.
+    pub k: Option<SymbolId>,
+    /// What blows at the start do.
+    pub blow: Option<Blow>,
+    /// The place of which forces are told: at the start for blows, else [`END`].
+    here: usize,
     g: Expr,
 }
 
@@ -262,11 +285,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Joints that do not place a body.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return beyond() };
-        let scene = draft.scene;
-        let spun = |s: &Start| matches!(s, Start::Speed(c, _) if c.body == lead && c.degree == Degree::Turn);
-        if scene.end == End::Equilibrium || scene.is_struck() || !scene.start.iter().all(spun) {
-            return Err(Beyond::Mechanism.into());
-        }
         let g = terms::gravity(draft);
         let mut page = Page::new(draft);
         let rate = page.unknown("?", "rad/s");
@@ -295,12 +313,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             steps_of: [0, 0],
             units: Vec::new(),
             pivot: None,
+            k: None,
+            blow: None,
+            here: END,
             g,
         };
         this.first = this.start_rate();
-        this.moves = this.scene.end != End::AtOnce || this.value(&this.first) != 0.0;
+        let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
+        this.moves = !this.scene.is_still() || sets_off;
         this.read_bodies();
         this.place()?;
+        this.start_from()?;
         this.steps_of[0] = this.steps.len();
         this.rate = match this.bodies[lead].omega.filter(|_| this.arc().is_none()) {
             Some(omega) => omega,
@@ -310,6 +333,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         };
         this.find_pivot();
+        if this.scene.is_struck() {
+            this.strike()?;
+        }
         this.act()?;
         this.steps_of[1] = this.steps.len();
         this.hold();
@@ -352,17 +378,89 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The rate of the leading angle at the start, as it counts.
+    /// The spin that is given at the start, of whichever body.
     fn start_rate(&mut self) -> Expr {
-        let spin = self.scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, w) if c.body == self.lead => Some(*w),
-            _ => None,
-        });
-        let given = spin.map_or(ZERO, |w| self.number(w, r"\omega_0", "rad/s"));
-        match self.arc() {
-            Some(arc) if given != ZERO => given.over(self.turning_of(arc)),
-            _ => given,
+        let given = self.scene.start_speeds().next();
+        given.map_or(ZERO, |(_, w)| self.number(w, r"\omega_0", "rad/s"))
+    }
+    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1.
+    fn start_from(&mut self) -> Result<(), DerivationStop> {
+        let Some((c, _)) = self.scene.start_speeds().next().filter(|_| self.first != ZERO) else {
+            return Ok(());
+        };
+        let per = if c.body != self.lead {
+            let (Some(poses), Degree::Turn) = (self.poses(0.0, true), c.degree) else { return beyond() };
+            let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
+            let tag = format!("{},0", self.bodies[c.body].tag);
+            let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
+            self.symbols.settle(symbol, ratio, 0.0);
+            self.page.step(symbol, symbol.into());
+            symbol.into()
+        } else {
+            match self.arc() {
+                Some(arc) => self.turning_of(arc).expr(),
+                None => return Ok(()),
+            }
+        };
+        self.first = self.first.over(&per);
+        if self.value(&self.first).is_finite() { Ok(()) } else { beyond() }
+    }
+    /// Where all bodies are when the leading angle has changed by this, rad, in numbers.
+    fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
+        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        Layout::new(self.scene, &numbers)?.poses::<Jet<f64>>(way, at_start)
+    }
+
+    /// What an instant's blows do: to momenta what forces do to accelerations, with an impulse in the place of each force of a joint.
+    fn strike(&mut self) -> Result<(), DerivationStop> {
+        let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
+        let mark = if self.first == ZERO { "+" } else { r"\Delta" };
+        self.here = if scene.end == End::AtOnce { END } else { START };
+        for body in 0..kept.len() {
+            let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
+                this.named(&[&tagged(letter, &format!("{}{way}{mark}", kept[body].tag))], unit)
+            };
+            let v = ["x", "y"].map(|way| named(self, "v", way, "m/s"));
+            let omega = kept[body].alpha.map(|_| named(self, r"\omega", "", "rad/s"));
+            (self.bodies[body].a, self.bodies[body].alpha) = (v, omega);
         }
+        for push in scene.pushes.iter().filter(|p| p.blow) {
+            let size = self.number(push.force_n, "J", "N s").factors();
+            let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
+            let along = self.frame(&vector(&unit));
+            let pull = self.pull(push.at.body, &point, size, along, None);
+            self.pulls.push(pull);
+        }
+        self.moves = false;
+        self.hold();
+        let rows: Vec<(Expr, Expr)> = (0..kept.len()).flat_map(|b| self.equations(b)).collect();
+        let (demands, unknowns) = (self.demands(), [self.accelerations(), self.reactions()].concat());
+        let all = [rows.clone(), demands.clone()].concat();
+        let Some(solution) = self.page.solved(&all, &unknowns) else { return beyond() };
+        for (symbol, value) in unknowns.iter().zip(solution) {
+            if let Some(value) = value {
+                let value = if value.abs() < ROUNDING { 0.0 } else { value };
+                self.symbols.settle(*symbol, value, 0.0);
+            }
+        }
+        let before = self.steps.len();
+        self.unravel(None);
+        let Some(change) = self.bodies[lead].alpha else { return beyond() };
+        let change: Expr = match self.arc() {
+            Some(arc) => change.over(self.turning_of(arc)),
+            None => change.into(),
+        };
+        self.first = if self.first == ZERO { change } else { &self.first + change };
+        self.sense =
+            if moves && scene.end == End::AtOnce { self.value(&self.first).signum() } else { self.sense };
+        let impulses = self.holds.iter().map(|h| (h.joint, h.unknown)).collect();
+        let steps = self.steps.split_off(before);
+        let bodies = std::mem::replace(&mut self.bodies, kept);
+        self.blow = Some(Blow { rows, demands, bodies, impulses, unknowns, steps });
+        (self.moves, self.here) = (moves, END);
+        self.holds.clear();
+        self.pulls.clear();
+        Ok(())
     }
 
     fn read_bodies(&mut self) {
@@ -534,7 +632,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let unit = |x: i8, y: i8| [x, y].map(|x| sign(f64::from(x))).map(Sum::one);
             return [unit(1, 0), unit(0, 1)];
         };
-        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, END)));
+        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here)));
         let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
         let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
         let toward = [Sum::of([c, s]).opposite(), Sum::of([d, t]).opposite()];
@@ -645,15 +743,12 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The numbers of all angles, from the places of the key: at the start and at the place that is asked, degrees.
     fn angles(&self) -> Option<[Vec<f64>; 2]> {
-        let data = &self.variant.data;
-        let numbers = Numbers::<f64>::new(self.scene, data);
-        let layout = Layout::new(self.scene, &numbers)?;
         let way = match self.scene.end {
             End::AtOnce => 0.0,
             _ => (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians(),
         };
         let angles = |way: f64, at_start: bool| -> Option<Vec<f64>> {
-            let poses = layout.poses::<Jet<f64>>(way, at_start)?;
+            let poses = self.poses(way, at_start)?;
             let each = poses.iter().zip(&self.scene.bodies).map(|(pose, body)| {
                 let (planar, axis) = (body.planar.as_ref(), pose.axis.map(|x| x.value));
                 let from = planar.map_or([1.0, 0.0], |p| p.from.components());
@@ -672,16 +767,21 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn way_of_key(&self) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
-        let spin = self.value(&self.first);
+        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let start = self.poses(0.0, true)?;
+        let moving = self.poses(0.0, false)?;
+        let blows = self.scene.pushes.iter().filter(|p| p.blow).map(|p| {
+            let v = moving[p.at.body].point(pose::of_spot(self.scene, &numbers, p.at)).map(|x| x.first);
+            let [c, s] = pose::direction(&numbers, p.direction_deg);
+            self.datum(p.force_n) * (v[0] * c + v[1] * s)
+        });
+        let spin = self.value(&self.first) * self.first_inertia() + blows.sum::<f64>();
         if spin != 0.0 {
             return Some((way * spin.signum()).to_degrees());
         }
         // Of the two senses that in which the mass centres rise as the key has it.
-        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
-        let layout = Layout::new(self.scene, &numbers)?;
-        let start = layout.poses::<Jet<f64>>(0.0, true)?;
         let miss = |way: f64| -> f64 {
-            let Some(end) = layout.poses::<Jet<f64>>(way, false) else { return f64::INFINITY };
+            let Some(end) = self.poses(way, false) else { return f64::INFINITY };
             let each = self.scene.bodies.iter().enumerate().map(|(b, body)| {
                 let along = [body.planar.as_ref().map_or(0.0, |p| pose::along(&numbers, p.centre)), 0.0];
                 let rise = end[b].point(along)[1].value - start[b].point(along)[1].value;
@@ -1000,7 +1100,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// From the point about which moments are taken to a point of a body, right and up.
     fn lever(&mut self, body: usize, point: &Point) -> Vector {
         let about = self.pivot.as_ref().map_or_else(|| self.centre(body), |p| p.place.clone());
-        self.places(&less(point, &about), END)
+        self.places(&less(point, &about), self.here)
     }
     /// A force at a point of a body, along a direction of [`Self::frame`].
     fn pull(
@@ -1046,7 +1146,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
             }
         }
-        for push in &scene.pushes {
+        for push in scene.pushes.iter().filter(|p| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             let unit = self.direction(push.direction_deg);
             let along = if push.turns {
@@ -1215,7 +1315,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The forces of the joints, and what each demands.
     fn hold(&mut self) {
         let scene = self.scene;
-        if let Some(Pivot { force, place, .. }) = self.pivot.clone() {
+        if let Some(Pivot { mut force, place, .. }) = self.pivot.clone() {
+            if scene.is_struck() && self.blow.is_none() {
+                force = ["J_r", "J_t"].map(|name| self.named(&[name], "N s"));
+            }
             let along = [[1.0, 0.0], [0.0, 1.0]].map(|u| u.map(|x| Sum::of([sign(x)])));
             for (unknown, along) in force.into_iter().zip(along) {
                 let pulls = vec![self.pull(0, &place, Factors::one(), along, Some(unknown))];
@@ -1225,16 +1328,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = below(joint);
+            let blow = scene.is_struck() && self.blow.is_none();
             let letters: &[&str] = match joint.kind {
+                JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["J_x", "J_y"],
+                JointKind::Guide { .. } | JointKind::Cord { .. } if blow => &["J"],
                 JointKind::Hinge { turned_deg: Some(_), .. } => &["X", "Y", "M"],
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => &["X", "Y"],
                 JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &["N"],
                 JointKind::Contact { .. } => &["N", "F"],
                 JointKind::Cord { .. } => &["T"],
             };
+            let unit = if blow { "N s" } else { "N" };
             let forces: Vec<SymbolId> = letters
                 .iter()
-                .map(|l| self.named(&[&tagged(l, &plain)], if *l == "M" { "N m" } else { "N" }))
+                .map(|l| self.named(&[&tagged(l, &plain)], if *l == "M" { "N m" } else { unit }))
                 .collect();
             let unit = [[Factors::one(), Factors::zero()], [Factors::zero(), Factors::one()]]
                 .map(|u| u.map(|f| if f.is_zero() { Sum::default() } else { Sum::one(f) }));
@@ -1275,7 +1382,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
                 JointKind::Cord { at, place_m } => {
                     let apart = less(&self.ground(place_m), &self.spot(at));
-                    let apart = self.places(&apart, END);
+                    let apart = self.places(&apart, self.here);
                     let is = self.size(&apart);
                     let length: Expr = match is {
                         Expr::Symbol(s) => s.into(),
@@ -1312,7 +1419,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Surface::Arc { centre_m, radius_m: arc, inside } => {
                 let arc = self.number(arc, "R", "m").factors();
                 let out = less(&self.spot(at), &self.ground(centre_m));
-                let out = self.places(&out, END);
+                let out = self.places(&out, self.here);
                 let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(&own) };
                 let apart =
                     if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap };
@@ -1436,6 +1543,9 @@ impl<'d, 'a> Plane<'d, 'a> {
                 None => all.push((left, sum(it.inertia.iter().map(|i| i.by(alpha))))),
             }
         }
+        if self.scene.end == End::Equilibrium {
+            all.iter_mut().for_each(|(_, right)| *right = ZERO);
+        }
         all
     }
     /// What the joints demand of the accelerations, both sides.
@@ -1460,18 +1570,25 @@ impl<'d, 'a> Plane<'d, 'a> {
             (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
         if let (Some(pivot), Some(alpha)) = (self.pivot.clone(), self.bodies[0].alpha) {
             // Moments about the pin have one unknown, and each of the others one more.
-            for (symbol, row) in [alpha, pivot.force[0], pivot.force[1]].into_iter().zip(equations) {
+            let still = self.scene.end == End::Equilibrium;
+            let own = [alpha, pivot.force[0], pivot.force[1]].into_iter().zip(equations);
+            for (symbol, row) in own.skip(usize::from(still)) {
                 let is =
                     if symbol == alpha { Some(row.0.over(pivot.about)) } else { self.isolated(&row, symbol) };
                 self.page.step(symbol, is.ok_or(DerivationStop::Beyond(Beyond::Unfound))?);
             }
             return Ok(());
         }
-        equations.extend(self.demands());
-        let unknowns = [self.accelerations(), self.reactions()].concat();
+        let mut rates = self.accelerations();
+        if self.scene.end == End::Equilibrium {
+            rates.clear();
+        } else {
+            equations.extend(self.demands());
+        }
+        let unknowns = [rates.clone(), self.reactions()].concat();
         let Some(solution) = self.page.solved(&equations, &unknowns) else { return beyond() };
         let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
-        let (rates, g) = (self.accelerations().len(), self.value(&self.g));
+        let (rates, g) = (rates.len(), self.value(&self.g));
         for (i, (symbol, value)) in unknowns.into_iter().zip(solution).enumerate() {
             // What is 0 but for rounding.
             let scale = if i < rates { g } else { weights };
@@ -1483,10 +1600,28 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(())
     }
 
-    /// What the equations give one after the other once this acceleration is known: each from one in which it is the only unknown.
-    pub fn unravel(&mut self, known: SymbolId) {
+    /// The moments, or what is left of all equations when the forces of the joints have been eliminated, of a single body in
+    /// equilibrium.
+    pub fn balanced(&mut self) -> Option<Expr> {
+        match self.pivot {
+            Some(_) => Some(self.equations(0).swap_remove(0).0),
+            None => self.eliminated().map(|[power, _]| power.expr()),
+        }
+    }
+    /// By how much less the forces turn it per angle beside the equilibrium, N m/rad; of a single body.
+    pub fn stiffness(&mut self) -> Option<f64> {
+        let all = self.balanced()?;
+        let (all, at) = (self.page.expanded(&all), self.value(&self.turns[0].at[END]));
+        let step = 0.25;
+        let mut beside = |steps: f64| self.along_way(&all, at + steps * step);
+        let slope = 8.0 * (beside(1.0) - beside(-1.0)) - (beside(2.0) - beside(-2.0));
+        (self.turns.len() == 1).then(|| -slope / (12.0 * step.to_radians()))
+    }
+
+    /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
+    pub fn unravel(&mut self, known: Option<SymbolId>) {
         let mut open = [self.accelerations(), self.reactions()].concat();
-        open.retain(|s| *s != known && !self.symbols.value(*s).is_nan());
+        open.retain(|s| Some(*s) != known && !self.symbols.value(*s).is_nan());
         let mut all = self.demands();
         all.extend((0..self.bodies.len()).flat_map(|b| self.equations(b)));
         while let Some((at, symbol, is)) = all.iter().enumerate().find_map(|(at, row)| {
@@ -1742,6 +1877,27 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What a quantity is of a body on a pin that no other body has, or has in another way.
     fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
         use Quantity as Q;
+        if let Some(blow) = &self.blow
+            && let (Q::Impulse | Q::ImpulseX | Q::ImpulseY, Owner::Joint(j)) = (label.quantity, label.of)
+        {
+            return self.impulse_of(&blow.impulses.clone(), j, label.quantity);
+        }
+        if let (true, Some(k)) = (self.scene.end == End::Equilibrium, self.k) {
+            let frequency = [r"\Omega", r"\omega_s"];
+            let of = |this: &mut Self| {
+                let j = this.j.map_or_else(|| this.spring_inertia(), Expr::from);
+                this.page.find_once(&frequency, "rad/s", root(k / j))
+            };
+            match label.quantity {
+                Q::OmegaSmall => return Ok(Some(of(self))),
+                Q::PeriodSmall => {
+                    let frequency = of(self);
+                    let is = number(2) * self.draft.pi() / frequency;
+                    return Ok(Some(self.page.find_once(&[r"\tau_0", r"\tau_s"], "s", is)));
+                }
+                _ => {}
+            }
+        }
         let Some(pivot) = self.pivot.clone() else { return Ok(None) };
         let ([r, s], about) = (pivot.force, pivot.about);
         let mgh = self.bodies[0].mass.times(&self.g).times(&pivot.h);
@@ -1788,6 +1944,29 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => return Ok(None),
         };
         Ok(Some(self.page.find_once(&names, label.quantity.unit(), is)))
+    }
+    fn spring_inertia(&mut self) -> Expr {
+        let speeds = self.speeds();
+        self.inertia(&speeds).expr()
+    }
+    /// The impulse of a joint, to the right or up where it has both.
+    fn impulse_of(
+        &mut self,
+        impulses: &[(usize, SymbolId)],
+        joint: usize,
+        quantity: Quantity,
+    ) -> Result<Option<SymbolId>, DerivationStop> {
+        let own: Vec<SymbolId> = impulses.iter().filter(|(j, _)| *j == joint).map(|(_, s)| *s).collect();
+        let i = usize::from(quantity == Quantity::ImpulseY);
+        if self.pivot.is_none() {
+            return Ok(own.get(i).copied());
+        }
+        // The place of the blow is that of the start.
+        self.here = if self.scene.end == End::AtOnce { END } else { START };
+        let shares = own.iter().zip(self.basis());
+        let is = positive_first(shares.map(|(impulse, unit)| unit[i].times(*impulse).expr()));
+        self.here = END;
+        Ok(Some(self.page.find_once(&[["J_x", "S_x"], ["J_y", "S_y"]][i], "N s", is)))
     }
     /// The moment of all couples, positive with a growing angle.
     fn couple(&mut self) -> Expr {
@@ -1868,11 +2047,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The inertia of the motion at the start, from the places of the key.
     pub fn first_inertia(&self) -> f64 {
-        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
-        let Some(poses) = Layout::new(self.scene, &numbers).and_then(|l| l.poses::<Jet<f64>>(0.0, false))
-        else {
-            return f64::NAN;
-        };
+        let Some(poses) = self.poses(0.0, false) else { return f64::NAN };
         let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let v = poses[b].point([self.value(&it.centre.expr()), 0.0]).map(|x| x.first);
             let (spin, _) = poses[b].turn();
