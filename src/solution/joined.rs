@@ -63,8 +63,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         if self.t.scene.is_still() || self.rubs() {
             return;
         }
-        if self.t.pivot.is_some() {
-            self.say("pinned.idea_pin", &[]);
+        if let Some(pivot) = &self.t.pivot {
+            let pin = format!("${}$", pivot.name);
+            self.say("pinned.idea_pin", &[("pin", &pin)]);
             return;
         }
         self.say("joined.idea_one", &[]);
@@ -232,6 +233,9 @@ impl<'d, 'a> Joined<'d, 'a> {
     fn rubs(&self) -> bool {
         !self.t.frictions.is_empty()
     }
+    fn radial(&self) -> bool {
+        self.t.pivot.as_ref().is_some_and(|p| p.radial)
+    }
     fn single(&self) -> bool {
         self.t.bodies.len() == 1
     }
@@ -295,7 +299,8 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// Moment of inertia about the pin.
     fn about_the_pin(&mut self, pivot: &Pivot) {
-        self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
+        let pin = format!("${}$", pivot.name);
+        self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[("pin", &pin)]);
         let square = self.t.bodies[0].mass.times(pivot.h.squared());
         let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.t.from(pivot.about));
         let line = self.t.chain(pivot.about, &whole);
@@ -312,7 +317,9 @@ impl<'d, 'a> Joined<'d, 'a> {
     /// The speeds of the mass centres and the inertia of the motion.
     fn kinetic(&mut self) {
         if let Some(pivot) = self.t.pivot.clone() {
-            self.about_the_pin(&pivot);
+            if self.t.blow.is_none() {
+                self.about_the_pin(&pivot);
+            }
             return;
         }
         let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
@@ -485,10 +492,17 @@ impl<'d, 'a> Joined<'d, 'a> {
     fn struck(&mut self) {
         let Some(blow) = self.t.blow.clone() else { return };
         self.t.begin("blow");
-        self.say(if self.t.pivot.is_some() { "joined.blow_pinned" } else { "joined.blow" }, &[]);
-        if let (Some(pivot), END) = (self.t.pivot.clone(), if self.instant() { END } else { START }) {
-            self.about_the_pin(&pivot);
+        let pivot = self.t.pivot.clone();
+        if let Some(pivot) = &pivot {
+            self.about_the_pin(pivot);
         }
+        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
+        let name = match pivot {
+            None => "joined.blow",
+            Some(pivot) if pivot.radial => "joined.blow_radial",
+            Some(_) => "joined.blow_pinned",
+        };
+        self.say(name, &[("pin", &pin)]);
         let rows = blow.rows.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
         self.t.formulas(rows);
         if !blow.demands.is_empty() && blow.demands.len() <= FEW {
@@ -593,7 +607,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             let name = match (self.t.springs.is_empty(), self.t.units.is_empty()) {
                 (true, _) => "joined.cord_there",
                 (false, true) => "joined.spring_force",
-                (false, false) if self.t.pivot.is_some() => "pinned.spring_there",
+                (false, false) if self.radial() => "pinned.spring_there",
                 (false, false) => "joined.spring_there",
             };
             self.say(name, &[]);
@@ -602,11 +616,18 @@ impl<'d, 'a> Joined<'d, 'a> {
         self.t.skip_new();
         let pivot = self.t.pivot.clone();
         let forces = pivot.as_ref().map(|p| p.force.map(|f| self.t.names(&[f])));
-        let pieces = forces.as_ref().map(|[radial, across]| [("radial", &**radial), ("across", &**across)]);
+        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
+        let pieces = forces
+            .as_ref()
+            .map(|[radial, across]| [("radial", &**radial), ("across", &**across), ("pin", pin.as_str())]);
         // The place has been named with the force of the spring.
         let there =
             if self.instant() || pieces.is_some() && !self.t.springs.is_empty() { "" } else { "_there" };
-        let name = if pieces.is_some() { "pinned.senses" } else { "joined.senses" };
+        let name = match (pieces.is_some(), self.radial()) {
+            (false, _) => "joined.senses",
+            (true, true) => "pinned.senses",
+            (true, false) => "pinned.plane_senses",
+        };
         self.say(&format!("{name}{there}"), pieces.as_ref().map_or(&[], |p| &p[..]));
         let each = |b: usize| (self.t.bodies[b].name.clone(), self.t.equations(b));
         let all: Vec<_> = (0..self.t.bodies.len()).map(each).collect();
@@ -623,7 +644,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             let (alpha, omega) = self.leading();
             let angle = self.t.letter.clone();
             let own = [("alpha", &*alpha), ("omega", &omega), ("angle", &angle)];
-            let name = if pieces.is_some() { "pinned.integral" } else { "joined.integral" };
+            let name = if self.radial() { "pinned.integral" } else { "joined.integral" };
             self.say(name, &[&own[..], pieces.as_ref().map_or(&[], |p| &p[..])].concat());
         }
         Ok(())
@@ -777,7 +798,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         let later = later.into_iter().filter(|s| !pivot.force.contains(s));
         self.say("pinned.forces", &[("angle", &self.angle(END))]);
         self.t.tell(solved.chain(later).collect::<Vec<_>>());
-        if held {
+        if held && pivot.radial {
             let signs = [
                 ["radial", "pinned.pin_toward", "pinned.pin_outward"],
                 ["across", "pinned.pin_with", "pinned.pin_against"],

@@ -174,14 +174,18 @@ struct Hold {
 /// across.
 #[derive(Debug, Clone)]
 pub struct Pivot {
+    /// The name of the point.
+    pub name: String,
     /// Distance from the pin to the mass centre.
     pub h: Factors,
     /// Moment of inertia about the mass centre.
     pub own: Expr,
     /// Moment of inertia about the pin.
     pub about: SymbolId,
-    /// Force of the pin toward it from the mass centre, and across, positive with a growing angle.
+    /// Force of the pin: toward it from the mass centre and across, or to the right and up.
     pub force: [SymbolId; 2],
+    /// Are forces told toward the pin and across, positive with a growing angle?
+    pub radial: bool,
     /// Does the angle count from upright?
     pub up: bool,
     /// The pin.
@@ -359,11 +363,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let own = sum(it.inertia.iter().map(Factors::expr));
         let about = &own + it.mass.expr() * square(h.expr());
-        let about = self.page.find(&["I_O", "J_O"], "kg m^2", about);
-        let force = [["R", "O_r"], ["S", "O_t"]].map(|names| self.named(&names, "N"));
+        let name = self.scene.point_name(at).map_or("O", |names| names.1).to_owned();
+        let about = self.page.find(&[&format!("I_{name}"), &format!("J_{name}")], "kg m^2", about);
+        let radial = self.problem.cases[self.variant.case].scene.pinned().is_some();
+        let plain = below(joint);
+        let force = [["R", "O_r", "X"], ["S", "O_t", "Y"]].map(|[one, two, plane]| match radial {
+            true => self.named(&[one, two], "N"),
+            false => self.named(&[&tagged(plane, &plain)], "N"),
+        });
         self.j = Some(about);
         let up = self.turns[0].from[1] > 0.0;
-        self.pivot = Some(Pivot { h, own, about, force, up, place });
+        self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
     fn arc(&self) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
@@ -628,10 +638,14 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The directions in which forces are told, at the asked place: to the right and up; of a body on a pin toward the pin and
     /// across, with a growing angle.
     fn basis(&self) -> [Vector; 2] {
-        let Some(Turn { from, across, .. }) = self.turns.first().filter(|_| self.pivot.is_some()) else {
-            let unit = |x: i8, y: i8| [x, y].map(|x| sign(f64::from(x))).map(Sum::one);
-            return [unit(1, 0), unit(0, 1)];
-        };
+        if self.pivot.as_ref().is_some_and(|p| p.radial) {
+            return self.circle();
+        }
+        [[1.0, 0.0], [0.0, 1.0]].map(|unit| unit.map(|x| Sum::of([sign(x)])))
+    }
+    /// Toward the pin from the mass centre, and across with a growing angle.
+    fn circle(&self) -> [Vector; 2] {
+        let Turn { from, across, .. } = &self.turns[0];
         let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here)));
         let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
         let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
@@ -1113,7 +1127,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     ) -> Pull {
         let lever = self.lever(body, point);
         // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
-        let hand = if self.pivot.is_some() { -self.sense_of(body) } else { 1 };
+        let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
         let turn = cross(&self.frame(&lever), &along).times(Factors::one().signed(hand));
         Pull { body, unknown, size, along, turn }
     }
@@ -1303,7 +1317,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         [0, 1].map(|i| match small {
             _ if small[i] => Sum::default(),
             [false, false] => {
-                let way = if self.pivot.is_some() { ["r", "t"][i] } else { ["x", "y"][i] };
+                let radial = self.pivot.as_ref().is_some_and(|p| p.radial);
+                let way = if radial { ["r", "t"][i] } else { ["x", "y"][i] };
                 let symbol = self.named_by(names, &format!("{way}{tag}"), "1", apart[i].expr() / length);
                 self.units.extend(symbol.uses());
                 Sum::one(symbol)
@@ -1315,9 +1330,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The forces of the joints, and what each demands.
     fn hold(&mut self) {
         let scene = self.scene;
-        if let Some(Pivot { mut force, place, .. }) = self.pivot.clone() {
+        if let Some(Pivot { mut force, place, radial, .. }) = self.pivot.clone() {
             if scene.is_struck() && self.blow.is_none() {
-                force = ["J_r", "J_t"].map(|name| self.named(&[name], "N s"));
+                let names = if radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
+                force = names.map(|name| self.named(&[name], "N s"));
             }
             let along = [[1.0, 0.0], [0.0, 1.0]].map(|u| u.map(|x| Sum::of([sign(x)])));
             for (unknown, along) in force.into_iter().zip(along) {
@@ -1507,10 +1523,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let free = self.pivot.is_none();
         self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
     }
-    /// The acceleration of the mass centre of a body on a pin, in the directions of [`Self::basis`].
+    /// The acceleration of the mass centre of a body on a pin, toward the pin and across.
     fn on_circle(&self, pivot: &Pivot) -> [Expr; 2] {
         let rate = if self.moves { square(self.rate) } else { ZERO };
         [pivot.h.by(rate), self.bodies[0].alpha.map_or(ZERO, |alpha| pivot.h.by(alpha))]
+    }
+    /// The same to the right (0) or up (1).
+    fn component(&self, pivot: &Pivot, i: usize) -> Expr {
+        let ([rate, alpha], [toward, across]) = (self.on_circle(pivot), self.circle());
+        toward[i].times(rate).plus(&across[i].times(alpha)).expr()
     }
 
     /// The equations of motion of a body, both sides.
@@ -1521,7 +1542,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             of.terms().iter().map(|t| size.times(t)).collect::<Vec<_>>()
         };
         let mut all = Vec::new();
-        let a = self.pivot.as_ref().map_or_else(|| it.a.map(Expr::from), |p| self.on_circle(p));
+        let a = match &self.pivot {
+            None => it.a.map(Expr::from),
+            Some(pivot) if pivot.radial => self.on_circle(pivot),
+            Some(pivot) => [0, 1].map(|i| self.component(pivot, i)),
+        };
         for (i, a) in a.into_iter().enumerate() {
             let left = self.on(body).map(|p| Sum::of(share(p, &p.along[i], 1)).expr());
             all.push((positive_first(left), it.mass.by(a)));
@@ -1791,10 +1816,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::Alpha, Owner::Body(b)) => self.bodies[b].alpha.ok_or_else(none)?,
             (Q::AX | Q::AY, Owner::Body(b)) => {
                 let i = usize::from(label.quantity == Q::AY);
-                let (a, basis) = (self.bodies[b].a[i], self.basis());
+                let a = self.bodies[b].a[i];
                 if let Some(pivot) = &self.pivot {
-                    let shares = self.on_circle(pivot).into_iter().zip(basis);
-                    let is = positive_first(shares.map(|(a, unit)| unit[i].times(a).expr()));
+                    let is = self.component(pivot, i);
                     self.page.step(a, is);
                 }
                 a
@@ -1907,6 +1931,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PinRadial => return Ok(Some(r)),
             Q::PinTangential => return Ok(Some(s)),
             Q::SpringForce => return Ok(self.springs.first().copied()),
+            Q::PinX | Q::PinY if !pivot.radial => {
+                return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
+            }
             Q::PinForce => (["F_O", "O"], root(square(r) + square(s))),
             Q::PinX | Q::PinY => {
                 let i = usize::from(label.quantity == Q::PinY);
@@ -1958,7 +1985,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     ) -> Result<Option<SymbolId>, DerivationStop> {
         let own: Vec<SymbolId> = impulses.iter().filter(|(j, _)| *j == joint).map(|(_, s)| *s).collect();
         let i = usize::from(quantity == Quantity::ImpulseY);
-        if self.pivot.is_none() {
+        if !self.pivot.as_ref().is_some_and(|p| p.radial) {
             return Ok(own.get(i).copied());
         }
         // The place of the blow is that of the start.
