@@ -9,7 +9,7 @@ use crate::solution::expr::{
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
-use crate::solution::plane::{END, Pivot, Plane, START};
+use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
@@ -172,7 +172,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         }
         for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
             if !list.is_empty() {
-                let name = if self.instant() { format!("{name}_at_once") } else { name.to_owned() };
+                let name = if self.t.scene.is_still() { format!("{name}_at_once") } else { name.to_owned() };
                 self.say(&name, &[("force", &list.join(", "))]);
             }
         }
@@ -208,6 +208,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     fn onward(&self) -> &'static str {
         match self.t.scene.end {
             End::Equilibrium => "joined.onward_rest",
+            End::AtOnce if self.t.blow.is_some() => "joined.onward_struck",
             End::AtOnce if !self.t.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.rubs() => "joined.onward_rubs",
@@ -266,13 +267,11 @@ impl<'d, 'a> Joined<'d, 'a> {
         if let Some(name) = name {
             self.say(name, &[("angle", &value)]);
         }
-        let followers: Vec<(String, Vec<SymbolId>)> = self.t.turns[1..]
-            .iter()
-            .zip(self.t.followers())
-            .map(|(turn, body)| {
-                (self.t.bodies[body].name.clone(), turn.at.iter().flat_map(Expr::uses).collect())
-            })
-            .collect();
+        let own = |e: &Expr| matches!(e, Expr::Symbol(_)) && !self.t.turns[0].at.contains(e);
+        let symbols = |turn: &Turn| turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
+        let names = self.t.followers().into_iter().map(|body| self.t.bodies[body].name.clone());
+        let followers: Vec<(String, Vec<SymbolId>)> =
+            names.zip(self.t.turns[1..].iter().map(symbols)).collect();
         if followers.is_empty() || followers.iter().all(|(_, symbols)| symbols.is_empty()) {
             return;
         }
@@ -471,6 +470,10 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// Kinetic energy at the start.
     fn first_energy(&mut self) -> Expr {
+        if let Some(ratio) = self.t.spun {
+            let shown = self.t.shown(ratio);
+            self.say("joined.first_spin", &[("ratio", &shown)]);
+        }
         if self.t.first == ZERO {
             return ZERO;
         }
@@ -497,8 +500,9 @@ impl<'d, 'a> Joined<'d, 'a> {
             self.about_the_pin(pivot);
         }
         let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
-        let name = match pivot {
-            None => "joined.blow",
+        let name = match &pivot {
+            None if blow.impulses.is_empty() => "joined.blow",
+            None => "joined.blow_joints",
             Some(pivot) if pivot.radial => "joined.blow_radial",
             Some(_) => "joined.blow_pinned",
         };
@@ -714,6 +718,11 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// What is left when the forces of the joints have been eliminated, of a single body.
     fn eliminate(&mut self) {
+        if self.t.scene.end == End::Equilibrium {
+            self.t.unravel(None);
+            self.say("joined.rest_rows", &[]);
+            return;
+        }
         let Some([power, bend]) = self.t.eliminated() else {
             self.say("joined.together", &[]);
             return;

@@ -203,6 +203,8 @@ pub struct Blow {
     pub bodies: Vec<PlaneBody>,
     /// The impulses of the joints.
     pub impulses: Vec<(usize, SymbolId)>,
+    /// Was all at rest before?
+    pub from_rest: bool,
     /// What was solved for.
     pub unknowns: Vec<SymbolId>,
     /// How one follows from the other.
@@ -259,6 +261,8 @@ pub struct Plane<'d, 'a> {
     pub pivot: Option<Pivot>,
     /// The stiffness of small oscillations about equilibrium, by the angle.
     pub k: Option<SymbolId>,
+    /// Ratio of the spin that is given at the start to the rate of the leading angle, where it is that of another body.
+    pub spun: Option<SymbolId>,
     /// What blows at the start do.
     pub blow: Option<Blow>,
     /// The place of which forces are told: at the start for blows, else [`END`].
@@ -318,6 +322,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             units: Vec::new(),
             pivot: None,
             k: None,
+            spun: None,
             blow: None,
             here: END,
             g,
@@ -364,7 +369,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let own = sum(it.inertia.iter().map(Factors::expr));
         let about = &own + it.mass.expr() * square(h.expr());
         let name = self.scene.point_name(at).map_or("O", |names| names.1).to_owned();
-        let about = self.page.find(&[&format!("I_{name}"), &format!("J_{name}")], "kg m^2", about);
+        let own_name = |letter: &str| match name.len() {
+            1 => format!("{letter}_{name}"),
+            _ => tagged(letter, &name),
+        };
+        let about = self.page.find(&[&own_name("I"), &own_name("J")], "kg m^2", about);
         let radial = self.problem.cases[self.variant.case].scene.pinned().is_some();
         let plain = below(joint);
         let force = [["R", "O_r", "X"], ["S", "O_t", "Y"]].map(|[one, two, plane]| match radial {
@@ -404,7 +413,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let tag = format!("{},0", self.bodies[c.body].tag);
             let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
             self.symbols.settle(symbol, ratio, 0.0);
-            self.page.step(symbol, symbol.into());
+            self.spun = Some(symbol);
             symbol.into()
         } else {
             match self.arc() {
@@ -424,7 +433,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What an instant's blows do: to momenta what forces do to accelerations, with an impulse in the place of each force of a joint.
     fn strike(&mut self) -> Result<(), DerivationStop> {
         let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
-        let mark = if self.first == ZERO { "+" } else { r"\Delta" };
+        let from_rest = self.first == ZERO;
+        let mark = if from_rest { "+" } else { r"\Delta" };
         self.here = if scene.end == End::AtOnce { END } else { START };
         for body in 0..kept.len() {
             let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
@@ -466,7 +476,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let impulses = self.holds.iter().map(|h| (h.joint, h.unknown)).collect();
         let steps = self.steps.split_off(before);
         let bodies = std::mem::replace(&mut self.bodies, kept);
-        self.blow = Some(Blow { rows, demands, bodies, impulses, unknowns, steps });
+        self.blow = Some(Blow { rows, demands, bodies, impulses, from_rest, unknowns, steps });
         (self.moves, self.here) = (moves, END);
         self.holds.clear();
         self.pulls.clear();
@@ -956,7 +966,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             return Ok(());
         }
-        if let (false, Some(start)) = (self.moves, planar.start_deg) {
+        let loose = scene.end == End::AtOnce && self.first == ZERO;
+        if let (true, Some(start)) = (loose, planar.start_deg) {
             let start = self.number(start, r"\beta", "deg");
             self.open = true;
             self.bodies[body].turn = Some(self.add_turn(planar, [start.clone(), start], [ZERO, ZERO]));
@@ -1346,7 +1357,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let plain = below(joint);
             let blow = scene.is_struck() && self.blow.is_none();
             let letters: &[&str] = match joint.kind {
-                JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["J_x", "J_y"],
+                JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["Jx", "Jy"],
                 JointKind::Guide { .. } | JointKind::Cord { .. } if blow => &["J"],
                 JointKind::Hinge { turned_deg: Some(_), .. } => &["X", "Y", "M"],
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => &["X", "Y"],
@@ -1357,7 +1368,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             let unit = if blow { "N s" } else { "N" };
             let forces: Vec<SymbolId> = letters
                 .iter()
-                .map(|l| self.named(&[&tagged(l, &plain)], if *l == "M" { "N m" } else { unit }))
+                .map(|l| {
+                    let name = tagged(&l[..1], &format!("{plain}{}", &l[1..]));
+                    self.named(&[&name], if *l == "M" { "N m" } else { unit })
+                })
                 .collect();
             let unit = [[Factors::one(), Factors::zero()], [Factors::zero(), Factors::one()]]
                 .map(|u| u.map(|f| if f.is_zero() { Sum::default() } else { Sum::one(f) }));
@@ -1640,7 +1654,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let step = 0.25;
         let mut beside = |steps: f64| self.along_way(&all, at + steps * step);
         let slope = 8.0 * (beside(1.0) - beside(-1.0)) - (beside(2.0) - beside(-2.0));
-        (self.turns.len() == 1).then(|| -slope / (12.0 * step.to_radians()))
+        (self.bodies.len() == 1).then(|| -slope / (12.0 * step.to_radians()))
     }
 
     /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
@@ -1906,6 +1920,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         {
             return self.impulse_of(&blow.impulses.clone(), j, label.quantity);
         }
+        if let (Some(blow), true, None) = (self.blow.clone(), self.scene.end == End::AtOnce, &self.pivot)
+            && blow.from_rest
+            && let Some(found) = self.just_after(&blow, label)
+        {
+            return Ok(Some(found));
+        }
         if let (true, Some(k)) = (self.scene.end == End::Equilibrium, self.k) {
             let frequency = [r"\Omega", r"\omega_s"];
             let of = |this: &mut Self| {
@@ -1971,6 +1991,48 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => return Ok(None),
         };
         Ok(Some(self.page.find_once(&names, label.quantity.unit(), is)))
+    }
+    /// Velocities and energy right after a blow on bodies at rest.
+    fn just_after(&mut self, blow: &Blow, label: Label) -> Option<SymbolId> {
+        use Quantity as Q;
+        let size = |v: &[Expr; 2]| root(square(&v[0]) + square(&v[1]));
+        let it = |b: usize| &blow.bodies[b];
+        let (names, is) = match (label.quantity, label.of) {
+            (Q::VX, Owner::Body(b)) => return Some(it(b).a[0]),
+            (Q::VY, Owner::Body(b)) => return Some(it(b).a[1]),
+            (Q::V, Owner::Body(b)) => {
+                (["v", "u"].map(|l| tagged(l, &it(b).tag)), size(&it(b).a.map(Expr::from)))
+            }
+            (Q::Omega, Owner::Body(b)) => {
+                let omega = it(b).alpha?;
+                if self.symbols.value(omega) >= 0.0 {
+                    return Some(omega);
+                }
+                ([r"\omega", r"\Omega"].map(|l| tagged(l, &it(b).tag)), -Expr::from(omega))
+            }
+            (Q::V, Owner::Spot(spot)) => {
+                let away = less(&self.spot(spot), &self.centre(spot.body));
+                let [x, y] = self.places(&away, END);
+                let spin = it(spot.body).alpha.map_or(ZERO, Expr::from);
+                let spin = in_sense(spin, f64::from(self.sense_of(spot.body)));
+                let [a, b] = it(spot.body).a;
+                let name = self.scene.point_name(spot).map_or("P", |n| n.1);
+                (["v", "u"].map(|l| tagged(l, name)), size(&[a - y.expr() * &spin, b + x.expr() * spin]))
+            }
+            (Q::KineticEnergy, _) => {
+                let each = blow.bodies.iter().flat_map(|b| {
+                    let straight = b.a.map(|v| b.mass.by(square(v)));
+                    let spin = b.alpha.map_or(ZERO, |w| sum(b.inertia.iter().map(Factors::expr)) * square(w));
+                    straight.into_iter().chain([spin])
+                });
+                (
+                    ["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned),
+                    ratio(1, 2) * sum(each.collect::<Vec<_>>()),
+                )
+            }
+            _ => return None,
+        };
+        Some(self.page.find_once(&[&names[0], &names[1]], label.quantity.unit(), is))
     }
     fn spring_inertia(&mut self) -> Expr {
         let speeds = self.speeds();

@@ -293,11 +293,6 @@ fn scenes_of_textbooks() {
                 continue;
             }
             let variant = maker::from_values(problem, 0, &values).expect("solved");
-            // What is struck or brought into equilibrium has a short page.
-            let scene = &problem.cases[0].scene;
-            if scene.end == End::Equilibrium || scene.is_struck() {
-                continue;
-            }
             // One is printed to show that it does not roll.
             if variant.solved.regime.slips {
                 continue;
@@ -320,10 +315,10 @@ fn scenes_of_textbooks() {
 #[test]
 fn scenes_beyond_the_built_in_banks() {
     let (templates, words) = (templates("en"), Words::english());
-    let text = include_str!("../support/lines.yaml");
-    let bank = load::scenes_only(text, "lines.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+    let texts = [include_str!("../support/lines.yaml"), include_str!("../worked/blows-and-rests.yaml")];
+    let banks = texts.map(|text| load::scenes_only(text, "a bank").unwrap_or_else(|f| panic!("{f:?}")));
     let mut faults = Vec::new();
-    for problem in &bank.problems {
+    for problem in banks.iter().flat_map(|bank| &bank.problems) {
         let maker = Maker::new(problem, 8, "lines");
         for student in 0..25 {
             let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
