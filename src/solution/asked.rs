@@ -10,7 +10,7 @@ use crate::solution::expr::{Expr, SymbolId, cosine, magnitude, number, power, ro
 use crate::solution::narrate;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::words::Words;
 
 /// Steps of a search for a datum: so many places of its range, then halvings.
@@ -183,7 +183,7 @@ fn written(draft: &mut Draft, x: f64) -> Expr {
 pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene: &Scene) -> Option<f64> {
     let found = scene.formulas.found?;
     let miss = |x: f64| -> f64 {
-        let mut draft = Draft::trial(problem, variant, words, scene, x);
+        let mut draft = Draft::trial((problem, variant), scene, words, Symbols::new(words), Some(x));
         let measured: f64 = found.measured.value(&variant.data);
         match derive(&mut draft).ok().and_then(|()| draft.found_for(found.label)) {
             Some(DerivedAnswer::Value(symbol)) => draft.symbols.value(symbol) - measured,

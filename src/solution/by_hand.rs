@@ -14,6 +14,7 @@ use crate::scene::Label;
 use crate::solution::derive;
 use crate::solution::draft::{DerivedAnswer, Draft, scene_of};
 use crate::solution::stop::DerivationStop;
+use crate::solution::symbols::Symbols;
 use crate::words::Words;
 
 /// A number that came about with rounding on the way, SI.
@@ -52,7 +53,7 @@ pub fn answers(
     figures: usize,
 ) -> Result<Vec<ByHand>, DerivationStop> {
     let scene = scene_of(problem, variant)?;
-    let mut draft = Draft::by_hand(problem, variant, words, &scene, figures);
+    let mut draft = Draft::new(problem, variant, &scene, words, Symbols::by_hand(words, figures));
     derive(&mut draft)?;
     let rough = |answer: DerivedAnswer| match answer {
         DerivedAnswer::Value(symbol) => {

@@ -87,40 +87,24 @@ pub struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    /// A draft that holds the data of a variant, whose scene is `scene` ([`scene_of`]).
-    pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words, scene: &'a Scene) -> Self {
+    /// A draft that holds the data of a variant, whose scene is `scene` ([`scene_of`]); `symbols` is empty yet.
+    pub fn new(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        scene: &'a Scene,
+        words: &'a Words,
+        symbols: Symbols<'a>,
+    ) -> Self {
         let unknown = asked::unknown_value(problem, variant, words, scene);
-        Self::with((problem, variant), scene, Symbols::new(words), words, unknown)
+        Self::trial((problem, variant), scene, words, symbols, unknown)
     }
 
     /// As [`Draft::new`], with this value of the datum that is to be found.
     pub fn trial(
-        problem: &'a Problem,
-        variant: &'a Variant,
-        words: &'a Words,
-        scene: &'a Scene,
-        unknown: f64,
-    ) -> Self {
-        Self::with((problem, variant), scene, Symbols::new(words), words, Some(unknown))
-    }
-
-    /// As [`Draft::new`], for somebody who writes each quantity down with so many figures ([`Symbols::by_hand`]).
-    pub fn by_hand(
-        problem: &'a Problem,
-        variant: &'a Variant,
-        words: &'a Words,
-        scene: &'a Scene,
-        figures: usize,
-    ) -> Self {
-        let unknown = asked::unknown_value(problem, variant, words, scene);
-        Self::with((problem, variant), scene, Symbols::by_hand(words, figures), words, unknown)
-    }
-
-    fn with(
         (problem, variant): (&'a Problem, &'a Variant),
         scene: &'a Scene,
-        symbols: Symbols<'a>,
         words: &'a Words,
+        symbols: Symbols<'a>,
         unknown: Option<f64>,
     ) -> Self {
         let mut draft = Self {

@@ -50,35 +50,20 @@ struct LegEnd {
 }
 
 /// What a solution says of a kind of scene. The order is one for all: [`tell`].
-pub trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 'a>>> {
+pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 'a>>> {
     /// What to look at, and what need not be known.
     fn idea(&mut self);
     /// The short way, the long one, and why the one is shorter.
-    ///
-    /// # Errors
-    /// What is not covered, as of all these.
     fn ways(&mut self) -> Result<(), DerivationStop>;
     /// Forces that are asked.
-    ///
-    /// # Errors
-    /// Those of [`Self::ways`].
     fn forces(&mut self) -> Result<(), DerivationStop>;
     /// A quantity, looked up or derived.
-    ///
-    /// # Errors
-    /// Those of [`Self::ways`].
     fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
     /// What is said before a quantity that is asked besides.
     fn before(&mut self, label: Label);
     /// Is what was assumed so?
-    ///
-    /// # Errors
-    /// Those of [`Self::ways`].
     fn holds(&mut self) -> Result<(), DerivationStop>;
     /// A limit or two.
-    ///
-    /// # Errors
-    /// Those of [`Self::ways`].
     fn limits(&mut self) -> Result<(), DerivationStop>;
     /// A question to go on with, by name.
     fn onward(&self) -> &'static str;

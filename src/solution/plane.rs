@@ -966,7 +966,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             return Ok(());
         }
-        let loose = scene.end == End::AtOnce && self.first == ZERO;
+        let loose = scene.end == End::AtOnce && self.value(&self.first) == 0.0;
         if let (true, Some(start)) = (loose, planar.start_deg) {
             let start = self.number(start, r"\beta", "deg");
             self.open = true;
