@@ -331,8 +331,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
         this.moves = !this.scene.is_still() || sets_off;
         this.read_bodies();
-        this.place()?;
         this.start_from()?;
+        this.place()?;
         this.steps_of[0] = this.steps.len();
         this.rate = match this.bodies[lead].omega.filter(|_| this.arc().is_none()) {
             Some(omega) => omega,
@@ -793,13 +793,16 @@ impl<'d, 'a> Plane<'d, 'a> {
         let way = self.variant.solved.get(phi)?.value();
         let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
         let start = self.poses(0.0, true)?;
-        let moving = self.poses(0.0, false)?;
-        let blows = self.scene.pushes.iter().filter(|p| p.blow).map(|p| {
-            let v = moving[p.at.body].point(pose::of_spot(self.scene, &numbers, p.at)).map(|x| x.first);
-            let [c, s] = pose::direction(&numbers, p.direction_deg);
-            self.datum(p.force_n) * (v[0] * c + v[1] * s)
-        });
-        let spin = self.value(&self.first) * self.first_inertia() + blows.sum::<f64>();
+        let mut spin = self.value(&self.first);
+        if self.scene.is_struck() {
+            let moving = self.poses(0.0, false)?;
+            let blows = self.scene.pushes.iter().filter(|p| p.blow).map(|p| {
+                let v = moving[p.at.body].point(pose::of_spot(self.scene, &numbers, p.at)).map(|x| x.first);
+                let [c, s] = pose::direction(&numbers, p.direction_deg);
+                self.datum(p.force_n) * (v[0] * c + v[1] * s)
+            });
+            spin = spin * self.first_inertia() + blows.sum::<f64>();
+        }
         if spin != 0.0 {
             return Some((way * spin.signum()).to_degrees());
         }
