@@ -531,7 +531,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
         let rows: Vec<(Expr, Expr)> = (0..self.t.bodies.len()).flat_map(|b| self.t.equations(b)).collect();
         let left = rows.iter().map(|(left, _)| self.t.value(left).abs()).fold(0.0, f64::max);
-        if !(left <= AGREEMENT_REL * 9.81 * weight) {
+        if !left.le(&(AGREEMENT_REL * 9.81 * weight)) {
             return Err(Beyond::Differs(Quantity::Phi).into());
         }
         let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.t.asks(*q));

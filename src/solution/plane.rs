@@ -436,12 +436,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let from_rest = self.first == ZERO;
         let mark = if from_rest { "+" } else { r"\Delta" };
         self.here = if scene.end == End::AtOnce { END } else { START };
-        for body in 0..kept.len() {
+        for (body, it) in kept.iter().enumerate() {
             let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
-                this.named(&[&tagged(letter, &format!("{}{way}{mark}", kept[body].tag))], unit)
+                this.named(&[&tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
             };
             let v = ["x", "y"].map(|way| named(self, "v", way, "m/s"));
-            let omega = kept[body].alpha.map(|_| named(self, r"\omega", "", "rad/s"));
+            let omega = it.alpha.map(|_| named(self, r"\omega", "", "rad/s"));
             (self.bodies[body].a, self.bodies[body].alpha) = (v, omega);
         }
         for push in scene.pushes.iter().filter(|p| p.blow) {
