@@ -434,7 +434,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn strike(&mut self) -> Result<(), DerivationStop> {
         let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
         let from_rest = self.first == ZERO;
-        let mark = if from_rest { "+" } else { r"\Delta" };
+        let mark = if from_rest { "s" } else { r"\Delta" };
         self.here = if scene.end == End::AtOnce { END } else { START };
         for (body, it) in kept.iter().enumerate() {
             let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
