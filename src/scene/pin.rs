@@ -3,7 +3,8 @@
 //! The line from the pin to the mass centre makes an angle with the vertical, measured from upright (the mass centre above
 //! the pin) or from hanging. A turn is positive if the angle grows. Horizontal places are positive on the side to which
 //! a small positive angle leans, vertical ones upward.
-use crate::scene::Num;
+use crate::scene::{Acts, Branch, Joint, JointKind, Num, Place, Planar, Ray, Scene, Spot, Strut, StrutEnd};
+use std::borrow::Cow;
 
 /// The pin of a body, and the angle at which the motion starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,4 +59,44 @@ pub enum Rest {
     Length(Num),
     /// Stretch at the start, m, >= 0 and not above the length of the spring there.
     Stretch(Num),
+}
+
+impl Scene {
+    /// The same scene with a body on a pin told as what it is in the plane, a body that one joint holds; any other scene itself.
+    pub fn in_the_plane(&self) -> Cow<'_, Self> {
+        let Some((body, pin)) = self.pinned() else { return Cow::Borrowed(self) };
+        let (zero, up, spot) = (Num::Fixed(0.0), pin.from == Zero::Upright, |point| Spot { body, point });
+        let on_axis = |name: &str, x| (name.to_owned(), [Place::At(x), Place::At(zero)]);
+        let mut scene = self.clone();
+        scene.bodies[body].pin = None;
+        scene.bodies[body].planar = Some(Planar {
+            points: [on_axis("O", zero)]
+                .into_iter()
+                .chain(pin.spring.map(|s| on_axis("P", s.at_m)))
+                .collect(),
+            centre: match pin.arm {
+                Arm::Distance(h) => Place::At(h),
+                Arm::HalfOf(length) => Place::HalfOf(length),
+            },
+            from: if up { Ray::Up } else { Ray::Down },
+            clockwise: up,
+            start_deg: Some(pin.start_deg),
+            driven: None,
+            level: false,
+            origin_m: None,
+            side: Branch::default(),
+        });
+        scene
+            .joints
+            .push(Joint { name: "O".to_owned(), kind: JointKind::Pin { at: spot(0), place_m: [zero; 2] } });
+        scene.struts.extend(pin.spring.map(|s| Strut {
+            name: "spring".to_owned(),
+            at: spot(1),
+            to: StrutEnd::Ground([s.x_m, s.y_m]),
+            stiffness_n_m: s.stiffness_n_m,
+            rest: s.rest,
+            acts: Acts::Both,
+        }));
+        Cow::Owned(scene)
+    }
 }

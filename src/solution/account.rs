@@ -1,22 +1,16 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::num::{gauss, shown, trig};
-use crate::scene::{
-    Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Rest, Span, Tie,
-};
+use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    signed, sine, square, sum,
+    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::FIGURES;
-use crate::solution::terms::{
-    Action, BodyTerms, ForceKind, ForceSource, Pivot, PivotSpring, Terms, mark_of, tagged,
-};
+use crate::solution::terms::{Action, BodyTerms, ForceKind, ForceSource, Terms, mark_of, tagged};
 use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
@@ -60,10 +54,6 @@ pub struct Eliminated {
     pub is: Expr,
 }
 
-/// Step in degrees in which an angle is looked for at which something happens, and the farthest way that is looked over.
-pub const LOOK: f64 = 0.25;
-const FAR: f64 = 720.0;
-
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
 
@@ -85,12 +75,8 @@ pub struct Account<'d, 'a> {
     pub v: Expr,
     /// What the lead accelerates: effective mass or moment of inertia.
     pub effective: Expr,
-    /// Sum of the forces but the spring's, reckoned to the lead; of a body on a pin, all moments at any angle.
+    /// Sum of the forces but the spring's, reckoned to the lead.
     pub drive: Expr,
-    /// The square of the speed of a body on a pin at any angle.
-    pub square: Expr,
-    /// Works of the forces on a body on a pin.
-    pub works: Vec<Expr>,
     /// The spring.
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
@@ -136,14 +122,8 @@ const fn names_of(quantity: Quantity) -> [&'static str; 2] {
         Quantity::VMax => [r"v_{\mathrm{max}}", "v_{m}"],
         Quantity::DAtVMax => ["D_{v}", "d_{v}"],
         Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
-        Quantity::OmegaMax => [r"\omega_{\mathrm{max}}", r"\omega_{m}"],
         Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
         Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
-        Quantity::Period => [r"\tau", r"\tau_1"],
-        Quantity::PinForce => ["F_O", "O"],
-        Quantity::PinX => ["O_x", "X_O"],
-        Quantity::PinY => ["O_y", "Y_O"],
-        Quantity::PinAngle => [r"\psi_O", r"\chi_O"],
         _ => ["Z", "Y"],
     }
 }
@@ -240,8 +220,6 @@ impl<'d, 'a> Account<'d, 'a> {
             v: ZERO,
             effective: ZERO,
             drive: ZERO,
-            square: ZERO,
-            works: Vec::new(),
             spring: None,
             last: ZERO,
             grown: Vec::new(),
@@ -273,9 +251,6 @@ impl<'d, 'a> Account<'d, 'a> {
         this.grow();
         this.effective = this.effective_mass();
         this.set_out()?;
-        if let Some(pivot) = this.m.pivot.clone() {
-            this.set_out_on(pivot);
-        }
         Ok(this)
     }
 
@@ -519,32 +494,24 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// The equations of motion of all bodies and those of the ties, solved together.
-    fn rows_solved(&self) -> Option<Vec<Option<f64>>> {
-        let unknowns = self.unknowns();
-        let place = |symbol: SymbolId| unknowns.iter().position(|(_, s)| *s == symbol);
-        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
-        let mut rows = 0;
-        for c in self.scene.coordinates() {
-            let Some(a) = self.m.acceleration(c).and_then(place) else { continue };
-            system.term(rows, a, -self.value(&self.m.inertia_expr(c)));
-            for (action, share) in self.row(c) {
-                match self.reaction_of(&action).and_then(place) {
-                    Some(at) => system.term(rows, at, self.value(&self.m.lever(&action, c).expr())),
-                    None => system.right(rows, 0, -self.value(&share)),
-                }
-            }
-            rows += 1;
-        }
-        for (tie, _) in self.reactions() {
-            for (c, share) in self.tied(tie) {
-                if let Some(at) = self.m.acceleration(c).and_then(place) {
-                    system.term(rows, at, self.value(&share.expr()));
-                }
-            }
-            rows += 1;
-        }
-        let solution = system.solve().ok()?;
-        Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
+    fn rows_solved(&mut self) -> Option<Vec<Option<f64>>> {
+        let rows = (0..self.m.parts.len()).flat_map(|body| self.equations(body));
+        let rows = rows.filter(|(c, ..)| c.is_some()).map(|(_, left, right)| (left, right));
+        let all: Vec<(Expr, Expr)> = rows.chain(self.demands()).collect();
+        let unknowns: Vec<SymbolId> = self.unknowns().into_iter().map(|(_, symbol)| symbol).collect();
+        self.page.solved(&all, &unknowns)
+    }
+
+    /// What the ties demand of the accelerations, both sides without a minus in front.
+    pub fn demands(&self) -> Vec<(Expr, Expr)> {
+        let each = |(tie, _): (usize, SymbolId)| {
+            let terms = self.tied(tie).into_iter();
+            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.acceleration(c)?)));
+            let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
+            let right = sum(right.into_iter().map(|t| -t));
+            if left.is_empty() { (right, ZERO) } else { (sum(left), right) }
+        };
+        self.reactions().into_iter().map(each).collect()
     }
 
     /// Accelerations and reactions as all equations together give them.
@@ -635,11 +602,6 @@ impl<'d, 'a> Account<'d, 'a> {
             if let (Degree::Along, Some((normal, is))) = (c.degree, part.normal.clone()) {
                 all.push((None, normal - is, ZERO));
             }
-        }
-        if let (Some(pivot), Some(a), Some(v)) = (&self.m.pivot, part.alpha, part.omega) {
-            let (mh, [toward, aside]) = (part.mass.times(&pivot.h), self.m.beside_the_pin(pivot));
-            all.push((None, pivot.radial + toward, mh.by(square(v))));
-            all.push((None, pivot.across + aside, mh.by(a)));
         }
         all
     }
@@ -746,9 +708,6 @@ impl<'d, 'a> Account<'d, 'a> {
         };
         let (a_label, v_label) =
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
-        if let (Some(pivot), true) = (self.m.pivot.clone(), self.scene.end != End::AtOnce) {
-            return self.arrive_on(&pivot, v);
-        }
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             return self.arrive_on_spring(a, v);
         }
@@ -811,231 +770,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
-                if self.spring.is_none() && self.m.pivot.is_none() {
+                if self.spring.is_none() {
                     accelerated(self);
                 }
             }
         }
         Ok(())
-    }
-
-    // A body on a pin.
-
-    /// Moment of inertia, natural length, and what moves it at any angle.
-    fn set_out_on(&mut self, mut pivot: Pivot) {
-        let (up, first, angle) = (pivot.up, pivot.first.clone(), Expr::from(pivot.angle));
-        let mass = self.m.parts[self.lead().body].mass.expr();
-        let inertia = &pivot.own + mass * square(&pivot.h);
-        self.found(of_body(Quantity::IO, self.lead().body), pivot.about, inertia);
-        let given = self.scene.pinned().and_then(|(_, pin)| pin.spring).map(|s| s.rest);
-        let mut stretches = [ZERO, ZERO];
-        if let Some(spring) = &mut pivot.spring {
-            if let Some(Rest::Stretch(_)) = given {
-                let length = self.page.find(&["s_0", "d_0"], "m", spring.length(up, &first));
-                spring.rest = self.page.find(&["l_0", "l_n"], "m", length - &spring.rest).into();
-            }
-            stretches = [&first, &angle].map(|a| spring.length(up, a) - &spring.rest);
-        }
-        let turned = self.radians(&angle - &first);
-        let works = self.works_on(&pivot, &angle, turned, &stretches);
-        self.square = square(&self.v0) + number(2) * sum(works) / pivot.about;
-        self.drive = self.row_sum(self.lead());
-        if let Some(spring) = &pivot.spring {
-            let law = spring.law(up, &angle, &spring.length(up, &angle));
-            let put = |e: Expr, (symbol, is): (&SymbolId, &Expr)| e.put(*symbol, is);
-            self.drive = spring.force.iter().zip(&law).fold(self.drive.clone(), put);
-        }
-        self.last = first;
-        self.m.pivot = Some(pivot);
-        let start = self.value(&self.last);
-        let way =
-            if self.v0 == ZERO { self.along_way(&self.drive.clone(), start) } else { self.value(&self.v0) };
-        self.sense = way.signum();
-    }
-
-    /// An angle in degrees, in radians.
-    fn radians(&mut self, degrees: Expr) -> Expr {
-        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-        degrees * self.draft.pi() / half
-    }
-
-    /// The angle that a body on a pin has turned, in radians with its sign.
-    pub fn turned(&mut self, pivot: &Pivot) -> SymbolId {
-        let name = format!(r"\Delta {}", self.symbols.tex(pivot.angle));
-        self.symbols.named(&[&name]).unwrap_or_else(|| {
-            let angle = self.radians(&self.last - &pivot.first);
-            self.page.find(&[&name], "rad", angle)
-        })
-    }
-
-    /// What an expression comes to with a body on a pin at this angle, degrees.
-    pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
-        let Some(angle) = self.m.pivot.as_ref().map(|p| p.angle) else { return f64::NAN };
-        self.symbols.place(angle, degrees);
-        let value = self.value(of);
-        self.symbols.place(angle, f64::NAN);
-        value
-    }
-
-    /// Works of weight, couples and spring from the start to an angle.
-    fn works_on(&self, pivot: &Pivot, to: &Expr, turned: Expr, stretches: &[Expr; 2]) -> Vec<Expr> {
-        let weight = self.m.parts[self.lead().body].mass.times(&self.m.g).times(&pivot.h);
-        let couples = self.row(self.lead()).into_iter();
-        let couples = couples.filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
-        let mut works =
-            vec![weight.by(pivot.sinking(&pivot.first, to)), sum(couples.map(|(_, e)| e)) * turned];
-        if let Some(spring) = &pivot.spring {
-            let [first, last] = stretches.each_ref().map(square);
-            works.push(ratio(1, 2) * &spring.stiffness * (first - last));
-        }
-        works.retain(|w| *w != ZERO);
-        works
-    }
-
-    /// Length of the spring on a pinned body at the end.
-    fn last_length(&mut self, pivot: &Pivot, spring: &PivotSpring) -> SymbolId {
-        let last = spring.length(pivot.up, &self.last);
-        let names = ["s_1", "d_1"];
-        self.symbols.named(&names).unwrap_or_else(|| self.page.find(&names, "m", last))
-    }
-
-    /// The motion of a body on a pin up to its end.
-    fn arrive_on(&mut self, pivot: &Pivot, v: SymbolId) -> Result<(), DerivationStop> {
-        let one = format!("{}_1", self.symbols.tex(pivot.angle));
-        self.last = match self.scene.end {
-            End::Angle(_, angle) => self.number(angle, &one, "deg"),
-            End::Speed(_, w) => self.angle_of(&one, self.datum(w))?,
-            End::TurningPoint(_) => self.angle_of(&one, 0.0)?,
-            _ => return beyond(Beyond::Unfound),
-        };
-        let couples = self.row(self.lead()).iter().any(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
-        let turned = if couples { self.turned(pivot).into() } else { ZERO };
-        let mut stretches = [ZERO, ZERO];
-        if let Some(spring) = &pivot.spring {
-            let names = ["s_0", "d_0"];
-            let known = self.symbols.named(&names);
-            let first = spring.length(pivot.up, &pivot.first);
-            let first = known.unwrap_or_else(|| self.page.find(&names, "m", first));
-            let last = self.last_length(pivot, spring);
-            let first = self.page.find(&[r"\delta_0", "e_0"], "m", first - &spring.rest);
-            let last = self.page.find(&[r"\delta_1", "e_1"], "m", last - &spring.rest);
-            stretches = [first.into(), last.into()];
-        }
-        self.works = self.works_on(pivot, &self.last, turned, &stretches);
-        let twice = self.works.iter().map(|w| w.by(number(2)));
-        let gained = match self.works.as_slice() {
-            [one] => one.by(number(2)).over(pivot.about),
-            _ => positive_first(twice) / pivot.about,
-        };
-        let still = matches!(self.scene.end, End::TurningPoint(_));
-        let from = if still { ZERO } else { root(square(&self.v0) + gained) };
-        self.found(self.of_lead(Quantity::V, Quantity::Omega), v, from);
-        self.v = v.into();
-        if self.symbols.value(v).is_nan() { beyond(Beyond::Unfound) } else { Ok(()) }
-    }
-
-    /// The first angle at which a body on a pin has this speed, as a symbol in degrees.
-    fn angle_of(&mut self, tex: &str, speed: f64) -> Result<Expr, DerivationStop> {
-        let (start, sense, square) = (self.value(&self.last), self.sense, self.square.clone());
-        let mut over = |way: f64| self.along_way(&square, start + sense * way) - speed * speed;
-        let first = over(LOOK);
-        let mut low = LOOK;
-        while over(low + LOOK) * first > 0.0 {
-            low += LOOK;
-            if low > FAR {
-                return beyond(Beyond::Unfound);
-            }
-        }
-        let mut high = low + LOOK;
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            if over(middle) * first > 0.0 { low = middle } else { high = middle }
-        }
-        let value = start + sense * 0.5 * (low + high);
-        Ok(self.symbols.given(tex, value, &shown::significant(value, FIGURES), "", true).into())
-    }
-
-    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
-    /// cosine takes away.
-    fn time_on(&mut self, pivot: &Pivot) -> Expr {
-        let (first, last) = (self.value(&pivot.first), self.value(&self.last));
-        let (half, pieces, square) = (0.5 * (last - first).abs(), 40, self.square.clone());
-        let step = std::f64::consts::PI / f64::from(pieces);
-        let mut pace = |theta: f64| {
-            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
-            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
-            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
-        };
-        let mut piece = |i: i32| {
-            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
-            gauss::mean(&places.collect::<Vec<f64>>())
-        };
-        let time = step * (0..pieces).map(&mut piece).sum::<f64>();
-        let t = self.new_symbol(&["t", "t_1"], "s");
-        self.symbols.settle(t, time, 0.0);
-        self.step(t, t.into());
-        t.into()
-    }
-
-    /// What a quantity is of a body on a pin that no other body has, or has in another way.
-    fn of_pivot(&mut self, pivot: &Pivot, quantity: Quantity) -> Result<Option<Expr>, DerivationStop> {
-        let body = self.lead().body;
-        let mh = self.m.parts[body].mass.times(&pivot.h);
-        let mgh = self.m.parts[body].mass.times(&self.m.g).times(&pivot.h);
-        let of = |this: &mut Self, quantity| this.get(of_body(quantity, body));
-        let pulls = [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential].contains(&quantity);
-        if pulls && pivot.spring.is_some() {
-            of(self, Quantity::SpringForce)?;
-        }
-        let beside = self.m.beside_the_pin(pivot).map(|e| e.put(pivot.angle, &self.last));
-        let [toward, aside] = beside;
-        Ok(Some(match quantity {
-            Quantity::SpringForce => {
-                let Some(spring) = &pivot.spring else { return beyond(Beyond::Unfound) };
-                let length = self.last_length(pivot, spring);
-                let [pull, out, side] = spring.law(pivot.up, &self.last, &length.into());
-                self.step(spring.force[0], pull.clone());
-                self.step(spring.force[2], side);
-                self.step(spring.force[1], out);
-                self.known.push((of_body(quantity, body), spring.force[0]));
-                pull
-            }
-            Quantity::Alpha => {
-                let row = self.row(self.lead()).into_iter().map(|(_, e)| e.put(pivot.angle, &self.last));
-                positive_first(row.filter(|e| *e != ZERO)).over(pivot.about)
-            }
-            Quantity::PinRadial => positive_first([mh.by(square(of(self, Quantity::Omega)?)) - toward]),
-            Quantity::PinTangential => positive_first([mh.by(of(self, Quantity::Alpha)?) - aside]),
-            Quantity::PinForce | Quantity::PinX | Quantity::PinY => {
-                let (r, s) = (of(self, Quantity::PinRadial)?, of(self, Quantity::PinTangential)?);
-                let (sin, cos) = (sine(&self.last), cosine(&self.last));
-                match quantity {
-                    Quantity::PinForce => root(square(r) + square(s)),
-                    Quantity::PinX => positive_first([s * cos - r * sin]),
-                    _ => positive_first([signed(r * cos, !pivot.up), signed(s * sin, !pivot.up)]),
-                }
-            }
-            Quantity::PinAngle => {
-                let (x, y) = (of(self, Quantity::PinX)?, of(self, Quantity::PinY)?);
-                let angle = arc_cosine(x / root(square(x) + square(y)));
-                in_sense(angle, self.symbols.value(y))
-            }
-            Quantity::V => pivot.h.by(of(self, Quantity::Omega)?),
-            Quantity::RotationalFraction => pivot.own.over(pivot.about),
-            Quantity::Rise => -pivot.h.by(pivot.sinking(&pivot.first, &self.last)),
-            Quantity::OmegaMax => {
-                let above = if pivot.up { ONE + cosine(&pivot.first) } else { ONE - cosine(&pivot.first) };
-                root(square(&self.v0) + mgh.times(number(2)).by(above).over(pivot.about))
-            }
-            Quantity::OmegaSmall => root(mgh.expr() / pivot.about),
-            Quantity::PeriodSmall => number(2) * self.draft.pi() / of(self, Quantity::OmegaSmall)?,
-            Quantity::T if self.scene.end != End::AtOnce => self.time_on(pivot),
-            Quantity::WorkCouple | Quantity::Phi => {
-                self.s = self.turned(pivot).into();
-                return Ok(None);
-            }
-            _ => return Ok(None),
-        }))
     }
 
     /// The stretch at which a spring balances a force on the lead.
@@ -1244,44 +984,32 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
-        let mut gone: Vec<Eliminated> = Vec::new();
-        let mut ties: Vec<usize> = Vec::new();
+        let (mut gone, mut ties): (Vec<Eliminated>, Vec<usize>) = (Vec::new(), Vec::new());
         while rows.len() > 1 {
-            let open = |c: &Coordinate| -> Vec<(Action, usize)> {
-                let reaction = |a: &Action| match (a.kind, a.source) {
-                    (ForceKind::Reaction, ForceSource::Tie(t)) if !ties.contains(&t) => Some(t),
-                    _ => None,
-                };
-                self.row(*c).into_iter().filter_map(|(a, _)| reaction(&a).map(|t| (a, t))).collect()
-            };
-            let Some(at) = rows.iter().position(|c| open(c).len() == 1) else {
-                return beyond(Beyond::Unfound);
-            };
-            let c = rows.remove(at);
-            let (action, tie) = open(&c).remove(0);
-            let Some(force) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
-            let is = self.solved(c, &action, self.gain(c))?;
-            gone.push(Eliminated { row: c, force, is });
+            let next = rows.iter().enumerate().find_map(|(at, c)| {
+                let mut open = self.open(*c).filter(|(t, _)| !ties.contains(t));
+                open.next().filter(|_| open.next().is_none()).map(|one| (at, one))
+            });
+            let Some((at, (tie, force))) = next else { return beyond(Beyond::Unfound) };
+            let row = rows.remove(at);
+            gone.push(Eliminated { row, force, is: self.solved(row, force)? });
             ties.push(tie);
         }
         rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Unfound.into())
     }
 
-    /// A row, solved for one of its forces, its inertia term given.
-    fn solved(&self, c: Coordinate, action: &Action, gain: Expr) -> Result<Expr, DerivationStop> {
-        let lever = self.m.lever(action, c).clone();
-        let mut rest = vec![gain];
-        let others = self.row(c).into_iter().filter(|(a, _)| a.source != action.source);
-        rest.extend(others.map(|(_, share)| -share));
-        let sense = self.value(&lever.expr());
-        let lever = self.magnitude(&lever);
-        if lever.is_zero() {
-            return beyond(Beyond::Unfound);
-        }
-        // Term by term: no fraction in a fraction.
-        let over = rest.into_iter().filter(|term| *term != ZERO);
-        let terms = over.map(|term| in_sense(term, sense).over(&lever));
-        Ok(positive_first(terms))
+    /// The reactions in a row, each with its tie.
+    fn open(&self, c: Coordinate) -> impl Iterator<Item = (usize, SymbolId)> {
+        self.row(c).into_iter().filter_map(|(a, _)| match (self.reaction_of(&a), a.source) {
+            (Some(force), ForceSource::Tie(t)) => Some((t, force)),
+            _ => None,
+        })
+    }
+
+    /// A row, solved for one of its forces.
+    fn solved(&self, c: Coordinate, force: SymbolId) -> Result<Expr, DerivationStop> {
+        let row = (self.row_sum(c), self.gain(c));
+        self.isolated(&row, force).ok_or_else(|| Beyond::Unfound.into())
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1321,12 +1049,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
         }
-        let pivot = self.m.pivot.as_ref();
         let own = match label.quantity {
             Quantity::A | Quantity::Alpha => self.m.acceleration(coordinate(label.quantity, body)),
             Quantity::V | Quantity::Omega => self.m.speed(coordinate(label.quantity, body)),
-            Quantity::PinRadial => pivot.map(|p| p.radial),
-            Quantity::PinTangential => pivot.map(|p| p.across),
             _ => None,
         };
         match (own, &from) {
@@ -1345,11 +1070,6 @@ impl<'d, 'a> Account<'d, 'a> {
     fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
         if self.stays() && STILL.contains(&label.quantity) {
             return Ok(ZERO);
-        }
-        if let Some(pivot) = self.m.pivot.clone()
-            && let Some(from) = self.of_pivot(&pivot, label.quantity)?
-        {
-            return Ok(from);
         }
         let c = coordinate(label.quantity, body);
         match label.quantity {
@@ -1528,37 +1248,24 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
-        let mut best: Option<(usize, Coordinate, Action, Vec<usize>)> = None;
-        for c in self.scene.coordinates() {
-            let row = self.row(c);
-            let Some((action, _)) = row.iter().find(|(a, _)| a.source == ForceSource::Tie(tie)) else {
-                continue;
-            };
-            let known = |t: usize| self.known.iter().any(|(l, _)| *l == self.label_of_tie(t));
-            let others: Vec<usize> = row
-                .iter()
-                .filter_map(|(a, _)| match (a.kind, a.source) {
-                    (ForceKind::Reaction, ForceSource::Tie(t)) if t != tie && !known(t) => Some(t),
-                    _ => None,
-                })
-                .collect();
-            if others.iter().any(|t| self.solving.contains(t)) {
-                continue;
-            }
-            let price = 2 * others.len() + usize::from(c.degree == Degree::Turn);
-            if best.as_ref().is_none_or(|(p, ..)| price < *p) {
-                best = Some((price, c, action.clone(), others));
-            }
-        }
-        let Some((_, c, action, others)) = best else { return beyond(Beyond::Unfound) };
+        let known = |t: usize| self.known.iter().any(|(l, _)| *l == self.label_of_tie(t));
+        let rows = self.scene.coordinates().filter(|c| self.open(*c).any(|(t, _)| t == tie));
+        let rows = rows.map(|c| {
+            let others = self.open(c).map(|(t, _)| t).filter(|t| *t != tie && !known(*t));
+            (c, others.collect::<Vec<usize>>())
+        });
+        let rows = rows.filter(|(_, others)| !others.iter().any(|t| self.solving.contains(t)));
+        let price =
+            |(c, others): &(Coordinate, Vec<usize>)| 2 * others.len() + usize::from(c.degree == Degree::Turn);
+        let Some((c, others)) = rows.min_by_key(price) else { return beyond(Beyond::Unfound) };
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
         if self.m.parts[c.body].a.is_some() && !self.m.parts[c.body].along.is_zero() {
             self.get(of_body(Quantity::A, c.body))?;
         }
-        let from = self.solved(c, &action, self.gain(c))?;
         let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
+        let from = self.solved(c, symbol)?;
         self.solving.pop();
         Ok(self.found(self.label_of_tie(tie), symbol, from))
     }
@@ -1983,7 +1690,7 @@ fn negative(of: &Factors) -> bool {
 fn rank(action: &Action) -> u8 {
     match (action.source, action.kind) {
         (ForceSource::Tie(_), ForceKind::Given) => 0,
-        (_, ForceKind::Spring) | (ForceSource::Spring(_), _) => 1,
+        (_, ForceKind::Spring) => 1,
         (ForceSource::Couple(_), _) => 2,
         (ForceSource::Tie(_), _) if !action.contact => 3,
         (ForceSource::Tie(_), _) => 4,

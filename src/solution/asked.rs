@@ -2,7 +2,6 @@
 //! datum that is found from a measurement.
 use crate::bank::Problem;
 use crate::num::formula::{Formula, Step};
-use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Given, Label, Owner, Scene, Term};
 use crate::solution::derive;
@@ -11,7 +10,7 @@ use crate::solution::expr::{Expr, SymbolId, cosine, magnitude, number, power, ro
 use crate::solution::narrate;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::words::Words;
 
 /// Steps of a search for a datum: so many places of its range, then halvings.
@@ -181,18 +180,15 @@ fn written(draft: &mut Draft, x: f64) -> Expr {
 }
 
 /// The value of the datum that is found from a measurement: that for which the solution gives what was measured.
-pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words) -> Option<f64> {
-    let found = problem.cases.get(variant.case)?.scene.formulas.found?;
+pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene: &Scene) -> Option<f64> {
+    let found = scene.formulas.found?;
     let miss = |x: f64| -> f64 {
-        let trial = Draft::trial(problem, variant, words, x).ok().and_then(|mut draft| {
-            derive(&mut draft).ok()?;
-            match draft.found_for(found.label)? {
-                DerivedAnswer::Value(symbol) => Some(draft.symbols.value(symbol)),
-                DerivedAnswer::Word(_) => None,
-            }
-        });
+        let mut draft = Draft::trial((problem, variant), scene, words, Symbols::new(words), Some(x));
         let measured: f64 = found.measured.value(&variant.data);
-        trial.map_or(f64::NAN, |value| value - measured)
+        match derive(&mut draft).ok().and_then(|()| draft.found_for(found.label)) {
+            Some(DerivedAnswer::Value(symbol)) => draft.symbols.value(symbol) - measured,
+            _ => f64::NAN,
+        }
     };
     let [low, high] = found.range;
     let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);
@@ -220,7 +216,7 @@ pub fn not_given(draft: &mut Draft) {
         && let Expr::Symbol(measured) = page.number(crate::scene::Num::Datum(found.measured.datum), "x", "1")
         && let Some(DerivedAnswer::Value(forward)) = page.found_for(found.label)
     {
-        let digits = tex_digits(&shown::significant(page.symbols.value(unknown), FIGURES), page.words);
+        let digits = page.digits(page.symbols.value(unknown), FIGURES);
         let unit = tex_of(&page.problem.data[datum].unit.dimension().to_string());
         let value = format!("${} = {digits}\\ {unit}$", page.symbols.tex(unknown));
         let (name, told) = (page.names(&[unknown]), page.shown(measured));

@@ -12,8 +12,9 @@ use crate::bank::Problem;
 use crate::problem::maker::Variant;
 use crate::scene::Label;
 use crate::solution::derive;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::{DerivedAnswer, Draft, scene_of};
 use crate::solution::stop::DerivationStop;
+use crate::solution::symbols::Symbols;
 use crate::words::Words;
 
 /// A number that came about with rounding on the way, SI.
@@ -51,7 +52,8 @@ pub fn answers(
     words: &Words,
     figures: usize,
 ) -> Result<Vec<ByHand>, DerivationStop> {
-    let mut draft = Draft::by_hand(problem, variant, words, figures)?;
+    let scene = scene_of(problem, variant)?;
+    let mut draft = Draft::new(problem, variant, &scene, words, Symbols::by_hand(words, figures));
     derive(&mut draft)?;
     let rough = |answer: DerivedAnswer| match answer {
         DerivedAnswer::Value(symbol) => {

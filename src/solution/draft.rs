@@ -14,6 +14,7 @@ use crate::solution::text::SolutionSection;
 use crate::solve::outcome::Word;
 use crate::units::Unit;
 use crate::words::Words;
+use std::borrow::Cow;
 
 /// An answer, as a method finds it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,6 +42,17 @@ pub struct FoundAnswer {
     pub label: Label,
     /// The answer.
     pub answer: DerivedAnswer,
+}
+
+/// The scene of a variant as solutions take it: a body on a pin is one in the plane that a joint holds.
+///
+/// # Errors
+/// The variant has a case that the problem has not.
+pub fn scene_of<'a>(problem: &'a Problem, variant: &Variant) -> Result<Cow<'a, Scene>, Finding> {
+    let case = problem.cases.get(variant.case).map(|case| case.scene.in_the_plane());
+    let missing =
+        || Finding::new(format!("problems.{}", problem.id), format!("has no case {}", variant.case));
+    case.ok_or_else(missing)
 }
 
 /// One solution as far as it is worked.
@@ -75,59 +87,30 @@ pub struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    /// A draft that holds the data of a variant.
-    ///
-    /// # Errors
-    /// The variant has a case that the problem has not.
-    pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words) -> Result<Self, Finding> {
-        let unknown = asked::unknown_value(problem, variant, words);
-        Self::with(problem, variant, Symbols::new(words), words, unknown)
+    /// A draft that holds the data of a variant, whose scene is `scene` ([`scene_of`]); `symbols` is empty yet.
+    pub fn new(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        scene: &'a Scene,
+        words: &'a Words,
+        symbols: Symbols<'a>,
+    ) -> Self {
+        let unknown = asked::unknown_value(problem, variant, words, scene);
+        Self::trial((problem, variant), scene, words, symbols, unknown)
     }
 
     /// As [`Draft::new`], with this value of the datum that is to be found.
-    ///
-    /// # Errors
-    /// Those of [`Draft::new`].
     pub fn trial(
-        problem: &'a Problem,
-        variant: &'a Variant,
+        (problem, variant): (&'a Problem, &'a Variant),
+        scene: &'a Scene,
         words: &'a Words,
-        unknown: f64,
-    ) -> Result<Self, Finding> {
-        Self::with(problem, variant, Symbols::new(words), words, Some(unknown))
-    }
-
-    /// As [`Draft::new`], for somebody who writes each quantity down with so many figures ([`Symbols::by_hand`]).
-    ///
-    /// # Errors
-    /// Those of [`Draft::new`].
-    pub fn by_hand(
-        problem: &'a Problem,
-        variant: &'a Variant,
-        words: &'a Words,
-        figures: usize,
-    ) -> Result<Self, Finding> {
-        let unknown = asked::unknown_value(problem, variant, words);
-        Self::with(problem, variant, Symbols::by_hand(words, figures), words, unknown)
-    }
-
-    fn with(
-        problem: &'a Problem,
-        variant: &'a Variant,
         symbols: Symbols<'a>,
-        words: &'a Words,
         unknown: Option<f64>,
-    ) -> Result<Self, Finding> {
-        let Some(case) = problem.cases.get(variant.case) else {
-            return Err(Finding::new(
-                format!("problems.{}", problem.id),
-                format!("has no case {}", variant.case),
-            ));
-        };
+    ) -> Self {
         let mut draft = Self {
             problem,
             variant,
-            scene: &case.scene,
+            scene,
             words,
             detail: Detail::Short,
             symbols,
@@ -181,7 +164,7 @@ impl<'a> Draft<'a> {
             let symbol = draft.symbols.given(&datum.tex, x, &digits, &unit, datum.degrees);
             draft.data[found.unknown.datum] = Some(symbol);
         }
-        Ok(draft)
+        draft
     }
 
     /// A number of the scene as an expression: its datum's symbol, or that of a constant of the bank, for which `tex` and the
@@ -334,8 +317,7 @@ impl<'a> Draft<'a> {
         let kinetic = |q| matches!(q, A | Alpha | Direction | PowerCouple | PowerPull | Rolls | Value);
         let forced =
             |q| kinetic(q) || matches!(q, Friction | FrictionIfRolled | MuRequired | Normal | Tension);
-        let pinned = self.scene.pinned().is_some();
-        pinned || asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
+        asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
     }
 
     /// Is this label asked?

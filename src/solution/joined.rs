@@ -1,82 +1,57 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::num::shown;
 use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
+use crate::solution::account::of_body;
 use crate::solution::draft::{DerivedAnswer, Draft};
-use crate::solution::expr::{Expr, SymbolId, ZERO, number, positive_first, ratio, root, square, sum};
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
+};
 use crate::solution::factors::{Cancel, Sum};
+use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
-use crate::solution::plane::Plane;
+use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::tex_digits;
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
+use std::ops::{Deref, DerefMut};
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
+/// Step in degrees in which a way is looked over.
+const LOOK: f64 = 0.25;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
-
-/// Writes the sections.
-///
-/// # Errors
-/// What is not covered, by name.
-pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let mut n = Joined { t: Plane::new(draft)?, inertia: Sum::default() };
-    n.idea();
-    n.sketch();
-    if n.instant() {
-        n.motion("short", "one_motion")?;
-        n.forces()?;
-        n.t.begin_as("why", "which");
-        n.say("joined.why_instant", &[]);
-    } else if n.rubs() {
-        n.motion("short", "one_motion")?;
-        n.integrate_friction()?;
-    } else {
-        n.energy()?;
-        n.motion("long", "long_motion")?;
-        n.why();
-    }
-    if !n.instant() {
-        n.forces()?;
-    }
-    n.rest()?;
-    n.holds()?;
-    n.limits();
-    n.onward();
-    Ok(())
-}
 
 /// Is a joint of some kind?
 type IsKind = fn(&JointKind) -> bool;
 
-struct Joined<'d, 'a> {
+/// Who words bodies that are joined in the plane.
+pub struct Joined<'d, 'a> {
     t: Plane<'d, 'a>,
     /// `J` of `1/2 J q'^2`.
     inertia: Sum,
 }
 
-impl Joined<'_, '_> {
-    fn instant(&self) -> bool {
-        self.t.scene.end == End::AtOnce
+impl<'d, 'a> Deref for Joined<'d, 'a> {
+    type Target = Plane<'d, 'a>;
+    fn deref(&self) -> &Self::Target {
+        &self.t
     }
-    fn rubs(&self) -> bool {
-        !self.t.frictions.is_empty()
+}
+impl DerefMut for Joined<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.t
     }
-    fn single(&self) -> bool {
-        self.t.bodies.len() == 1
-    }
-    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.t.page.say(name, pieces);
-    }
-    fn joint(&self, is: IsKind) -> bool {
-        self.t.scene.joints.iter().any(|j| is(&j.kind))
-    }
+}
 
+impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     fn idea(&mut self) {
-        self.t.begin("idea");
+        if self.t.blow.is_some() {
+            self.say("joined.idea_struck", &[]);
+        }
         let name = match self.t.scene.end {
+            End::AtOnce if self.t.blow.is_some() => return,
+            End::Equilibrium => "joined.idea_rest",
             End::AtOnce => "joined.idea_instant",
             _ if self.rubs() => "joined.idea_rubs",
             End::Leaves(_) => "joined.idea_leaves",
@@ -85,7 +60,12 @@ impl Joined<'_, '_> {
             _ => "pinned.idea_speed",
         };
         self.say(name, &[]);
-        if self.instant() || self.rubs() {
+        if self.t.scene.is_still() || self.rubs() {
+            return;
+        }
+        if let Some(pivot) = &self.t.pivot {
+            let pin = format!("${}$", pivot.name);
+            self.say("pinned.idea_pin", &[("pin", &pin)]);
             return;
         }
         self.say("joined.idea_one", &[]);
@@ -103,12 +83,168 @@ impl Joined<'_, '_> {
             .collect();
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
+    fn ways(&mut self) -> Result<(), DerivationStop> {
+        if self.t.blow.is_some() {
+            self.struck();
+        }
+        if self.t.scene.end == End::Equilibrium {
+            self.at_rest()?;
+        } else if self.instant() && self.t.blow.is_some() {
+            let (rate, is) = (self.t.rate, self.t.positive(&self.t.first));
+            self.t.page.step(rate, is);
+        } else if self.instant() {
+            self.motion("short", "one_motion")?;
+            self.t.begin_as("why", "which");
+            self.say("joined.why_instant", &[]);
+        } else if self.rubs() {
+            self.motion("short", "one_motion")?;
+            self.integrate_friction()?;
+        } else {
+            self.energy()?;
+            self.motion("long", "long_motion")?;
+            self.why();
+        }
+        Ok(())
+    }
+    fn forces(&mut self) -> Result<(), DerivationStop> {
+        use Quantity as Q;
+        let kinetic = |q: Quantity| {
+            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension | Q::Moment)
+                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinRadial | Q::PinTangential)
+                || matches!(q, Q::PinAngle | Q::Drive)
+        };
+        if self.t.pivot.is_some() {
+            self.forces_of_the_pin(&kinetic)?;
+            return self.swings();
+        }
+        let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        if asked.is_empty() {
+            return Ok(());
+        }
+        self.eliminate();
+        let mut values: Vec<SymbolId> = Vec::new();
+        for label in asked {
+            // Components come before what they give.
+            let parts = if label.quantity == Q::PinForce { &[Q::PinX, Q::PinY][..] } else { &[] };
+            for quantity in parts.iter().copied().chain([label.quantity]) {
+                let symbol = self.t.get(Label { quantity, ..label })?;
+                self.t.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
+                if !values.contains(&symbol) {
+                    values.push(symbol);
+                }
+            }
+        }
+        self.tell_values(values);
+        Ok(())
+    }
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.get(label)
+    }
+    fn before(&mut self, label: Label) {
+        if label.quantity == Quantity::T && !matches!(self.t.scene.end, End::Time(..)) {
+            self.t.tell_new();
+            self.say("joined.time", &[]);
+        }
+    }
+    fn holds(&mut self) -> Result<(), DerivationStop> {
+        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.t.scene.is_still()) {
+            self.gets_there(&pivot);
+        }
+        let scene = self.t.scene;
+        let (mut pressed, mut taut) = (Vec::new(), Vec::new());
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let leaves = matches!(scene.end, End::Leaves(l) if l == j);
+            let (quantity, list) = match joint.kind {
+                JointKind::Cord { .. } => (Quantity::Tension, &mut taut),
+                kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
+                _ => continue,
+            };
+            let Some(force) = self.t.of_joint(quantity, j) else { continue };
+            if leaves {
+                // The place is that of the key: there the force has to vanish.
+                let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
+                if self.t.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
+                    return Err(Beyond::Differs(quantity).into());
+                }
+            } else if !self.t.symbols.value(force).is_nan() {
+                list.push(self.t.shown(force));
+            }
+        }
+        for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
+            if !list.is_empty() {
+                let name = if self.t.scene.is_still() { format!("{name}_at_once") } else { name.to_owned() };
+                self.say(&name, &[("force", &list.join(", "))]);
+            }
+        }
+        Ok(())
+    }
+    fn limits(&mut self) -> Result<(), DerivationStop> {
+        let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
+        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
+        if moving && !self.inertia.is_zero() && !rotation.is_zero() {
+            let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
+            let percent = self.t.digits(percent, 2);
+            self.say("limits.spin", &[("percent", &percent)]);
+            if self.t.first == ZERO && percent != "100" {
+                let light = self.t.symbols.value(self.t.rate)
+                    / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
+                let fast = self.t.rough(light, "rad/s");
+                let shown = self.t.shown(self.t.rate);
+                if !matches!(self.t.scene.end, End::Speed(..)) {
+                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
+                }
+            }
+        }
+        let scene = self.t.scene;
+        let weights = scene.pushes.is_empty() && scene.couples.is_empty() && scene.struts.is_empty();
+        let body = &scene.bodies[0];
+        let given =
+            matches!(body.inertia, Some(RotaryInertia::Moment(_))) || matches!(body.mass, Mass::Weight(_));
+        if self.single() && weights && !given {
+            self.say("joined.no_mass", &[]);
+        }
+        Ok(())
+    }
+    fn onward(&self) -> &'static str {
+        match self.t.scene.end {
+            End::Equilibrium => "joined.onward_rest",
+            End::AtOnce if self.t.blow.is_some() => "joined.onward_struck",
+            End::AtOnce if !self.t.moves => "joined.onward_instant",
+            End::Leaves(_) => "joined.onward_leaves",
+            _ if self.rubs() => "joined.onward_rubs",
+            _ if !self.t.springs.is_empty() => "joined.onward_spring",
+            _ if self.t.pivot.is_some() => "pinned.onward",
+            _ if self.single() => "joined.onward",
+            _ => "joined.onward_linkage",
+        }
+    }
+}
 
-    fn sketch(&mut self) {
-        self.t.begin("sketch");
-        let mut all = vec![Block::Picture("scene".to_owned())];
-        all.extend(self.t.scene.bodies.iter().map(|b| Block::Picture(format!("forces-{}", b.name))));
-        self.t.out.blocks = all;
+impl<'d, 'a> Joined<'d, 'a> {
+    /// Of a scene.
+    ///
+    /// # Errors
+    /// Joints that do not place a body.
+    pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
+        Ok(Self { t: Plane::new(draft)?, inertia: Sum::default() })
+    }
+    fn instant(&self) -> bool {
+        self.t.scene.end == End::AtOnce
+    }
+    fn rubs(&self) -> bool {
+        !self.t.frictions.is_empty()
+    }
+    fn radial(&self) -> bool {
+        self.t.pivot.as_ref().is_some_and(|p| p.radial)
+    }
+    fn single(&self) -> bool {
+        self.t.bodies.len() == 1
+    }
+    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        self.t.page.say(name, pieces);
+    }
+    fn joint(&self, is: IsKind) -> bool {
+        self.t.scene.joints.iter().any(|j| is(&j.kind))
     }
 
     /// Where the bodies are: what the joints say of their angles, and the place where the motion ends.
@@ -125,18 +261,17 @@ impl Joined<'_, '_> {
             End::TurningPoint(_) => Some("pinned.angle_turning"),
             End::Speed(..) => Some("pinned.angle_speed"),
             End::Time(..) => Some("joined.angle_time"),
+            End::Equilibrium => Some("joined.angle_rest"),
             _ => None,
         };
         if let Some(name) = name {
             self.say(name, &[("angle", &value)]);
         }
-        let followers: Vec<(String, Vec<SymbolId>)> = self.t.turns[1..]
-            .iter()
-            .zip(self.t.followers())
-            .map(|(turn, body)| {
-                (self.t.bodies[body].name.clone(), turn.at.iter().flat_map(Expr::uses).collect())
-            })
-            .collect();
+        let own = |e: &Expr| matches!(e, Expr::Symbol(_)) && !self.t.turns[0].at.contains(e);
+        let symbols = |turn: &Turn| turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
+        let names = self.t.followers().into_iter().map(|body| self.t.bodies[body].name.clone());
+        let followers: Vec<(String, Vec<SymbolId>)> =
+            names.zip(self.t.turns[1..].iter().map(symbols)).collect();
         if followers.is_empty() || followers.iter().all(|(_, symbols)| symbols.is_empty()) {
             return;
         }
@@ -161,8 +296,31 @@ impl Joined<'_, '_> {
         }
     }
 
+    /// Moment of inertia about the pin.
+    fn about_the_pin(&mut self, pivot: &Pivot) {
+        let pin = format!("${}$", pivot.name);
+        self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[("pin", &pin)]);
+        let square = self.t.bodies[0].mass.times(pivot.h.squared());
+        let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.t.from(pivot.about));
+        let line = self.t.chain(pivot.about, &whole);
+        let gathered = short != whole && !matches!(short, Expr::Sum(_)) && pivot.own != ZERO;
+        if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
+            let both = format!(" = {} = ", self.t.tex(&short));
+            self.t.formula(line.replacen(" = ", &both, 1));
+        } else {
+            self.t.display(pivot.about, &whole, "");
+        }
+        self.inertia = Sum::one(pivot.about);
+    }
+
     /// The speeds of the mass centres and the inertia of the motion.
     fn kinetic(&mut self) {
+        if let Some(pivot) = self.t.pivot.clone() {
+            if self.t.blow.is_none() {
+                self.about_the_pin(&pivot);
+            }
+            return;
+        }
         let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
         let rate = self.t.names(&[self.t.rate]);
         if !ratios.is_empty() {
@@ -213,8 +371,9 @@ impl Joined<'_, '_> {
         self.places();
         self.kinetic();
         let [placed, acted] = self.t.steps_of;
+        let about = self.t.pivot.as_ref().map(|p| p.about);
         let hidden: Vec<SymbolId> =
-            self.t.springs.iter().copied().chain(self.t.units.iter().copied()).collect();
+            self.t.springs.iter().copied().chain(self.t.units.iter().copied()).chain(about).collect();
         let needed: Vec<SymbolId> =
             self.t.steps[placed..acted].iter().map(|s| s.symbol).filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
@@ -268,7 +427,11 @@ impl Joined<'_, '_> {
         self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
         let works = positive_first(self.t.works.clone());
         let last = if given == Some(ZERO) { ZERO } else { ratio(1, 2).by(&j).by(square(rate)) };
-        let right = sum([last, -first.clone()]);
+        let same = first == ratio(1, 2).by(&j).by(square(&self.t.first)) && last != ZERO;
+        let right = match same && !from_rest {
+            true => ratio(1, 2) * &j * (square(rate) - square(&self.t.first)),
+            false => sum([last, -first.clone()]),
+        };
         if let Some(is) = &given {
             self.t.page.step(rate, is.clone());
             // The place is that of the key: there the balance has to hold.
@@ -285,7 +448,7 @@ impl Joined<'_, '_> {
             self.t.formula(if width(&line) <= LINE { format!("{line}{mark}") } else { lines });
         }
         if given.is_some() {
-            self.t.told(rate);
+            self.t.tell([rate]);
             return Ok(());
         }
         let twice = Sum::of(self.t.works.iter().flat_map(|w| {
@@ -295,7 +458,7 @@ impl Joined<'_, '_> {
         let twice = twice.expr();
         let is = if from_rest {
             twice.over(&j)
-        } else if first == ratio(1, 2).by(&j).by(square(&self.t.first)) {
+        } else if same {
             square(&self.t.first) + twice.over(&j)
         } else {
             (twice + first.by(number(2))) / j
@@ -306,11 +469,18 @@ impl Joined<'_, '_> {
             return Err(Beyond::Unfound.into());
         }
         self.t.display(rate, &is, r" \quad (\mathrm{E})");
+        if self.single() && self.t.sense < 0.0 && self.t.bodies[0].omega == Some(rate) {
+            self.say("pinned.magnitude", &[("omega", &self.t.names(&[rate]))]);
+        }
         Ok(())
     }
 
     /// Kinetic energy at the start.
     fn first_energy(&mut self) -> Expr {
+        if let Some(ratio) = self.t.spun {
+            let shown = self.t.shown(ratio);
+            self.say("joined.first_spin", &[("ratio", &shown)]);
+        }
         if self.t.first == ZERO {
             return ZERO;
         }
@@ -328,6 +498,73 @@ impl Joined<'_, '_> {
         ratio(1, 2).by(&j).by(square(&self.t.first))
     }
 
+    /// What the blow does: momentum and angular momentum, and what follows.
+    fn struck(&mut self) {
+        let Some(blow) = self.t.blow.clone() else { return };
+        self.t.begin("blow");
+        let pivot = self.t.pivot.clone();
+        if let Some(pivot) = &pivot {
+            self.about_the_pin(pivot);
+        }
+        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
+        let name = match &pivot {
+            None if blow.impulses.is_empty() => "joined.blow",
+            None => "joined.blow_joints",
+            Some(pivot) if pivot.radial => "joined.blow_radial",
+            Some(_) => "joined.blow_pinned",
+        };
+        self.say(name, &[("pin", &pin)]);
+        let rows = blow.rows.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
+        self.t.formulas(rows);
+        if !blow.demands.is_empty() && blow.demands.len() <= FEW {
+            self.say("joined.blow_demands", &[]);
+            let lines = blow.demands.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
+            self.t.formulas(lines);
+        }
+        let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
+        let mut order: Vec<SymbolId> = blow.steps.iter().map(|s| s.symbol).collect();
+        order.splice(0..0, blow.unknowns.iter().copied().filter(|s| follows(s).is_none()));
+        order.retain(|s| !self.t.symbols.value(*s).is_nan());
+        self.say("joined.together_blow", &[]);
+        let lines =
+            order.iter().map(|s| self.t.chain(*s, &follows(s).map_or((*s).into(), |step| step.from.clone())));
+        let lines: Vec<String> = lines.collect();
+        self.t.formulas(lines);
+    }
+
+    /// Equilibrium: no force accelerates anything; and how it swings beside it.
+    fn at_rest(&mut self) -> Result<(), DerivationStop> {
+        self.motion("short", "rest_motion")?;
+        let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
+        let rows: Vec<(Expr, Expr)> = (0..self.t.bodies.len()).flat_map(|b| self.t.equations(b)).collect();
+        let left = rows.iter().map(|(left, _)| self.t.value(left).abs()).fold(0.0, f64::max);
+        if !left.le(&(AGREEMENT_REL * 9.81 * weight)) {
+            return Err(Beyond::Differs(Quantity::Phi).into());
+        }
+        let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.t.asks(*q));
+        if !small {
+            return Ok(());
+        }
+        let Some(stiffness) = self.t.stiffness() else { return Err(Beyond::Mechanism.into()) };
+        self.t.begin("swings");
+        self.t.skip_new();
+        self.kinetic();
+        let k = self.t.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
+        self.t.symbols.settle(k, stiffness, 0.0);
+        self.t.k = Some(k);
+        let shown = self.t.shown(k);
+        self.say("joined.small", &[("k", &shown)]);
+        self.t.skip_new();
+        for label in self.t.labels() {
+            if matches!(label.quantity, Quantity::OmegaSmall | Quantity::PeriodSmall) {
+                let symbol = self.t.get(label)?;
+                self.t.answer(label, DerivedAnswer::Value(symbol));
+            }
+        }
+        self.t.tell_new();
+        Ok(())
+    }
+
     /// The equations of motion at the place that is asked, and what the joints demand.
     fn motion(&mut self, id: &'static str, title: &str) -> Result<(), DerivationStop> {
         self.t.begin_as(id, title);
@@ -343,7 +580,10 @@ impl Joined<'_, '_> {
                 } else {
                     self.t.told(rate);
                 }
-            } else {
+                if let Some(pivot) = self.t.pivot.clone() {
+                    self.about_the_pin(&pivot);
+                }
+            } else if self.t.moves {
                 let value = self.key_rate();
                 self.t.symbols.settle(rate, value, 0.0);
             }
@@ -354,12 +594,23 @@ impl Joined<'_, '_> {
                 self.t.tell(ratios);
             }
         }
+        let before = self.t.steps.len();
         self.t.solve()?;
-        let late: Vec<SymbolId> = self.t.steps[self.t.steps_of[0]..]
+        let about = self.t.pivot.as_ref().map(|p| p.about);
+        let late: Vec<SymbolId> = self.t.steps[self.t.steps_of[0]..before]
             .iter()
             .map(|s| s.symbol)
-            .filter(|s| *s != self.t.rate)
+            .filter(|s| *s != self.t.rate && Some(*s) != about)
             .collect();
+        // Of what the works take, only what the forces at this place need.
+        let mut used = [&self.t.springs[..], &self.t.units].concat();
+        for i in (0..before).rev() {
+            let step = &self.t.steps[i];
+            if used.contains(&step.symbol) {
+                used.extend(step.from.uses());
+            }
+        }
+        let late: Vec<SymbolId> = late.into_iter().filter(|s| self.instant() || used.contains(s)).collect();
         let mut springs: Vec<SymbolId> = self.t.springs.to_vec();
         springs.extend(self.t.units.iter().copied());
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
@@ -369,38 +620,45 @@ impl Joined<'_, '_> {
                 (true, _) => "joined.cord_there",
                 (false, true) if twists => "joined.spring_moment",
                 (false, true) => "joined.spring_force",
+                (false, false) if self.radial() => "pinned.spring_there",
                 (false, false) => "joined.spring_there",
             };
             self.say(name, &[]);
             self.t.tell(wanted);
         }
         self.t.skip_new();
-        self.say(if self.instant() { "joined.senses" } else { "joined.senses_there" }, &[]);
-        let mut rows = Vec::new();
-        let mut firsts = Vec::new();
-        for body in 0..self.t.bodies.len() {
-            let before = rows.len();
-            for (left, right) in self.t.equations(body) {
-                rows.push(format!(r"{} \quad ({})", self.t.equation(&left, &right), rows.len() + 1));
-            }
-            firsts.push(format!("{} ({})–({})", self.t.bodies[body].name, before + 1, rows.len()));
-        }
-        self.t.formulas(rows);
-        if !self.single() {
-            self.say("motion.of", &[("list", &firsts.join(", "))]);
-        }
-        let demands = self.t.demands();
-        if demands.len() <= FEW {
-            self.say("joined.demands", &[]);
-            let lines: Vec<String> = demands.iter().map(|(_, l, r)| self.t.equation(l, r)).collect();
-            self.t.formulas(lines);
-        } else {
+        let pivot = self.t.pivot.clone();
+        let forces = pivot.as_ref().map(|p| p.force.map(|f| self.t.names(&[f])));
+        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
+        let pieces = forces
+            .as_ref()
+            .map(|[radial, across]| [("radial", &**radial), ("across", &**across), ("pin", pin.as_str())]);
+        // The place has been named with the force of the spring.
+        let there =
+            if self.instant() || pieces.is_some() && !self.t.springs.is_empty() { "" } else { "_there" };
+        let name = match (pieces.is_some(), self.radial()) {
+            (false, _) => "joined.senses",
+            (true, true) => "pinned.senses",
+            (true, false) => "pinned.plane_senses",
+        };
+        self.say(&format!("{name}{there}"), pieces.as_ref().map_or(&[], |p| &p[..]));
+        let each = |b: usize| (self.t.bodies[b].name.clone(), self.t.equations(b));
+        let all: Vec<_> = (0..self.t.bodies.len()).map(each).collect();
+        self.t.rows(&all);
+        let demands = if self.t.scene.end == End::Equilibrium { Vec::new() } else { self.t.demands() };
+        if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
+        } else if !demands.is_empty() {
+            self.say("joined.demands", &[]);
+            let lines: Vec<String> = demands.iter().map(|(l, r)| self.t.equation(l, r)).collect();
+            self.t.formulas(lines);
         }
         if id == "long" {
             let (alpha, omega) = self.leading();
             let angle = self.t.letter.clone();
-            self.say("joined.integral", &[("alpha", &alpha), ("omega", &omega), ("angle", &angle)]);
+            let own = [("alpha", &*alpha), ("omega", &omega), ("angle", &angle)];
+            let name = if self.radial() { "pinned.integral" } else { "joined.integral" };
+            self.say(name, &[&own[..], pieces.as_ref().map_or(&[], |p| &p[..])].concat());
         }
         Ok(())
     }
@@ -447,91 +705,259 @@ impl Joined<'_, '_> {
         let speeds: Vec<SymbolId> = self.t.bodies.iter().map(|b| b.v).collect();
         let newton = [reactions.clone(), accelerations, rates.clone()].concat();
         let energy = [speeds, rates].concat();
-        let (many, few) = (self.t.names(&newton), self.t.names(&energy));
-        let (n, k) = (newton.len().to_string(), energy.len().to_string());
-        let ties = self.t.phrase("joined.ties", &[]);
+        if let Some(pivot) = &self.t.pivot {
+            // Moments about the pin ask for none of its forces.
+            let (alpha, pin) = (self.t.names(&self.t.accelerations()), self.t.names(&pivot.force));
+            let few = self.t.names(&[self.t.rate]);
+            let many = format!("{alpha}, {few}");
+            let count = [("n", "2"), ("many", &*many), ("k", "1"), ("few", &few)];
+            self.say("pinned.why", &[&count[..], &[("pin", &pin), ("alpha", &alpha)]].concat());
+            self.say("why.ask", &[]);
+            return;
+        }
         let forces = if reactions.len() <= FEW {
             self.t.names(&reactions)
         } else {
             self.t.phrase("joined.forces_of_joints", &[])
         };
-        self.say("why.newton", &[("many", &many), ("n", &n), ("ties", ties.trim_end())]);
-        self.say("why.eliminate", &[("forces", &forces)]);
-        self.say("why.energy", &[("few", &few), ("k", &k)]);
+        self.t.compare(&newton, &energy, "joined.ties", Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
     }
 
-    /// Accelerations and forces: what elimination leaves, and the values.
-    fn forces(&mut self) -> Result<(), DerivationStop> {
-        use Quantity as Q;
-        self.t.begin("forces");
-        self.t.skip_new();
-        let kinetic = |q: Quantity| {
-            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension)
-                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::Moment | Q::Drive)
-        };
-        let mut values: Vec<SymbolId> = Vec::new();
-        for label in self.t.labels().into_iter().filter(|l| kinetic(l.quantity)) {
-            if label.quantity == Q::PinForce {
-                // Its components come first.
-                for quantity in [Q::PinX, Q::PinY] {
-                    let part = self.t.get(Label { quantity, ..label })?;
-                    if !values.contains(&part) {
-                        values.push(part);
-                    }
-                }
-            }
-            let symbol = self.t.get(label)?;
-            self.t.answer(label, DerivedAnswer::Value(symbol));
-            if !values.contains(&symbol) {
-                values.push(symbol);
-            }
+    /// What is left when the forces of the joints have been eliminated, of a single body.
+    fn eliminate(&mut self) {
+        if self.t.scene.end == End::Equilibrium {
+            self.t.unravel(None);
+            self.say("joined.rest_rows", &[]);
+            return;
         }
-        if values.is_empty() {
-            return Ok(());
-        }
-        if let Some([power, bend]) = self.t.eliminated() {
-            if self.instant() {
-                let before = self.t.steps.len();
-                let speeds = self.t.speeds();
-                self.inertia = self.t.inertia(&speeds);
-                let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
-                if !named.is_empty() {
-                    let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
-                    self.say("joined.speed", &[("speeds", &speed)]);
-                    self.t.tell(named);
-                }
-            }
-            let (alpha, _) = self.leading();
-            let bend = bend.times(square(self.t.rate)).opposite();
-            let right = power.plus(&bend).expr();
-            let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
-            let fits = width(&line) <= LINE;
-            self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
-            if fits {
-                self.t.formula(line);
-            }
-        } else {
+        let Some([power, bend]) = self.t.eliminated() else {
             self.say("joined.together", &[]);
+            return;
+        };
+        if self.instant() {
+            let before = self.t.steps.len();
+            let speeds = self.t.speeds();
+            self.inertia = self.t.inertia(&speeds);
+            let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
+            if !named.is_empty() {
+                let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
+                self.say("joined.speed", &[("speeds", &speed)]);
+                self.t.tell(named);
+            }
         }
-        // What the equations were solved for besides, where the page has room for it.
-        let others = [self.t.accelerations(), self.t.reactions()].concat();
-        let known = |s: &SymbolId| !self.t.symbols.value(*s).is_nan() && !values.contains(s);
-        let others: Vec<SymbolId> = others.into_iter().filter(known).collect();
+        let (alpha, _) = self.leading();
+        let bend = bend.times(square(self.t.rate)).opposite();
+        let right = power.plus(&bend).expr();
+        let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
+        let fits = width(&line) <= LINE;
+        self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
+        if fits {
+            self.t.formula(line);
+            let it = &self.t.bodies[self.t.lead];
+            if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.t.rate)) {
+                self.t.unravel(Some(alpha));
+            }
+        }
+    }
+    /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
+    fn tell_values(&mut self, values: Vec<SymbolId>) {
+        let solved = [self.t.accelerations(), self.t.reactions()].concat();
+        let known = |s: &&SymbolId| !self.t.symbols.value(**s).is_nan() && !values.contains(s);
+        let all = [&values[..], &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
+        let mut needed = values.clone();
+        let mut at = 0;
+        while let Some(symbol) = needed.get(at).copied() {
+            let uses = self.t.from(symbol).uses().into_iter();
+            let more: Vec<SymbolId> = uses.filter(|s| solved.contains(s) && !needed.contains(s)).collect();
+            needed.extend(more);
+            at += 1;
+        }
+        let chains = |symbols: &[SymbolId]| {
+            let mut symbols = symbols.to_vec();
+            symbols
+                .sort_by_key(|s| self.t.steps.iter().position(|step| step.symbol == *s).map_or(0, |i| i + 1));
+            symbols.into_iter().map(|s| self.t.step_of(s)).collect::<Vec<_>>()
+        };
+        let plain = |symbols: &[SymbolId]| {
+            let uses = |s: SymbolId| self.t.from(s).uses();
+            let apart = |s: SymbolId| uses(s).iter().all(|u| !solved.contains(u) || symbols.contains(u));
+            let short = |s: SymbolId| self.t.chain(s, &s.into());
+            let each = symbols
+                .iter()
+                .map(|s| if solved.contains(s) || !apart(*s) { short(*s) } else { self.t.step_of(*s) });
+            each.collect::<Vec<_>>()
+        };
         let room = MOST.saturating_sub(self.lines());
-        let chains =
-            |n: &Self, all: &[SymbolId]| -> Vec<String> { all.iter().map(|s| n.t.step_of(*s)).collect() };
-        let all = [values.clone(), others].concat();
-        let enough = self.single() && packed(chains(self, &all)).len() <= room;
-        let told = chains(self, if enough { &all } else { &values });
+        let ways = [chains(&all), chains(&needed), plain(&all)];
+        let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
+        let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
         match &told[..] {
             [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
             _ => self.t.formulas(told),
         }
         self.t.skip_new();
+    }
+
+    /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
+    fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
+        let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        let Some(pivot) = self.t.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
+        for label in &asked {
+            let symbol = self.t.get(*label)?;
+            self.t.answer(*label, DerivedAnswer::Value(symbol));
+        }
+        self.t.skip_new();
+        let held = asked.iter().any(|l| l.quantity != Quantity::Alpha);
+        let solved = self.t.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));
+        let first = self.t.steps.iter().position(|s| self.t.accelerations().contains(&s.symbol));
+        let later: Vec<SymbolId> = self.t.steps[first.unwrap_or(0)..].iter().map(|s| s.symbol).collect();
+        let later = later.into_iter().filter(|s| !pivot.force.contains(s));
+        self.say("pinned.forces", &[("angle", &self.angle(END))]);
+        self.t.tell(solved.chain(later).collect::<Vec<_>>());
+        if held && pivot.radial {
+            let signs = [
+                ["radial", "pinned.pin_toward", "pinned.pin_outward"],
+                ["across", "pinned.pin_with", "pinned.pin_against"],
+            ];
+            for (symbol, [piece, plus, minus]) in pivot.force.into_iter().zip(signs) {
+                let (value, name) = (self.t.symbols.value(symbol), self.t.names(&[symbol]));
+                if value != 0.0 && !value.is_nan() {
+                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
+                }
+            }
+        }
         Ok(())
     }
+
+    /// Does nothing but its weight act on a body on a pin?
+    fn pendulum(&self) -> Option<Pivot> {
+        let s = self.t.scene;
+        let alone = s.couples.is_empty() && s.pushes.is_empty() && s.struts.is_empty();
+        self.t.pivot.clone().filter(|_| alone)
+    }
+
+    /// Periods and the greatest speed of a pendulum.
+    fn swings(&mut self) -> Result<(), DerivationStop> {
+        let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
+        let [whole, small, _, fastest] = all.map(|q| self.t.asks(q));
+        let Some(pivot) = self.pendulum().filter(|_| all.iter().any(|q| self.t.asks(*q))) else {
+            return Ok(());
+        };
+        let of = |n: &mut Self, quantity| {
+            let label = of_body(quantity, n.t.lead);
+            let symbol = n.t.get(label)?;
+            n.t.answer(label, DerivedAnswer::Value(symbol));
+            Ok::<_, DerivationStop>(symbol)
+        };
+        self.t.begin("swings");
+        self.t.skip_new();
+        if fastest {
+            of(self, Quantity::OmegaMax)?;
+            self.say("pinned.fastest", &[]);
+            self.t.tell_new();
+        }
+        let frequency = of(self, Quantity::OmegaSmall)?;
+        if small {
+            of(self, Quantity::PeriodSmall)?;
+        }
+        self.say("pinned.small", &[]);
+        self.t.tell_new();
+        if whole {
+            self.period(pivot, frequency);
+        }
+        Ok(())
+    }
+
+    /// The real period, by the arithmetic-geometric mean.
+    fn period(&mut self, pivot: Pivot, frequency: SymbolId) {
+        let t = &mut self.t;
+        let (first, started) = (t.turns[0].at[START].clone(), t.first != ZERO);
+        let half =
+            if pivot.up { t.symbols.given(r"180^\circ", 180.0, "180", "", true) - first } else { first };
+        let half = half / number(2);
+        let amplitude = match started {
+            true => root(square(sine(&half)) + square(&t.first / (number(2) * frequency))),
+            false => t.positive(&sine(&half)),
+        };
+        let over = t.value(&amplitude) > 1.0;
+        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
+        let (names, pi) = ([r"\kappa_c", r"\lambda_c"], Expr::from(t.draft.pi()));
+        let (mut a, rest, turns) = if over {
+            let kappa = t.find(&[r"\kappa", r"\lambda"], "1", amplitude);
+            (t.symbols.value(kappa), root(square(kappa) - ONE), pi)
+        } else {
+            let rest = if started { root(ONE - square(&amplitude)) } else { t.positive(&cosine(half)) };
+            (1.0, rest, number(2) * pi)
+        };
+        let rest = t.find(&names, "1", rest);
+        let mut b = t.symbols.value(rest);
+        t.tell_new();
+        let mut pairs = Vec::new();
+        for _ in 0..40 {
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+            if pairs.len() < 3 {
+                let [a, b] = [a, b].map(|x| t.digits(x, 6));
+                pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
+            }
+            if (a - b).abs() <= 1e-15 * a {
+                break;
+            }
+        }
+        t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
+        let name = t.free(&[r"\mu", r"\nu"]);
+        let mean = t.symbols.found(&name, a, "");
+        let shown = t.shown(mean);
+        t.page.say("pinned.mean_found", &[("mean", &shown)]);
+        let period = t.find(&[r"\tau", r"\tau_1"], "s", turns / (frequency * mean));
+        let label = of_body(Quantity::Period, t.lead);
+        t.answer(label, DerivedAnswer::Value(period));
+        t.tell_new();
+    }
+
+    /// An angle of the leading body at the start or at the end, with its value.
+    fn angle(&self, which: usize) -> String {
+        match &self.t.turns[0].at[which] {
+            Expr::Symbol(s) => self.t.shown(*s),
+            _ => format!("${} = 0$", self.t.letter),
+        }
+    }
+
+    /// Which way a body on a pin goes, and that it gets there.
+    fn gets_there(&mut self, pivot: &Pivot) {
+        let [start, end] = [START, END].map(|which| self.angle(which));
+        let sense = self.t.phrase(if self.t.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
+        let [first, last] = self.t.turns[0].at.each_ref().map(|a| self.t.value(a));
+        let (square, moments) = (self.t.square(pivot), self.t.equations(0).swap_remove(0).0);
+        let drive = self.t.expanded(&moments);
+        if self.t.first == ZERO {
+            let moment = self.t.along_way(&drive, first);
+            let moment = self.t.rough(moment, "N m");
+            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
+        } else {
+            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
+        }
+        // How often the moment changes its sense on the way.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
+        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
+        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
+        let drives: Vec<f64> = (0..=steps).map(|i| self.t.along_way(&drive, at(i)) * self.t.sense).collect();
+        let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+        let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+        let angle = [("angle", end.as_str())];
+        if matches!(self.t.scene.end, End::TurningPoint(_)) {
+            self.say("pinned.turns_there", &angle);
+        } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
+            self.say("pinned.only_faster", &angle);
+        } else if turns <= 1 && drives[0] >= 0.0 {
+            self.say("pinned.brakes_late", &angle);
+        } else {
+            let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
+            self.say("pinned.never_rests", &[angle[0], ("least", &self.t.rough(least, "rad^2/s^2"))]);
+        }
+    }
+
     /// Displayed lines so far.
     fn lines(&self) -> usize {
         let written = self.t.sections.iter().chain([&self.t.out]).flat_map(|s| &s.blocks);
@@ -545,102 +971,5 @@ impl Joined<'_, '_> {
     fn factor(&self, of: &Expr) -> String {
         let text = self.t.tex(of);
         if matches!(of, Expr::Sum(_)) { format!("({text})") } else { text }
-    }
-
-    /// All that is asked and not told yet.
-    fn rest(&mut self) -> Result<(), DerivationStop> {
-        self.t.begin("rest");
-        self.t.skip_new();
-        for label in self.t.labels() {
-            if label.quantity.is_word() {
-                continue;
-            }
-            if label.quantity == Quantity::T && !matches!(self.t.scene.end, End::Time(..)) {
-                self.t.tell_new();
-                self.say("joined.time", &[]);
-            }
-            let symbol = self.t.get(label)?;
-            self.t.answer(label, DerivedAnswer::Value(symbol));
-        }
-        self.t.tell_new();
-        Ok(())
-    }
-
-    /// Do the contacts press, are the cords taut? Over the whole way as the key has it.
-    fn holds(&mut self) -> Result<(), DerivationStop> {
-        self.t.begin("holds");
-        let scene = self.t.scene;
-        let (mut pressed, mut taut) = (Vec::new(), Vec::new());
-        for (j, joint) in scene.joints.iter().enumerate() {
-            let leaves = matches!(scene.end, End::Leaves(l) if l == j);
-            let (quantity, list) = match joint.kind {
-                JointKind::Cord { .. } => (Quantity::Tension, &mut taut),
-                kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
-                _ => continue,
-            };
-            let Some(force) = self.t.of_joint(quantity, j) else { continue };
-            if leaves {
-                // The place is that of the key: there the force has to vanish.
-                let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
-                if self.t.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
-                    return Err(Beyond::Differs(quantity).into());
-                }
-            } else if !self.t.symbols.value(force).is_nan() {
-                list.push(self.t.shown(force));
-            }
-        }
-        for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
-            if !list.is_empty() {
-                let name = if self.instant() { format!("{name}_at_once") } else { name.to_owned() };
-                self.say(&name, &[("force", &list.join(", "))]);
-            }
-        }
-        Ok(())
-    }
-
-    fn limits(&mut self) {
-        self.t.begin("limits");
-        let rotation = self.t.rotation();
-        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
-        if moving && !self.inertia.is_zero() && !rotation.is_zero() {
-            let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
-            let percent = shown::significant(percent, 2);
-            self.say("limits.spin", &[("percent", &tex_digits(&percent, self.t.words))]);
-            if self.t.first == ZERO && percent != "100" {
-                let light = self.t.symbols.value(self.t.rate)
-                    / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
-                let unit = "rad/s";
-                let fast = shown::significant(light, crate::solution::symbols::FIGURES);
-                let unit = crate::solution::draft::tex_of(unit);
-                let fast = format!(r"${}\ {unit}$", tex_digits(&fast, self.t.words));
-                let shown = self.t.shown(self.t.rate);
-                if !matches!(self.t.scene.end, End::Speed(..)) {
-                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
-                }
-            }
-        }
-        let scene = self.t.scene;
-        let weights = scene.pushes.is_empty() && scene.couples.is_empty() && scene.struts.is_empty();
-        let body = &scene.bodies[0];
-        let given =
-            matches!(body.inertia, Some(RotaryInertia::Moment(_))) || matches!(body.mass, Mass::Weight(_));
-        if self.single() && weights && !given {
-            self.say("joined.no_mass", &[]);
-        }
-        self.t.skip_new();
-    }
-
-    fn onward(&mut self) {
-        self.t.begin("onward");
-        let name = match self.t.scene.end {
-            End::AtOnce => "joined.onward_instant",
-            End::Leaves(_) => "joined.onward_leaves",
-            _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.t.springs.is_empty() => "joined.onward_spring",
-            _ if self.single() => "joined.onward",
-            _ => "joined.onward_linkage",
-        };
-        self.say(name, &[]);
-        self.t.end();
     }
 }

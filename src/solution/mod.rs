@@ -1,11 +1,12 @@
 //! Worked solutions: two pages that go the short way, show the long one, and say why the first is shorter. A solution whose numbers
 //! are not those of the key is never printed, a short page stands in its place.
 //!
-//! The terms of a scene (each action with its point, velocity ratios, inertias; of a body on a pin at any angle) are read in
-//! [`terms`]; [`account`] derives each quantity from them, [`narrate`] words them; what a question asks by a formula is answered
-//! from these in [`asked`]. The sections, by id, in the order of the text, each where there is something to say:
+//! The terms of a scene of lines and axles (each action with its point, velocity ratios, inertias) are read in [`terms`], and
+//! [`account`] derives each quantity from them; [`plane`] does both for bodies in the plane, of which one on a pin is one. The
+//! order in which they are worded is one for all, in [`narrate`]; what a question asks by a formula is answered from these in
+//! [`asked`]. The sections, by id, in the order of the text, each where there is something to say:
 //! - `answers` in a box, `given`: the data; `idea`, `sketch`;
-//! - `unknown`: what no sheet gives; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
+//! - `unknown`: what no sheet gives; `blow`: what a blow does; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
 //! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas;
 //! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
@@ -37,9 +38,9 @@ use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{Owner, Scene, Slope};
 use crate::sheet::document::Document;
-use crate::solution::draft::{DerivedAnswer, Detail, Draft};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft, scene_of};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::tex_digits;
+use crate::solution::symbols::{Symbols, tex_digits};
 use crate::solution::text::{Block, SolutionSection};
 use crate::solve::outcome::Word;
 use crate::template;
@@ -104,14 +105,15 @@ fn made(
     (words, templates, detail): (&Words, &Templates, Detail),
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
-    let mut draft = Draft::new(problem, variant, words)?;
+    let scene = scene_of(problem, variant)?;
+    let mut draft = Draft::new(problem, variant, &scene, words, Symbols::new(words));
     draft.detail = detail;
     let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),
         Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
-            draft = Draft::new(problem, variant, words)?;
+            draft = Draft::new(problem, variant, &scene, words, Symbols::new(words));
             Some(what)
         }
     };
@@ -189,11 +191,7 @@ fn made(
 
 /// All that is derived: the scene, then what is asked of it by formulas.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.lead().is_some() {
-        joined::sections(draft)?
-    } else {
-        narrate::sections(draft)?
-    }
+    narrate::sections(draft)?;
     asked::not_given(draft);
     asked::answer(draft)
 }

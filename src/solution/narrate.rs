@@ -1,23 +1,22 @@
 //! Words a scene of lines and axles from its terms: idea, short way, long way, why the one is shorter, forces, whether what was
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
-use crate::num::shown;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Slope, Span,
-    Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
 };
-use crate::solution::account::{Account, Eliminated, LOOK, marked, of_body, of_scene, of_tie, speed_of};
+use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, root, sine, square, sum,
+    Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
+use crate::solution::joined::Joined;
 use crate::solution::page::{Page, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{FIGURES, tex_digits};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, Pivot};
-use crate::solution::text::{Block, LINE, SolutionSection};
+use crate::solution::symbols::FIGURES;
+use crate::solution::terms::{Action, ForceKind, ForceSource, Particles};
+use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
@@ -50,11 +49,65 @@ struct LegEnd {
     phi: SymbolId,
 }
 
-/// Writes the sections of a scene of lines and axles.
+/// What a solution says of a kind of scene. The order is one for all: [`tell`].
+pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 'a>>> {
+    /// What to look at, and what need not be known.
+    fn idea(&mut self);
+    /// The short way, the long one, and why the one is shorter.
+    fn ways(&mut self) -> Result<(), DerivationStop>;
+    /// Forces that are asked.
+    fn forces(&mut self) -> Result<(), DerivationStop>;
+    /// A quantity, looked up or derived.
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
+    /// What is said before a quantity that is asked besides.
+    fn before(&mut self, label: Label);
+    /// Is what was assumed so?
+    fn holds(&mut self) -> Result<(), DerivationStop>;
+    /// A limit or two.
+    fn limits(&mut self) -> Result<(), DerivationStop>;
+    /// A question to go on with, by name.
+    fn onward(&self) -> &'static str;
+}
+
+/// Writes the sections, one after the other.
+fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
+    n.begin("idea");
+    n.idea();
+    n.sketch();
+    n.ways()?;
+    n.begin("forces");
+    n.skip_new();
+    n.forces()?;
+    n.begin("rest");
+    n.skip_new();
+    for label in asked::needed(n.scene, n.problem) {
+        if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
+            n.before(label);
+            let symbol = n.get(label)?;
+            n.answer(label, DerivedAnswer::Value(symbol));
+        }
+    }
+    n.tell_new();
+    n.begin("holds");
+    n.holds()?;
+    n.begin("limits");
+    n.limits()?;
+    n.skip_new();
+    n.begin("onward");
+    let name = n.onward();
+    n.say(name, &[]);
+    n.end();
+    Ok(())
+}
+
+/// Writes the sections of a scene.
 ///
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.lead().is_some() {
+        return tell(&mut Joined::new(draft)?);
+    }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return particles(draft);
     }
@@ -81,46 +134,9 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         End::Time(..) => Short::Motion,
         _ => Short::Energy,
     };
-    let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
     let mut n = Narrator::new(account, short);
-    n.idea();
-    n.sketch();
-    n.end();
-    n.draft.sections.extend(rolled);
-    match short {
-        Short::Energy | Short::Motion if swings => n.swings()?,
-        Short::Energy => {
-            n.energy();
-            n.motion("long")?;
-            n.why();
-        }
-        Short::Motion => {
-            n.motion("short")?;
-            n.why_not_energy();
-        }
-        Short::Neither => {
-            n.motion("short")?;
-            n.energy_of_slip()?;
-        }
-        Short::Together => {
-            n.motion("short")?;
-            if !stays {
-                n.why_together();
-            }
-        }
-        Short::Instant => n.instant()?,
-    }
-    let forced = short != Short::Instant || n.forces_asked();
-    if forced {
-        n.forces()?;
-    }
-    n.rest()?;
-    if forced {
-        n.holds()?;
-    }
-    n.limits()?;
-    n.onward();
-    Ok(())
+    n.rolled = rolled;
+    tell(&mut n)
 }
 
 /// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
@@ -137,8 +153,7 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     let each = |of: &dyn Fn(usize) -> Expr| sum((0..p.names.len()).map(of));
     page.begin("idea");
     page.say("lamina.idea", &[]);
-    page.begin("sketch");
-    page.out.blocks = vec![Block::Picture("scene".to_owned())];
+    page.sketch();
     page.begin_as("short", "short_lamina");
     page.say("lamina.centre", &[]);
     let total = |page: &mut Page, tex: &str, unit: &str, all: Expr| {
@@ -235,7 +250,7 @@ fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) ->
             e => {
                 let value = page.value(&e);
                 let value = if value.abs() < NOTHING { 0.0 } else { value };
-                format!("${}$", tex_digits(&shown::significant(value, FIGURES), page.words))
+                format!("${}$", page.digits(value, FIGURES))
             }
         });
         rows.push(std::iter::once(format!("${name}$")).chain(cells).collect());
@@ -338,6 +353,8 @@ struct Narrator<'d, 'a> {
     still_slips: bool,
     /// Are the ratios of displacements on the page?
     ratios_told: bool,
+    /// What is said of contacts that are taken as rolling.
+    rolled: Vec<SolutionSection>,
 }
 
 impl<'d, 'a> Deref for Narrator<'d, 'a> {
@@ -353,9 +370,219 @@ impl DerefMut for Narrator<'_, '_> {
     }
 }
 
+impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
+    fn idea(&mut self) {
+        let spring = self.spring.is_some();
+        let name = match (self.short, self.scene.end) {
+            (Short::Instant, _) => "idea.instant",
+            (Short::Together, _) if self.stays() => "idea.stays",
+            (Short::Together, _) => "idea.together",
+            (Short::Neither, End::Rolling(_)) => "thrown.idea",
+            (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
+            (Short::Neither, _) => "idea.slips",
+            (Short::Motion, _) => "idea.time",
+            (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
+            (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
+            (Short::Energy, _) => "idea.speed",
+        };
+        self.say(name, &[]);
+        if matches!(self.short, Short::Energy | Short::Motion) {
+            let cords = self.cords();
+            let ties =
+                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
+            for (found, name, idle) in ties {
+                let Some((t, body)) = found else { continue };
+                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
+                if self.short == Short::Energy {
+                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
+                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
+                }
+            }
+            if !cords.is_empty() {
+                self.say("idea.cords", &[]);
+                if self.short == Short::Energy {
+                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
+                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
+                }
+            }
+        }
+    }
+    fn ways(&mut self) -> Result<(), DerivationStop> {
+        let rolled = std::mem::take(&mut self.rolled);
+        self.end();
+        self.draft.sections.extend(rolled);
+        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        match self.short {
+            Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
+            Short::Energy => {
+                self.energy();
+                self.motion("long")?;
+                self.why();
+                Ok(())
+            }
+            Short::Motion => {
+                self.motion("short")?;
+                self.why_not_energy();
+                Ok(())
+            }
+            Short::Neither => {
+                self.motion("short")?;
+                self.energy_of_slip()
+            }
+            Short::Together => {
+                self.motion("short")?;
+                if !self.stays() {
+                    self.why_together();
+                }
+                Ok(())
+            }
+            Short::Instant => self.instant(),
+        }
+    }
+    fn forces(&mut self) -> Result<(), DerivationStop> {
+        if !self.forced() {
+            return Ok(());
+        }
+        let asked = asked::needed(self.scene, self.problem);
+        let rolling = self.rolling();
+        for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
+            self.get(*label)?;
+        }
+        let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
+        for label in asked.iter().filter(|l| wanted(l.quantity)) {
+            self.get(*label)?;
+        }
+        for (_, body) in &rolling {
+            let _ = self.get(of_body(Quantity::Friction, *body));
+        }
+        let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
+        if sprung {
+            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
+            self.forget(at_end.collect::<Vec<_>>());
+            self.say("forces.spring", &[]);
+        } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
+            let a = self.acceleration();
+            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
+            let back = place && self.short == Short::Energy && self.v0 == ZERO;
+            let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
+            let by = self.stated(a, &in_sense(by, self.sense));
+            self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
+        }
+        if !rolling.is_empty() {
+            let normals = self.normals();
+            self.forget(normals);
+        }
+        self.tell_new();
+        for (t, body) in rolling {
+            self.read_friction(t, body)?;
+        }
+        Ok(())
+    }
+    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.get(label)
+    }
+    fn before(&mut self, label: Label) {
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let even = self.m.one && self.v0 == ZERO && self.spring.is_none();
+        if label.quantity == Quantity::T && place && even {
+            self.say("forces.mean", &[]);
+        }
+    }
+    fn holds(&mut self) -> Result<(), DerivationStop> {
+        if !self.forced() {
+            return Ok(());
+        }
+        let lead = self.lead();
+        let part = &self.m.parts[lead.body];
+        let line = self.scene.bodies[lead.body].line;
+        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
+        let up = self.sense * f64::from(part.up) > 0.0;
+        let word = match (sloped, up) {
+            _ if self.stays() => Word::Stays,
+            (true, true) => Word::Up,
+            (true, false) => Word::Down,
+            (false, true) => Word::Forward,
+            (false, false) => Word::Back,
+        };
+        self.word(of_body(Quantity::Direction, lead.body), word);
+        self.torn_loose()?;
+        let mut taut: Vec<String> = Vec::new();
+        for tie in 0..self.scene.ties.len() {
+            match self.scene.ties[tie].clone() {
+                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
+                    self.grips(body, mu_s)?;
+                }
+                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
+                Tie::Slip { body, .. } => self.slides_against(body)?,
+                Tie::Cord(c) => match c.to {
+                    Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
+                    Far::Spring { rigid: false, .. } => {
+                        self.spring_taut(tie)?;
+                    }
+                    Far::Spring { .. } | Far::Pull(_) => {}
+                },
+                _ => {}
+            }
+        }
+        if !taut.is_empty() {
+            let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
+            self.say(name, &[("t", &taut.join(", "))]);
+        }
+        self.reaches()
+    }
+    fn limits(&mut self) -> Result<(), DerivationStop> {
+        if self.slip.is_some() {
+            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
+            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
+            return Ok(());
+        }
+        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
+            self.massless_limit();
+            self.balance_limit();
+        }
+        if self.v0 == ZERO && self.short != Short::Motion {
+            self.energies()?;
+        }
+        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
+            let still = self.get(of_scene(Quantity::XEq)).ok();
+            if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
+                let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
+                self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
+            }
+        }
+        Ok(())
+    }
+    fn onward(&self) -> &'static str {
+        let pulled =
+            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
+        let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
+        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
+        let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
+        match () {
+            () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
+            () if self.slip.is_some() => "thrown.onward",
+            () if self.short == Short::Neither => "onward.slips",
+            () if self.spring.is_some() => "onward.spring",
+            () if wheel && pulled => "onward.pulled",
+            () if wheel => "onward.wheel",
+            () if pulley && weighed => "onward.pulley",
+            () if self.held().is_some() => "onward.held",
+            () => "onward.other",
+        }
+    }
+}
+
 impl<'d, 'a> Narrator<'d, 'a> {
     fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self { t, short, rows: Vec::new(), gone: Vec::new(), still_slips: false, ratios_told: false }
+        Self {
+            t,
+            short,
+            rows: Vec::new(),
+            gone: Vec::new(),
+            still_slips: false,
+            ratios_told: false,
+            rolled: Vec::new(),
+        }
     }
     // As those of the account and the page; named here so that what they are given may look at the narrator.
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
@@ -364,8 +591,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn formula(&mut self, tex: String) {
         self.t.page.formula(tex);
     }
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        self.t.get(label)
+    fn forced(&self) -> bool {
+        self.short != Short::Instant || self.forces_asked()
     }
     fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
         self.t.page.tell(symbols);
@@ -452,73 +679,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     // The sections.
 
-    fn idea(&mut self) {
-        self.begin("idea");
-        let spring = self.spring.is_some();
-        let pinned = self.m.pivot.is_some();
-        let name = match (self.short, self.scene.end) {
-            (Short::Instant, _) if pinned => "pinned.idea_instant",
-            (_, End::Angle(..)) => "pinned.idea",
-            (_, End::Speed(..) | End::TurningPoint(_)) if pinned => "pinned.idea_speed",
-            (Short::Instant, _) => "idea.instant",
-            (Short::Together, _) if self.stays() => "idea.stays",
-            (Short::Together, _) => "idea.together",
-            (Short::Neither, End::Rolling(_)) => "thrown.idea",
-            (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
-            (Short::Neither, _) => "idea.slips",
-            (Short::Motion, _) => "idea.time",
-            (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
-            (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
-            (Short::Energy, _) => "idea.speed",
-        };
-        self.say(name, &[]);
-        if pinned && self.short == Short::Energy {
-            self.say("pinned.idea_pin", &[]);
-        }
-        if matches!(self.short, Short::Energy | Short::Motion) {
-            let cords = self.cords();
-            let ties =
-                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
-            for (found, name, idle) in ties {
-                let Some((t, body)) = found else { continue };
-                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
-                if self.short == Short::Energy {
-                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
-                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
-                }
-            }
-            if !cords.is_empty() {
-                self.say("idea.cords", &[]);
-                if self.short == Short::Energy {
-                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
-                }
-            }
-        }
-    }
-
-    fn sketch(&mut self) {
-        self.begin("sketch");
-        let mut all = vec![Block::Picture("scene".to_owned())];
-        let bodies = &self.scene.bodies;
-        all.extend(bodies.iter().map(|b| Block::Picture(format!("forces-{}", b.name))));
-        self.out.blocks = all;
-    }
-
     /// Work and energy: how far each point goes, the balance, what follows.
     fn energy(&mut self) {
         self.begin_as("short", "short_energy");
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
-        let pivot = self.m.pivot.clone();
-        match &pivot {
-            Some(pivot) => self.before_the_balance(pivot),
-            None if self.asks(Quantity::Direction) => self.tell_direction(),
-            None => {}
+        if self.asks(Quantity::Direction) {
+            self.tell_direction();
         }
-        let place = pivot.is_some() || matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         let lead = self.lead();
-        if place && pivot.is_none() && self.value(&self.s) < 0.0 {
+        if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
             self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
         }
@@ -550,13 +721,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let from = if place { self.from(symbol) } else { self.way_by_energy() };
             self.display(symbol, &from, r" \quad (\mathrm{E})");
         }
-        match pivot {
-            None => self.tell_groups(),
-            Some(_) if self.sense < 0.0 => {
-                self.say("pinned.magnitude", &[("omega", &self.names(&[self.speed()]))]);
-            }
-            Some(_) => {}
-        }
+        self.tell_groups();
         // Speeds that are asked.
         self.skip_new();
         if !place {
@@ -571,62 +736,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let fastest = [Quantity::XEq, Quantity::VMax, Quantity::DAtVMax];
         if spring.is_some() && fastest.iter().any(|q| self.asks(*q)) {
             self.tell_fastest();
-        }
-    }
-
-    /// Moment of inertia about the pin.
-    fn tell_inertia(&mut self, pivot: &Pivot) {
-        let own = &pivot.own;
-        self.say(if *own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
-        let mass = &self.m.parts[self.lead().body].mass;
-        let short = own.factors().plus(&mass.times(square(&pivot.h))).expr();
-        let whole = own + mass.expr() * square(&pivot.h);
-        let line = self.chain(pivot.about, &whole);
-        let gathered = short != whole && !matches!(short, Expr::Sum(_)) && *own != ZERO;
-        if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
-            self.formula(line.replacen(" = ", &format!(" = {} = ", self.tex(&short)), 1));
-        } else {
-            self.display(pivot.about, &whole, "");
-        }
-    }
-
-    /// What the balance of a body on a pin takes: where it ends, the angle turned, the lengths of the spring.
-    fn before_the_balance(&mut self, pivot: &Pivot) {
-        self.tell_inertia(pivot);
-        let of = |n: &Self, names: [&str; 2]| n.symbols.named(&names);
-        let stretched = of(self, ["l_0", "l_n"]).filter(|l| self.steps.iter().any(|s| s.symbol == *l));
-        let first = of(self, ["s_0", "d_0"]);
-        if stretched.is_some() {
-            self.say("pinned.natural", &[]);
-            self.tell(first.into_iter().chain(stretched));
-        }
-        let name = match self.scene.end {
-            End::TurningPoint(_) => Some("pinned.angle_turning"),
-            End::Speed(..) => Some("pinned.angle_speed"),
-            _ => None,
-        };
-        if let Some(name) = name {
-            self.say(name, &[("angle", &self.angle(&self.last))]);
-        }
-        let turned = self.symbols.named(&[&format!(r"\Delta {}", self.symbols.tex(pivot.angle))]);
-        if turned.is_some() {
-            self.say("pinned.radians", &[]);
-            self.tell(turned);
-        }
-        if pivot.spring.is_some() {
-            self.say("pinned.lengths", &[]);
-            let rest =
-                [["s_1", "d_1"], [r"\delta_0", "e_0"], [r"\delta_1", "e_1"]].map(|names| of(self, names));
-            self.tell(first.filter(|_| stretched.is_none()).into_iter().chain(rest.into_iter().flatten()));
-        }
-    }
-
-    /// An angle of a body on a pin, with its value.
-    fn angle(&self, angle: &Expr) -> String {
-        match (angle, &self.m.pivot) {
-            (Expr::Symbol(s), _) => self.shown(*s),
-            (_, Some(pivot)) => format!("${} = 0$", self.symbols.tex(pivot.angle)),
-            _ => String::new(),
         }
     }
 
@@ -676,12 +785,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if let Some(s) = &self.spring {
             works.push(ratio(1, 2) * &s.stiffness * (square(&s.stretch) - square(&self.last)));
         }
-        if self.m.pivot.is_some() {
-            works.clone_from(&self.works);
-        } else {
-            let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
-            works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
-        }
+        let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
+        works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
             let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.speed(c)?)));
@@ -782,9 +887,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             _ => "short_motion",
         };
         self.begin_as(id, title);
-        if let Some(pivot) = self.m.pivot.clone() {
-            return self.motion_on(&pivot);
-        }
         let first = self.short == Short::Instant
             || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
         self.tell_ratios();
@@ -801,7 +903,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
         }
-        let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
+        let links = if self.m.one {
+            self.links(true, |n, c| n.m.acceleration(c))
+        } else {
+            self.demands().iter().map(|(left, right)| format!("${}$", self.equation(left, right))).collect()
+        };
         if let Some(s) = self.spring.clone() {
             // One place on the way, not that at the end.
             let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
@@ -849,46 +955,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.integrate(id == "long");
         Ok(())
-    }
-
-    /// The equations of motion of a body on a pin, at any angle.
-    fn motion_on(&mut self, pivot: &Pivot) -> Result<(), DerivationStop> {
-        if self.short == Short::Instant {
-            self.tell_inertia(pivot);
-            let v = self.speed();
-            self.tell([v]);
-        }
-        let [radial, across, phi] =
-            [pivot.radial, pivot.across, pivot.angle].map(|s| self.symbols.tex(s).to_owned());
-        let [a, v] = [self.acceleration(), self.speed()].map(|s| self.symbols.tex(s).to_owned());
-        let [inline_radial, inline_across, inline_phi] = [&radial, &across, &phi].map(|s| format!("${s}$"));
-        let pieces = [("radial", &*inline_radial), ("across", &*inline_across), ("phi", &*inline_phi)];
-        self.say(if pivot.up { "pinned.from_upright" } else { "pinned.from_hanging" }, &pieces);
-        self.write_rows();
-        if pivot.spring.is_some() {
-            self.say("pinned.spring_rows", &[]);
-        }
-        if self.short != Short::Instant {
-            let pieces =
-                [("alpha", &*a), ("omega", &*v), ("phi", &*phi), ("radial", &*radial), ("across", &*across)];
-            self.say("pinned.integral", &pieces);
-        }
-        Ok(())
-    }
-
-    /// What the ties demand of the accelerations.
-    fn demands(&self) -> Vec<String> {
-        let each = |(tie, _): (usize, SymbolId)| {
-            let terms = self.tied(tie).into_iter().filter_map(|(c, share)| {
-                let a = self.m.acceleration(c)?;
-                Some(share.by(a))
-            });
-            let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
-            let right = sum(right.into_iter().map(|t| -t));
-            let (left, right) = if left.is_empty() { (right, ZERO) } else { (sum(left), right) };
-            format!("${} = {}$", self.tex(&left), self.tex(&right))
-        };
-        self.reactions().into_iter().map(each).collect()
     }
 
     /// All equations at once: what comes out.
@@ -940,9 +1006,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
-        if self.m.pivot.is_some() {
-            return self.motion("short");
-        }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
             let _ = self.get(speed_of(c));
@@ -964,34 +1027,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
     }
 
-    /// All rows with numbers, as many on a line as fit.
+    /// All rows with numbers.
     fn write_rows(&mut self) {
-        let mut rows: Vec<String> = Vec::new();
-        let mut n = 0;
-        let mut firsts: Vec<(usize, usize, usize)> = Vec::new();
-        for body in 0..self.m.parts.len() {
-            let before = n;
-            for (c, left, right) in self.equations(body) {
-                n += 1;
-                rows.push(format!(r"{} \quad ({n})", self.equation(&left, &right)));
-                self.rows.extend(c.map(|c| (c, n)));
-            }
-            if n > before {
-                firsts.push((body, before + 1, n));
-            }
-        }
-        self.formulas(rows);
-        if self.m.parts.len() > 1 {
-            let of: Vec<String> = firsts
-                .iter()
-                .map(|(body, first, last)| {
-                    let label = &self.m.parts[*body].label;
-                    let more = if last > first { format!("–({last})") } else { String::new() };
-                    format!("{label} ({first}){more}")
-                })
-                .collect();
-            self.say("motion.of", &[("list", &of.join(", "))]);
-        }
+        let each = |body: usize| (self.m.parts[body].label.clone(), self.equations(body));
+        let all: Vec<_> = (0..self.m.parts.len()).map(each).collect();
+        let rows = all.iter().flat_map(|(_, rows)| rows).zip(1..);
+        self.rows = rows.filter_map(|((c, ..), n)| Some(((*c)?, n))).collect();
+        let plain =
+            all.into_iter().map(|(name, rows)| (name, rows.into_iter().map(|(_, l, r)| (l, r)).collect()));
+        self.t.page.rows(&plain.collect::<Vec<_>>());
     }
 
     fn number_of(&self, c: Coordinate) -> String {
@@ -1338,7 +1382,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        let even = self.hidden().is_empty() && self.spring.is_none() && self.m.pivot.is_none();
+        let even = self.hidden().is_empty() && self.spring.is_none();
         self.begin_as("why", if even { "which" } else { "why" });
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, speeds) = (self.accelerations(), self.speeds());
@@ -1346,31 +1390,19 @@ impl<'d, 'a> Narrator<'d, 'a> {
             [reactions.clone(), rubs.clone(), normals.clone(), accelerations, speeds.clone()].concat();
         let pressing: Vec<SymbolId> = if rubs.is_empty() { Vec::new() } else { normals.clone() };
         let energy: Vec<SymbolId> = [rubs.clone(), pressing, speeds].concat();
-        let (many, few) = (self.names(&newton), self.names(&energy));
-        let (n, k) = (newton.len().to_string(), energy.len().to_string());
-        let pieces = [("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)];
-        if let Some(pivot) = &self.m.pivot {
-            let pin = self.names(&[pivot.radial, pivot.across]);
-            let alpha = self.names(&[self.acceleration()]);
-            self.say("pinned.why", &[&pieces[..], &[("pin", &*pin), ("alpha", &*alpha)]].concat());
-        } else if even {
-            self.say("why.neither", &pieces);
+        if even {
+            let (many, few) = (self.names(&newton), self.names(&energy));
+            let (n, k) = (newton.len().to_string(), energy.len().to_string());
+            self.say("why.neither", &[("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)]);
         } else {
-            let hidden = self.names(&reactions);
             let ties = match (!self.rolling().is_empty() || self.held().is_some(), !self.cords().is_empty()) {
-                (true, true) => "both",
-                (true, false) => "roll",
-                (false, true) => "cord",
-                (false, false) => "none",
+                (true, true) => "why.ties_both",
+                (true, false) => "why.ties_roll",
+                (false, true) => "why.ties_cord",
+                (false, false) => "why.ties_none",
             };
-            let ties = self.phrase(&format!("why.ties_{ties}"), &[]);
-            self.say("why.newton", &[&pieces[..], &[("ties", ties.trim_end())]].concat());
-            if self.gone.is_empty() {
-                self.say("why.no_reaction", &[]);
-            } else {
-                self.say("why.eliminate", &[("forces", &hidden)]);
-            }
-            self.say("why.energy", &pieces);
+            let gone = (!self.gone.is_empty()).then(|| self.names(&reactions));
+            self.t.page.compare(&newton, &energy, ties, gone.as_deref());
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
@@ -1388,151 +1420,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let v = self.speed();
         self.say("why.not_energy", &[("v", &self.names(&[v])), ("s", &self.inline(&self.s.clone()))]);
         self.say("why.ask", &[]);
-    }
-
-    /// Forces that are asked; friction of a rolling body always: in closed form, and why it points as it does.
-    fn forces(&mut self) -> Result<(), DerivationStop> {
-        self.begin("forces");
-        let asked = asked::needed(self.scene, self.problem);
-        self.skip_new();
-        let rolling = self.rolling();
-        for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
-            self.get(*label)?;
-        }
-        let wanted = |q: Quantity| {
-            use Quantity::{
-                Friction, Normal, PinAngle, PinForce, PinRadial, PinTangential, PinX, PinY, SpringForce,
-                Tension,
-            };
-            matches!(q, Friction | Tension | Normal | SpringForce | PinRadial | PinTangential)
-                || matches!(q, PinForce | PinX | PinY | PinAngle)
-        };
-        if self.m.pivot.is_some()
-            && asked.iter().any(|l| wanted(l.quantity) && l.quantity != Quantity::SpringForce)
-        {
-            let body = self.lead().body;
-            for quantity in [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential] {
-                self.get(of_body(quantity, body))?;
-            }
-        }
-        for label in asked.iter().filter(|l| wanted(l.quantity)) {
-            self.get(*label)?;
-        }
-        for (_, body) in &rolling {
-            let _ = self.get(of_body(Quantity::Friction, *body));
-        }
-        let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
-        if self.m.pivot.is_some() {
-            if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-                self.say("pinned.forces", &[("angle", &self.angle(&self.last))]);
-            }
-        } else if sprung {
-            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
-            self.forget(at_end.collect::<Vec<_>>());
-            self.say("forces.spring", &[]);
-        } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-            let a = self.acceleration();
-            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
-            let back = place && self.short == Short::Energy && self.v0 == ZERO;
-            let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
-            let by = self.stated(a, &in_sense(by, self.sense));
-            self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
-        }
-        if !rolling.is_empty() {
-            let normals = self.normals();
-            self.forget(normals);
-        }
-        self.tell_new();
-        for (t, body) in rolling {
-            self.read_friction(t, body)?;
-        }
-        if let Some(pivot) = self.m.pivot.clone() {
-            let signs = [
-                (pivot.radial, ["radial", "pinned.pin_toward", "pinned.pin_outward"]),
-                (pivot.across, ["across", "pinned.pin_with", "pinned.pin_against"]),
-            ];
-            for (symbol, [piece, plus, minus]) in signs {
-                let (value, name) = (self.symbols.value(symbol), self.names(&[symbol]));
-                if value != 0.0 && !value.is_nan() {
-                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
-                }
-            }
-            self.swings_on(&pivot)?;
-        }
-        Ok(())
-    }
-
-    /// Periods and the greatest speed of a pendulum.
-    fn swings_on(&mut self, pivot: &Pivot) -> Result<(), DerivationStop> {
-        let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
-        let [whole, _, _, fastest] = all.map(|q| self.asks(q));
-        if !self.scene.is_pendulum() || !all.iter().any(|q| self.asks(*q)) {
-            return Ok(());
-        }
-        let body = self.lead().body;
-        self.begin("swings");
-        self.skip_new();
-        if fastest {
-            self.get(of_body(Quantity::OmegaMax, body))?;
-            self.say("pinned.fastest", &[]);
-            self.tell_new();
-        }
-        let frequency = self.get(of_body(Quantity::OmegaSmall, body))?;
-        if self.asks(Quantity::PeriodSmall) {
-            self.get(of_body(Quantity::PeriodSmall, body))?;
-        }
-        self.say("pinned.small", &[]);
-        self.tell_new();
-        if whole { self.period(pivot, frequency) } else { Ok(()) }
-    }
-
-    /// The real period, by the arithmetic-geometric mean.
-    fn period(&mut self, pivot: &Pivot, frequency: SymbolId) -> Result<(), DerivationStop> {
-        let half = match pivot.up {
-            true => {
-                (self.symbols.given(r"180^\circ", 180.0, "180", "", true) - &pivot.first) / Expr::Number(2, 1)
-            }
-            false => &pivot.first / Expr::Number(2, 1),
-        };
-        let started = self.v0 != ZERO;
-        let amplitude = if started {
-            root(square(sine(&half)) + square(&self.v0 / (Expr::Number(2, 1) * frequency)))
-        } else {
-            self.size(sine(&half))
-        };
-        let over = self.value(&amplitude) > 1.0;
-        self.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
-        let (names, pi) = ([r"\kappa_c", r"\lambda_c"], self.draft.pi());
-        let (mut a, rest, turns) = if over {
-            let kappa = self.find(&[r"\kappa", r"\lambda"], "1", amplitude);
-            (self.symbols.value(kappa), root(square(kappa) - ONE), Expr::from(pi))
-        } else {
-            let rest = if started { root(ONE - square(&amplitude)) } else { self.size(cosine(half)) };
-            (1.0, rest, Expr::Number(2, 1) * pi)
-        };
-        let rest = self.find(&names, "1", rest);
-        let mut b = self.symbols.value(rest);
-        self.tell_new();
-        let mut pairs = Vec::new();
-        for _ in 0..40 {
-            (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| tex_digits(&shown::significant(x, 6), self.words));
-                pairs.push(format!("${a}$ {} ${b}$", self.words.get("solution.pinned.and")));
-            }
-            if (a - b).abs() <= 1e-15 * a {
-                break;
-            }
-        }
-        self.say("pinned.means", &[("pairs", &pairs.join("; "))]);
-        let name = self.free(&[r"\mu", r"\nu"]);
-        let mean = self.symbols.found(&name, a, "");
-        self.say("pinned.mean_found", &[("mean", &self.shown(mean))]);
-        let period = self.named(&[r"\tau", r"\tau_1"], "s");
-        let label = of_body(Quantity::Period, self.lead().body);
-        self.found(label, period, turns / (frequency * mean));
-        self.tell_new();
-        Ok(())
     }
 
     /// The closed form of a rolling body's friction, and what its signs say.
@@ -1595,72 +1482,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let factor = self.inline(&whole);
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
-    }
-
-    /// What else is asked.
-    fn rest(&mut self) -> Result<(), DerivationStop> {
-        self.begin("rest");
-        self.skip_new();
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-        if place && self.asks(Quantity::T) && self.m.one && self.v0 == ZERO && self.spring.is_none() {
-            self.say("forces.mean", &[]);
-        }
-        for label in &asked::needed(self.scene, self.problem) {
-            let skip = matches!(label.quantity, Quantity::FrictionIfRolled);
-            if label.quantity.is_word() || skip {
-                continue;
-            }
-            if label.quantity == Quantity::T && self.m.pivot.is_some() {
-                self.tell_new();
-                self.say("pinned.time", &[]);
-            }
-            let symbol = self.get(*label)?;
-            self.draft.answer(*label, DerivedAnswer::Value(symbol));
-        }
-        self.tell_new();
-        Ok(())
-    }
-
-    /// Is what was assumed so? And the words that are asked.
-    fn holds(&mut self) -> Result<(), DerivationStop> {
-        self.begin("holds");
-        let lead = self.lead();
-        let part = &self.m.parts[lead.body];
-        let line = self.scene.bodies[lead.body].line;
-        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
-        let up = self.sense * f64::from(part.up) > 0.0;
-        let word = match (sloped, up) {
-            _ if self.stays() => Word::Stays,
-            (true, true) => Word::Up,
-            (true, false) => Word::Down,
-            (false, true) => Word::Forward,
-            (false, false) => Word::Back,
-        };
-        self.word(of_body(Quantity::Direction, lead.body), word);
-        self.torn_loose()?;
-        let mut taut: Vec<String> = Vec::new();
-        for tie in 0..self.scene.ties.len() {
-            match self.scene.ties[tie].clone() {
-                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
-                    self.grips(body, mu_s)?;
-                }
-                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
-                Tie::Slip { body, .. } => self.slides_against(body)?,
-                Tie::Cord(c) => match c.to {
-                    Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
-                    Far::Spring { rigid: false, .. } => {
-                        self.spring_taut(tie)?;
-                    }
-                    Far::Spring { .. } | Far::Pull(_) => {}
-                },
-                _ => {}
-            }
-        }
-        if !taut.is_empty() {
-            let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
-            self.say(name, &[("t", &taut.join(", "))]);
-        }
-        self.reaches()
     }
 
     fn word(&mut self, label: Label, word: Word) {
@@ -1789,49 +1610,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
-    /// Which way a body on a pin goes, and that it gets there.
-    fn swings_there(&mut self, pivot: &Pivot) {
-        let (first, last) = (self.value(&pivot.first), self.value(&self.last));
-        let (start, end) = (self.angle(&pivot.first), self.angle(&self.last));
-        let growing = if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" };
-        let sense = self.phrase(growing, &[]);
-        let rough = |n: &Self, value: f64, unit: &str| {
-            format!(r"${}\ {}$", tex_digits(&shown::significant(value, FIGURES), n.words), tex_of(unit))
-        };
-        let (drive, square) = (self.drive.clone(), self.square.clone());
-        if self.v0 == ZERO {
-            let moment = self.t.along_way(&drive, first);
-            let moment = rough(self, moment, "N m");
-            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
-        } else {
-            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
-        }
-        // How often the moment changes its sense on the way.
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
-        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
-        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
-        let drives: Vec<f64> = (0..=steps).map(|i| self.t.along_way(&drive, at(i)) * self.t.sense).collect();
-        let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
-        let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
-        let angle = [("angle", end.as_str())];
-        if matches!(self.scene.end, End::TurningPoint(_)) {
-            self.say("pinned.turns_there", &angle);
-        } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
-            self.say("pinned.only_faster", &angle);
-        } else if turns <= 1 && drives[0] >= 0.0 && self.t.along_way(&square, last) > 0.0 {
-            self.say("pinned.brakes_late", &angle);
-        } else {
-            let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &rough(self, least, "rad^2/s^2"))]);
-        }
-    }
-
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        if let (Some(pivot), true) = (self.m.pivot.clone(), self.short != Short::Instant) {
-            self.swings_there(&pivot);
-        }
         if !matches!(self.scene.end, End::Travel(..) | End::Position(..)) || !self.straight() {
             return Ok(());
         }
@@ -1851,52 +1632,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.skip_new();
         self.say("holds.reaches", &[("d", &distance), ("turn", &shown)]);
         Ok(())
-    }
-
-    /// A limit or two, and where the energy went.
-    fn limits(&mut self) -> Result<(), DerivationStop> {
-        self.begin("limits");
-        if let Some(pivot) = self.m.pivot.clone() {
-            self.limits_on(&pivot);
-            return Ok(());
-        }
-        if self.slip.is_some() {
-            let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
-            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
-            return Ok(());
-        }
-        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
-            self.massless_limit();
-            self.balance_limit();
-        }
-        if self.v0 == ZERO && self.short != Short::Motion {
-            self.energies()?;
-        }
-        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
-            let still = self.get(of_scene(Quantity::XEq)).ok();
-            if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
-                let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
-                self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
-            }
-        }
-        self.skip_new();
-        Ok(())
-    }
-
-    /// A particle in the place of a body on a pin, and what its mass does.
-    fn limits_on(&mut self, pivot: &Pivot) {
-        let end = self.value(&self.v);
-        if self.short == Short::Instant || pivot.own == ZERO || end == 0.0 {
-            return;
-        }
-        let percent = shown::significant(100.0 * self.value(&pivot.own.over(pivot.about)), 2);
-        let faster = end >= self.value(&self.v0).abs();
-        let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
-        self.say(name, &[("percent", &tex_digits(&percent, self.words))]);
-        let given = self.scene.bodies.iter().any(|b| matches!(b.inertia, Some(RotaryInertia::Moment(_))));
-        if self.scene.is_pendulum() && !given {
-            self.say("pinned.no_mass", &[]);
-        }
     }
 
     /// Without rotary inertia: the closed form of the speed that is left.
@@ -1934,7 +1669,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return;
         }
         let force = self.tex(&action.force);
-        let digits = tex_digits(&shown::significant(self.value(&needed), FIGURES), self.words);
+        let digits = self.digits(self.value(&needed), FIGURES);
         let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
         self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
     }
@@ -1952,37 +1687,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.skip_new();
         let share = self.get(of_scene(Quantity::RotationalFraction))?;
-        let percent = shown::significant(100.0 * self.symbols.value(share), 2);
+        let percent = self.digits(100.0 * self.symbols.value(share), 2);
         self.skip_new();
-        self.say("limits.spin", &[("percent", &tex_digits(&percent, self.words))]);
+        self.say("limits.spin", &[("percent", &percent)]);
         Ok(())
-    }
-
-    /// A question to go on with.
-    fn onward(&mut self) {
-        self.begin("onward");
-        let pulled =
-            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
-        let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
-        let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
-        let stretch = |names| self.symbols.named(names).map_or(0.0, |s| self.symbols.value(s).abs());
-        // A spring that is stretched further holds it back.
-        let braked = stretch(&[r"\delta_1", "e_1"]) > stretch(&[r"\delta_0", "e_0"]);
-        let name = match () {
-            () if self.m.pivot.is_some() && braked => "pinned.onward_spring",
-            () if self.m.pivot.is_some() => "pinned.onward",
-            () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
-            () if self.slip.is_some() => "thrown.onward",
-            () if self.short == Short::Neither => "onward.slips",
-            () if self.spring.is_some() => "onward.spring",
-            () if wheel && pulled => "onward.pulled",
-            () if wheel => "onward.wheel",
-            () if pulley && weighed => "onward.pulley",
-            () if self.held().is_some() => "onward.held",
-            () => "onward.other",
-        };
-        self.say(name, &[]);
-        self.end();
     }
 }

@@ -1,8 +1,10 @@
 //! Writes the sections of a solution: sentences, displayed formulas, and the quantities as they are found, short ones within the
 //! sentences, wide ones on lines of their own.
+use crate::num::linear::Linear;
 use crate::num::shown;
 use crate::solution::draft::{Detail, Draft, tex_of};
-use crate::solution::expr::{Expr, SymbolId, in_sense, positive_first};
+use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, positive_first};
+use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
@@ -14,6 +16,12 @@ pub const WITHIN: f64 = 34.0;
 const PACKED: f64 = LINE - 8.0;
 /// So many formulas may stand within a sentence.
 const FEW: usize = 2;
+
+/// A value of an unknown beside which what is known of an equation is small, so that its coefficient keeps all digits.
+const FAR: f64 = 1_048_576.0;
+
+/// Below this share of a force in an equation it is not solved for.
+const FLAT: f64 = 1e-9;
 
 /// A quantity as it was found.
 #[derive(Debug, Clone)]
@@ -79,6 +87,48 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
         let symbol = self.named(names, unit);
         self.step(symbol, from.into())
+    }
+    /// The same, or what is equal to this already.
+    pub fn find_once(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
+        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
+        known.unwrap_or_else(|| self.find(names, unit, from))
+    }
+    /// An expression with what was found put in for its symbols, down to the data.
+    pub fn expanded(&self, of: &Expr) -> Expr {
+        self.steps.iter().rev().fold(of.clone(), |all, step| all.put(step.symbol, &step.from))
+    }
+    /// What linear equations, each with both its sides, say of these unknowns, `None` of one that they leave open.
+    pub fn solved(&mut self, equations: &[(Expr, Expr)], unknowns: &[SymbolId]) -> Option<Vec<Option<f64>>> {
+        let before: Vec<f64> = unknowns.iter().map(|s| self.symbols.value(*s)).collect();
+        unknowns.iter().for_each(|s| self.symbols.place(*s, 0.0));
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        for (row, (left, right)) in equations.iter().enumerate().take(unknowns.len()) {
+            let rest = |page: &Self| page.value(left) - page.value(right);
+            let (none, uses) = (rest(self), [left.uses(), right.uses()].concat());
+            system.right(row, 0, -none);
+            for (column, symbol) in unknowns.iter().enumerate().filter(|(_, s)| uses.contains(s)) {
+                self.symbols.place(*symbol, FAR);
+                system.term(row, column, (rest(self) - none) / FAR);
+                self.symbols.place(*symbol, 0.0);
+            }
+        }
+        unknowns.iter().zip(before).for_each(|(s, x)| self.symbols.place(*s, x));
+        let solution = system.solve().ok()?;
+        Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
+    }
+    /// An equation, solved for a quantity that is a factor of its terms: term by term, no fraction in a fraction.
+    pub fn isolated(&self, (left, right): &(Expr, Expr), symbol: SymbolId) -> Option<Expr> {
+        let flat = |e: &Expr| if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
+        let all = flat(right).into_iter().chain(flat(left).into_iter().map(|t| -t));
+        let (own, rest): (Vec<Expr>, Vec<Expr>) =
+            all.filter(|t| *t != ZERO).partition(|t| t.uses().contains(&symbol));
+        let share = Sum::of(own.iter().map(|t| (-t).factors().per(symbol))).expr();
+        let sense = self.value(&share);
+        if share.uses().contains(&symbol) || sense.abs() <= FLAT {
+            return None;
+        }
+        let share = in_sense(share, sense).factors().upright(&self.symbols);
+        Some(positive_first(rest.into_iter().map(|t| in_sense(t, sense).over(&share))))
     }
     /// Has it been told?
     pub fn is_told(&self, symbol: SymbolId) -> bool {
@@ -163,6 +213,47 @@ impl<'d, 'a> Page<'d, 'a> {
             self.formula(line);
         }
     }
+    /// The pictures of the scene and of its free bodies.
+    pub fn sketch(&mut self) {
+        self.begin("sketch");
+        let bodies = self.scene.bodies.iter().map(|b| format!("forces-{}", b.name));
+        self.out.blocks = ["scene".to_owned()].into_iter().chain(bodies).map(Block::Picture).collect();
+    }
+    /// Equations of motion, numbered, as many to a line as it holds; of several bodies, which are whose.
+    pub fn rows(&mut self, bodies: &[(String, Vec<(Expr, Expr)>)]) {
+        let (mut rows, mut whose) = (Vec::new(), Vec::new());
+        for (name, equations) in bodies.iter().filter(|(_, equations)| !equations.is_empty()) {
+            let (first, last) = (rows.len() + 1, rows.len() + equations.len());
+            let each = equations.iter().zip(first..);
+            rows.extend(each.map(|((l, r), n)| format!(r"{} \quad ({n})", self.equation(l, r))));
+            let more = if last > first { format!("–({last})") } else { String::new() };
+            whose.push(format!("{name} ({first}){more}"));
+        }
+        self.formulas(rows);
+        if bodies.len() > 1 {
+            self.say("motion.of", &[("list", &whose.join(", "))]);
+        }
+    }
+    /// Unknowns and equations of both ways, counted alike; what has to be eliminated of the first.
+    pub fn compare(&mut self, newton: &[SymbolId], energy: &[SymbolId], ties: &str, gone: Option<&str>) {
+        let (many, few) = (self.names(newton), self.names(energy));
+        let ties = self.phrase(ties, &[]);
+        let n = newton.len().to_string();
+        self.say("why.newton", &[("many", &many), ("n", &n), ("ties", ties.trim_end())]);
+        match gone {
+            Some(forces) => self.say("why.eliminate", &[("forces", forces)]),
+            None => self.say("why.no_reaction", &[]),
+        }
+        self.say("why.energy", &[("few", &few), ("k", &energy.len().to_string())]);
+    }
+    /// A number with so many figures, as it is printed.
+    pub fn digits(&self, value: f64, figures: usize) -> String {
+        tex_digits(&shown::significant(value, figures), self.words)
+    }
+    /// `$12.3 N$`
+    pub fn rough(&self, value: f64, unit: &str) -> String {
+        format!(r"${}\ {}$", self.digits(value, FIGURES), tex_of(unit))
+    }
     /// An expression in symbols.
     pub fn tex(&self, e: &Expr) -> String {
         e.symbols(&self.symbols)
@@ -182,8 +273,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// `$e = 12.3 N$`
     pub fn relation(&self, e: &Expr, value: f64, unit: &str) -> String {
-        let digits = tex_digits(&shown::significant(value, FIGURES), self.words);
-        let unit = tex_of(unit);
+        let (digits, unit) = (self.digits(value, FIGURES), tex_of(unit));
         let unit = if unit.is_empty() { unit } else { format!(r"\ {unit}") };
         format!("${} = {digits}{unit}$", self.tex(e))
     }

@@ -3,21 +3,20 @@
 //!
 //! Where the bodies are, the number of an angle that the joints give, and what is integrated along the way are those of the key.
 use crate::figure::names;
-use crate::num::linear::Linear;
-use crate::num::{Jet, trig};
-use crate::scene::pose::{self, Layout};
+use crate::num::{Jet, gauss, trig};
+use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
-    RotaryInertia, Spot, Start, StrutEnd, Surface,
+    RotaryInertia, Spot, StrutEnd, Surface,
 };
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, number, positive_first, ratio, root, signed,
-    sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    signed, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
-use crate::solution::page::{Page, WITHIN};
+use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{self, tagged};
 use crate::solution::written::width;
@@ -171,6 +170,47 @@ struct Hold {
     given: Expr,
 }
 
+/// A single body that turns about one fixed pin: moments are taken about the pin, forces along the line to the mass centre and
+/// across.
+#[derive(Debug, Clone)]
+pub struct Pivot {
+    /// The name of the point.
+    pub name: String,
+    /// Distance from the pin to the mass centre.
+    pub h: Factors,
+    /// Moment of inertia about the mass centre.
+    pub own: Expr,
+    /// Moment of inertia about the pin.
+    pub about: SymbolId,
+    /// Force of the pin: toward it from the mass centre and across, or to the right and up.
+    pub force: [SymbolId; 2],
+    /// Are forces told toward the pin and across, positive with a growing angle?
+    pub radial: bool,
+    /// Does the angle count from upright?
+    pub up: bool,
+    /// The pin.
+    place: Point,
+}
+
+/// What blows do at an instant.
+#[derive(Debug, Clone)]
+pub struct Blow {
+    /// Momentum and angular momentum, both sides.
+    pub rows: Vec<(Expr, Expr)>,
+    /// What the joints demand of the velocities, both sides.
+    pub demands: Vec<(Expr, Expr)>,
+    /// The bodies, with the changes of velocities in the place of accelerations.
+    pub bodies: Vec<PlaneBody>,
+    /// The impulses of the joints.
+    pub impulses: Vec<(usize, SymbolId)>,
+    /// Was all at rest before?
+    pub from_rest: bool,
+    /// What was solved for.
+    pub unknowns: Vec<SymbolId>,
+    /// How one follows from the other.
+    pub steps: Vec<Step>,
+}
+
 /// A scene of joined bodies as far as it is known.
 pub struct Plane<'d, 'a> {
     /// The page, with the draft and what was found.
@@ -217,6 +257,16 @@ pub struct Plane<'d, 'a> {
     pub steps_of: [usize; 2],
     /// Components of unit vectors along springs and cords.
     pub units: Vec<SymbolId>,
+    /// The pin of a single body.
+    pub pivot: Option<Pivot>,
+    /// The stiffness of small oscillations about equilibrium, by the angle.
+    pub k: Option<SymbolId>,
+    /// Ratio of the spin that is given at the start to the rate of the leading angle, where it is that of another body.
+    pub spun: Option<SymbolId>,
+    /// What blows at the start do.
+    pub blow: Option<Blow>,
+    /// The place of which forces are told: at the start for blows, else [`END`].
+    here: usize,
     g: Expr,
 }
 
@@ -243,11 +293,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Joints that do not place a body.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return beyond() };
-        let scene = draft.scene;
-        let spun = |s: &Start| matches!(s, Start::Speed(c, _) if c.body == lead && c.degree == Degree::Turn);
-        if scene.end == End::Equilibrium || scene.is_struck() || !scene.start.iter().all(spun) {
-            return Err(Beyond::Mechanism.into());
-        }
         let g = terms::gravity(draft);
         let mut page = Page::new(draft);
         let rate = page.unknown("?", "rad/s");
@@ -275,11 +320,18 @@ impl<'d, 'a> Plane<'d, 'a> {
             j: None,
             steps_of: [0, 0],
             units: Vec::new(),
+            pivot: None,
+            k: None,
+            spun: None,
+            blow: None,
+            here: END,
             g,
         };
         this.first = this.start_rate();
-        this.moves = this.scene.end != End::AtOnce || this.value(&this.first) != 0.0;
+        let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
+        this.moves = !this.scene.is_still() || sets_off;
         this.read_bodies();
+        this.start_from()?;
         this.place()?;
         this.steps_of[0] = this.steps.len();
         this.rate = match this.bodies[lead].omega.filter(|_| this.arc().is_none()) {
@@ -289,6 +341,10 @@ impl<'d, 'a> Plane<'d, 'a> {
                 this.named(&[&name], "rad/s")
             }
         };
+        this.find_pivot();
+        if this.scene.is_struck() {
+            this.strike()?;
+        }
         this.act()?;
         this.steps_of[1] = this.steps.len();
         this.hold();
@@ -297,6 +353,36 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         this.let_drift();
         Ok(this)
+    }
+
+    fn find_pivot(&mut self) {
+        let (1, [joint], None) = (self.bodies.len(), &self.scene.joints[..], self.scene.driven()) else {
+            return;
+        };
+        let JointKind::Pin { at, place_m } = joint.kind else { return };
+        let [along, aside] = self.of_spot(at);
+        let (it, place) = (self.bodies[0].clone(), self.ground(place_m));
+        let h = it.centre.plus(&along.opposite());
+        if !aside.is_zero() || it.alpha.is_none() || self.value(&h.expr()) <= 0.0 {
+            return;
+        }
+        let own = sum(it.inertia.iter().map(Factors::expr));
+        let about = &own + it.mass.expr() * square(h.expr());
+        let name = self.scene.point_name(at).map_or("O", |names| names.1).to_owned();
+        let own_name = |letter: &str| match name.len() {
+            1 => format!("{letter}_{name}"),
+            _ => tagged(letter, &name),
+        };
+        let about = self.page.find(&[&own_name("I"), &own_name("J")], "kg m^2", about);
+        let radial = self.problem.cases[self.variant.case].scene.pinned().is_some();
+        let plain = below(joint);
+        let force = [["R", "O_r", "X"], ["S", "O_t", "Y"]].map(|[one, two, plane]| match radial {
+            true => self.named(&[one, two], "N"),
+            false => self.named(&[&tagged(plane, &plain)], "N"),
+        });
+        self.j = Some(about);
+        let up = self.turns[0].from[1] > 0.0;
+        self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
     fn arc(&self) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
@@ -311,17 +397,90 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The rate of the leading angle at the start, as it counts.
+    /// The spin that is given at the start, of whichever body.
     fn start_rate(&mut self) -> Expr {
-        let spin = self.scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, w) if c.body == self.lead => Some(*w),
-            _ => None,
-        });
-        let given = spin.map_or(ZERO, |w| self.number(w, r"\omega_0", "rad/s"));
-        match self.arc() {
-            Some(arc) if given != ZERO => given.over(self.turning_of(arc)),
-            _ => given,
+        let given = self.scene.start_speeds().next();
+        given.map_or(ZERO, |(_, w)| self.number(w, r"\omega_0", "rad/s"))
+    }
+    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1.
+    fn start_from(&mut self) -> Result<(), DerivationStop> {
+        let Some((c, _)) = self.scene.start_speeds().next().filter(|_| self.first != ZERO) else {
+            return Ok(());
+        };
+        let per = if c.body != self.lead {
+            let (Some(poses), Degree::Turn) = (self.poses(0.0, true), c.degree) else { return beyond() };
+            let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
+            let tag = format!("{},0", self.bodies[c.body].tag);
+            let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
+            self.symbols.settle(symbol, ratio, 0.0);
+            self.spun = Some(symbol);
+            symbol.into()
+        } else {
+            match self.arc() {
+                Some(arc) => self.turning_of(arc).expr(),
+                None => return Ok(()),
+            }
+        };
+        self.first = self.first.over(&per);
+        if self.value(&self.first).is_finite() { Ok(()) } else { beyond() }
+    }
+    /// Where all bodies are when the leading angle has changed by this, rad, in numbers.
+    fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
+        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        Layout::new(self.scene, &numbers)?.poses::<Jet<f64>>(way, at_start)
+    }
+
+    /// What an instant's blows do: to momenta what forces do to accelerations, with an impulse in the place of each force of a joint.
+    fn strike(&mut self) -> Result<(), DerivationStop> {
+        let (scene, lead, kept, moves) = (self.scene, self.lead, self.bodies.clone(), self.moves);
+        let from_rest = self.first == ZERO;
+        let mark = if from_rest { "s" } else { r"\Delta" };
+        self.here = if scene.end == End::AtOnce { END } else { START };
+        for (body, it) in kept.iter().enumerate() {
+            let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
+                this.named(&[&tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
+            };
+            let v = ["x", "y"].map(|way| named(self, "v", way, "m/s"));
+            let omega = it.alpha.map(|_| named(self, r"\omega", "", "rad/s"));
+            (self.bodies[body].a, self.bodies[body].alpha) = (v, omega);
         }
+        for push in scene.pushes.iter().filter(|p| p.blow) {
+            let size = self.number(push.force_n, "J", "N s").factors();
+            let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
+            let along = self.frame(&vector(&unit));
+            let pull = self.pull(push.at.body, &point, size, along, None);
+            self.pulls.push(pull);
+        }
+        self.moves = false;
+        self.hold();
+        let rows: Vec<(Expr, Expr)> = (0..kept.len()).flat_map(|b| self.equations(b)).collect();
+        let (demands, unknowns) = (self.demands(), [self.accelerations(), self.reactions()].concat());
+        let all = [rows.clone(), demands.clone()].concat();
+        let Some(solution) = self.page.solved(&all, &unknowns) else { return beyond() };
+        for (symbol, value) in unknowns.iter().zip(solution) {
+            if let Some(value) = value {
+                let value = if value.abs() < ROUNDING { 0.0 } else { value };
+                self.symbols.settle(*symbol, value, 0.0);
+            }
+        }
+        let before = self.steps.len();
+        self.unravel(None);
+        let Some(change) = self.bodies[lead].alpha else { return beyond() };
+        let change: Expr = match self.arc() {
+            Some(arc) => change.over(self.turning_of(arc)),
+            None => change.into(),
+        };
+        self.first = if self.first == ZERO { change } else { &self.first + change };
+        self.sense =
+            if moves && scene.end == End::AtOnce { self.value(&self.first).signum() } else { self.sense };
+        let impulses = self.holds.iter().map(|h| (h.joint, h.unknown)).collect();
+        let steps = self.steps.split_off(before);
+        let bodies = std::mem::replace(&mut self.bodies, kept);
+        self.blow = Some(Blow { rows, demands, bodies, impulses, from_rest, unknowns, steps });
+        (self.moves, self.here) = (moves, END);
+        self.holds.clear();
+        self.pulls.clear();
+        Ok(())
     }
 
     fn read_bodies(&mut self) {
@@ -486,6 +645,28 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn rates(&self, point: &Point, which: usize) -> Vector {
         [self.rate(&point[0], which), self.rate(&point[1], which)]
     }
+    /// The directions in which forces are told, at the asked place: to the right and up; of a body on a pin toward the pin and
+    /// across, with a growing angle.
+    fn basis(&self) -> [Vector; 2] {
+        if self.pivot.as_ref().is_some_and(|p| p.radial) {
+            return self.circle();
+        }
+        [[1.0, 0.0], [0.0, 1.0]].map(|unit| unit.map(|x| Sum::of([sign(x)])))
+    }
+    /// Toward the pin from the mass centre, and across with a growing angle.
+    fn circle(&self) -> [Vector; 2] {
+        let Turn { from, across, .. } = &self.turns[0];
+        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here)));
+        let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
+        let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
+        let toward = [Sum::of([c, s]).opposite(), Sum::of([d, t]).opposite()];
+        [toward, [Sum::of([u, e.opposite()]), Sum::of([w, f.opposite()])]]
+    }
+    /// A vector, right and up, in these directions.
+    fn frame(&self, v: &Vector) -> Vector {
+        self.basis().map(|direction| product(v, &direction))
+    }
+
     /// The angle that the leading body has turned, in radians with its sign.
     fn turned(&mut self) -> SymbolId {
         if let Some(turned) = self.turned {
@@ -586,15 +767,12 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The numbers of all angles, from the places of the key: at the start and at the place that is asked, degrees.
     fn angles(&self) -> Option<[Vec<f64>; 2]> {
-        let data = &self.variant.data;
-        let numbers = Numbers::<f64>::new(self.scene, data);
-        let layout = Layout::new(self.scene, &numbers)?;
         let way = match self.scene.end {
             End::AtOnce => 0.0,
             _ => (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians(),
         };
         let angles = |way: f64, at_start: bool| -> Option<Vec<f64>> {
-            let poses = layout.poses::<Jet<f64>>(way, at_start)?;
+            let poses = self.poses(way, at_start)?;
             let each = poses.iter().zip(&self.scene.bodies).map(|(pose, body)| {
                 let (planar, axis) = (body.planar.as_ref(), pose.axis.map(|x| x.value));
                 let from = planar.map_or([1.0, 0.0], |p| p.from.components());
@@ -613,16 +791,24 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn way_of_key(&self) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
-        let spin = self.value(&self.first);
+        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let start = self.poses(0.0, true)?;
+        let mut spin = self.value(&self.first);
+        if self.scene.is_struck() {
+            let moving = self.poses(0.0, false)?;
+            let blows = self.scene.pushes.iter().filter(|p| p.blow).map(|p| {
+                let v = moving[p.at.body].point(pose::of_spot(self.scene, &numbers, p.at)).map(|x| x.first);
+                let [c, s] = pose::direction(&numbers, p.direction_deg);
+                self.datum(p.force_n) * (v[0] * c + v[1] * s)
+            });
+            spin = spin * self.first_inertia() + blows.sum::<f64>();
+        }
         if spin != 0.0 {
             return Some((way * spin.signum()).to_degrees());
         }
         // Of the two senses that in which the mass centres rise as the key has it.
-        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
-        let layout = Layout::new(self.scene, &numbers)?;
-        let start = layout.poses::<Jet<f64>>(0.0, true)?;
         let miss = |way: f64| -> f64 {
-            let Some(end) = layout.poses::<Jet<f64>>(way, false) else { return f64::INFINITY };
+            let Some(end) = self.poses(way, false) else { return f64::INFINITY };
             let each = self.scene.bodies.iter().enumerate().map(|(b, body)| {
                 let along = [body.planar.as_ref().map_or(0.0, |p| pose::along(&numbers, p.centre)), 0.0];
                 let rise = end[b].point(along)[1].value - start[b].point(along)[1].value;
@@ -662,7 +848,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
         let name = match (planar.start_deg, scene.end) {
             (Some(Num::Datum(i)), _) | (_, End::Angle(_, Num::Datum(i))) => {
-                self.problem.data[i].tex.split('_').next().unwrap_or(&tex).to_owned()
+                let own = self.problem.data[i].tex.split('_').next();
+                own.filter(|t| t.starts_with('\\')).unwrap_or(&tex).to_owned()
             }
             _ => tex,
         };
@@ -782,7 +969,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             return Ok(());
         }
-        if let (false, Some(start)) = (self.moves, planar.start_deg) {
+        let loose = scene.end == End::AtOnce && self.value(&self.first) == 0.0;
+        if let (true, Some(start)) = (loose, planar.start_deg) {
             let start = self.number(start, r"\beta", "deg");
             self.open = true;
             self.bodies[body].turn = Some(self.add_turn(planar, [start.clone(), start], [ZERO, ZERO]));
@@ -937,14 +1125,25 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     // -- forces ---------------------------------------------------------------------------------------------------------
 
-    fn lever(&mut self, spot: Spot) -> Point {
-        let point = self.spot(spot);
-        less(&point, &self.centre(spot.body))
+    /// From the point about which moments are taken to a point of a body, right and up.
+    fn lever(&mut self, body: usize, point: &Point) -> Vector {
+        let about = self.pivot.as_ref().map_or_else(|| self.centre(body), |p| p.place.clone());
+        self.places(&less(point, &about), self.here)
     }
-    fn pull(&mut self, spot: Spot, size: Factors, direction: Vector, unknown: Option<SymbolId>) -> Pull {
-        let lever = self.lever(spot);
-        let lever = self.places(&lever, END);
-        Pull { body: spot.body, unknown, size, turn: cross(&lever, &direction), along: direction }
+    /// A force at a point of a body, along a direction of [`Self::frame`].
+    fn pull(
+        &mut self,
+        body: usize,
+        point: &Point,
+        size: Factors,
+        along: Vector,
+        unknown: Option<SymbolId>,
+    ) -> Pull {
+        let lever = self.lever(body, point);
+        // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
+        let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
+        let turn = cross(&self.frame(&lever), &along).times(Factors::one().signed(hand));
+        Pull { body, unknown, size, along, turn }
     }
 
     /// Weights, forces, couples and springs, with their works.
@@ -954,14 +1153,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let weighed = if scene.lies_level() { 0 } else { self.bodies.len() };
         for body in 0..weighed {
             let weight = self.bodies[body].mass.times(&self.g);
-            let down = [Sum::default(), Sum::one(number(-1))];
-            self.pulls.push(Pull {
-                body,
-                unknown: None,
-                size: weight.clone(),
-                along: down,
-                turn: Sum::default(),
-            });
+            let (down, centre) = ([Sum::default(), Sum::one(number(-1))], self.centre(body));
+            let down = self.frame(&down);
+            let pull = self.pull(body, &centre, weight.clone(), down, None);
+            self.pulls.push(pull);
             if !still {
                 let [_, y] = self.centre(body);
                 let fall = self.at(&y, START).plus(&self.at(&y, END).opposite());
@@ -980,7 +1175,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
             }
         }
-        for push in &scene.pushes {
+        for push in scene.pushes.iter().filter(|p| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             let unit = self.direction(push.direction_deg);
             let along = if push.turns {
@@ -994,7 +1189,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             } else {
                 vector(&unit)
             };
-            let pull = self.pull(push.at, size.clone(), along, None);
+            let (point, along) = (self.spot(push.at), self.frame(&along));
+            let pull = self.pull(push.at.body, &point, size.clone(), along, None);
             self.pulls.push(pull);
             if still {
                 continue;
@@ -1054,7 +1250,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
         let work: Result<f64, Wrong> =
-            crate::num::gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
+            gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
         self.scene.value(push.force_n, data) * work.unwrap_or(f64::NAN)
     }
 
@@ -1116,12 +1312,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let names = if tag.is_empty() { "F_s".to_owned() } else { tagged("F", &format!("s{tag}")) };
         let other = tagged("F", &format!(r"\mathrm{{s}}{tag}"));
         let force = self.page.find(&[&names, &other], "N", stiffness * &stretch[stretch.len() - 1]);
+        let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
-        let pull = self.pull(it.at, force.factors(), along.clone(), None);
+        let back = along.clone().map(|x| x.opposite());
+        let pull = self.pull(it.at.body, &near, force.factors(), along, None);
         self.pulls.push(pull);
         if let StrutEnd::Spot(spot) = it.to {
-            let back = along.map(|x| x.opposite());
-            let pull = self.pull(spot, force.factors(), back, None);
+            let pull = self.pull(spot.body, &far, force.factors(), back, None);
             self.pulls.push(pull);
         }
         self.springs.push(force);
@@ -1177,7 +1374,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         match (of[0].is_zero(), of[1].is_zero()) {
             (true, _) => self.positive(&of[1].expr()),
             (_, true) => self.positive(&of[0].expr()),
-            _ => root(square(of[0].expr()) + square(of[1].expr())),
+            _ => {
+                let (legs, law) = (square(of[0].expr()) + square(of[1].expr()), product(of, of).expr());
+                root(if width(&self.tex(&law)) < width(&self.tex(&legs)) { law } else { legs })
+            }
         }
     }
 
@@ -1187,7 +1387,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         [0, 1].map(|i| match small {
             _ if small[i] => Sum::default(),
             [false, false] => {
-                let way = ["x", "y"][i];
+                let radial = self.pivot.as_ref().is_some_and(|p| p.radial);
+                let way = if radial { ["r", "t"][i] } else { ["x", "y"][i] };
                 let symbol = self.named_by(names, &format!("{way}{tag}"), "1", apart[i].expr() / length);
                 self.units.extend(symbol.uses());
                 Sum::one(symbol)
@@ -1199,18 +1400,37 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The forces of the joints, and what each demands.
     fn hold(&mut self) {
         let scene = self.scene;
+        if let Some(Pivot { mut force, place, radial, .. }) = self.pivot.clone() {
+            if scene.is_struck() && self.blow.is_none() {
+                let names = if radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
+                force = names.map(|name| self.named(&[name], "N s"));
+            }
+            let along = [[1.0, 0.0], [0.0, 1.0]].map(|u| u.map(|x| Sum::of([sign(x)])));
+            for (unknown, along) in force.into_iter().zip(along) {
+                let pulls = vec![self.pull(0, &place, Factors::one(), along, Some(unknown))];
+                self.holds.push(Hold { joint: 0, unknown, pulls, inward: Sum::default(), given: ZERO });
+            }
+            return;
+        }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = below(joint);
+            let blow = scene.is_struck() && self.blow.is_none();
             let letters: &[&str] = match joint.kind {
+                JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["Jx", "Jy"],
+                JointKind::Guide { .. } | JointKind::Cord { .. } if blow => &["J"],
                 JointKind::Hinge { turned_deg: Some(_), .. } => &["X", "Y", "M"],
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => &["X", "Y"],
                 JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &["N"],
                 JointKind::Contact { .. } => &["N", "F"],
                 JointKind::Cord { .. } => &["T"],
             };
+            let unit = if blow { "N s" } else { "N" };
             let forces: Vec<SymbolId> = letters
                 .iter()
-                .map(|l| self.named(&[&tagged(l, &plain)], if *l == "M" { "N m" } else { "N" }))
+                .map(|l| {
+                    let name = tagged(&l[..1], &format!("{plain}{}", &l[1..]));
+                    self.named(&[&name], if *l == "M" { "N m" } else { unit })
+                })
                 .collect();
             let unit = [[Factors::one(), Factors::zero()], [Factors::zero(), Factors::one()]]
                 .map(|u| u.map(|f| if f.is_zero() { Sum::default() } else { Sum::one(f) }));
@@ -1251,7 +1471,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
                 JointKind::Cord { at, place_m } => {
                     let apart = less(&self.ground(place_m), &self.spot(at));
-                    let apart = self.places(&apart, END);
+                    let apart = self.places(&apart, self.here);
                     let is = self.size(&apart);
                     let length: Expr = match is {
                         Expr::Symbol(s) => s.into(),
@@ -1288,7 +1508,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Surface::Arc { centre_m, radius_m: arc, inside } => {
                 let arc = self.number(arc, "R", "m").factors();
                 let out = less(&self.spot(at), &self.ground(centre_m));
-                let out = self.places(&out, END);
+                let out = self.places(&out, self.here);
                 let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(&own) };
                 let apart =
                     if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap };
@@ -1316,16 +1536,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let mut inward = Sum::default();
         let mut pulls = Vec::new();
         for (spot, u) in ends {
-            pulls.push(self.pull(*spot, Factors::one(), u.clone(), Some(force)));
+            let point = self.spot(*spot);
+            pulls.push(self.pull(spot.body, &point, Factors::one(), u.clone(), Some(force)));
             if !self.moves {
                 continue;
             }
-            let lever = self.lever(*spot);
-            let lever = self.places(&lever, END);
+            let lever = self.lever(spot.body, &point);
             let spin = self.spin(spot.body);
             inward = inward.plus(&product(u, &lever).times(square(&spin)));
             if let Some(toward) = &toward {
-                let point = self.spot(*spot);
                 let v = self.rates(&point, END);
                 inward = inward.plus(&product(&v, &v).times(toward));
             }
@@ -1344,8 +1563,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sense = Factors::one().signed(if key * up * presses < 0.0 { -1 } else { 1 });
         let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
         let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
-        let mut pull = self.pull(at, mu.factors(), along, Some(normal));
-        pull.unknown = Some(normal);
+        let point = self.spot(at);
+        let pull = self.pull(at.body, &point, mu.factors(), along, Some(normal));
         let name = tagged("F", &below(&self.scene.joints[joint]));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force));
@@ -1366,7 +1585,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// All forces on a body.
     pub fn on(&self, body: usize) -> impl Iterator<Item = &Pull> {
         let joints = self.holds.iter().flat_map(|h| &h.pulls);
-        self.pulls.iter().chain(joints).filter(move |p| p.body == body)
+        joints.chain(&self.pulls).filter(move |p| p.body == body)
     }
     /// The forces of the joints.
     pub fn reactions(&self) -> Vec<SymbolId> {
@@ -1374,36 +1593,62 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// All accelerations.
     pub fn accelerations(&self) -> Vec<SymbolId> {
-        self.bodies.iter().flat_map(|b| b.a.into_iter().chain(b.alpha)).collect()
+        let free = self.pivot.is_none();
+        self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
+    }
+    /// The acceleration of the mass centre of a body on a pin, toward the pin and across.
+    fn on_circle(&self, pivot: &Pivot) -> [Expr; 2] {
+        let rate = if self.moves { square(self.rate) } else { ZERO };
+        [pivot.h.by(rate), self.bodies[0].alpha.map_or(ZERO, |alpha| pivot.h.by(alpha))]
+    }
+    /// The same to the right (0) or up (1).
+    fn component(&self, pivot: &Pivot, i: usize) -> Expr {
+        let ([rate, alpha], [toward, across]) = (self.on_circle(pivot), self.circle());
+        toward[i].times(rate).plus(&across[i].times(alpha)).expr()
     }
 
     /// The equations of motion of a body, both sides.
     pub fn equations(&self, body: usize) -> Vec<(Expr, Expr)> {
         let it = &self.bodies[body];
-        let size = |p: &Pull| p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u));
+        let share = |p: &Pull, of: &Sum, sense: i8| {
+            let size = p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense);
+            of.terms().iter().map(|t| size.times(t)).collect::<Vec<_>>()
+        };
         let mut all = Vec::new();
-        for i in 0..2 {
-            let left = self.on(body).map(|p| p.along[i].times(size(p)).expr());
-            all.push((positive_first(left), it.mass.by(it.a[i])));
+        let a = match &self.pivot {
+            None => it.a.map(Expr::from),
+            Some(pivot) if pivot.radial => self.on_circle(pivot),
+            Some(pivot) => [0, 1].map(|i| self.component(pivot, i)),
+        };
+        for (i, a) in a.into_iter().enumerate() {
+            let left = self.on(body).map(|p| Sum::of(share(p, &p.along[i], 1)).expr());
+            all.push((positive_first(left), it.mass.by(a)));
         }
         if let Some(alpha) = it.alpha {
-            let sense = Factors::one().signed(self.sense_of(body));
-            let moments = |couple: bool| {
-                let all = self.on(body).filter(|p| p.along.iter().all(Sum::is_zero) == couple);
-                let each = all.flat_map(|p| {
-                    let size = size(p).times(&sense);
-                    p.turn.terms().iter().map(move |t| size.times(t)).collect::<Vec<_>>()
-                });
+            let moments = |which: &dyn Fn(&Pull) -> bool| {
+                let each = self.on(body).filter(|p| which(p));
+                let each = each.flat_map(|p| share(p, &p.turn, self.sense_of(body)));
                 Sum::of(each.collect::<Vec<_>>()).expr()
             };
-            let left = positive_first([moments(true), moments(false)]);
-            all.push((left, sum(it.inertia.iter().map(|i| i.by(alpha)))));
+            let couple = |p: &Pull| p.along.iter().all(Sum::is_zero);
+            let of_spring = |p: &Pull| p.size.expr().uses().iter().any(|s| self.springs.contains(s));
+            // About a pin the spring's moment stands by itself.
+            let apart = |p: &Pull| self.pivot.is_some() && of_spring(p);
+            let left = [moments(&couple), moments(&|p| apart(p)), moments(&|p| !couple(p) && !apart(p))];
+            let left = positive_first(left);
+            match &self.pivot {
+                Some(pivot) => all.insert(0, (left, pivot.about * alpha)),
+                None => all.push((left, sum(it.inertia.iter().map(|i| i.by(alpha))))),
+            }
+        }
+        if self.scene.end == End::Equilibrium {
+            all.iter_mut().for_each(|(_, right)| *right = ZERO);
         }
         all
     }
-    /// What the joints demand of the accelerations: the joint, both sides.
-    pub fn demands(&self) -> Vec<(usize, Expr, Expr)> {
-        let each = self.holds.iter().map(|h| {
+    /// What the joints demand of the accelerations, both sides.
+    pub fn demands(&self) -> Vec<(Expr, Expr)> {
+        let each = self.holds.iter().filter(|_| self.pivot.is_none()).map(|h| {
             let mut left = Vec::new();
             for pull in &h.pulls {
                 let it = &self.bodies[pull.body];
@@ -1411,72 +1656,85 @@ impl<'d, 'a> Plane<'d, 'a> {
                 left.extend([0, 1].map(|i| pull.along[i].times(it.a[i]).expr()));
                 left.extend(it.alpha.map(|a| pull.turn.times(&sense).times(a).expr()));
             }
-            let right = h.inward.times(square(self.rate)).expr() + &h.given;
-            (h.joint, positive_first(left), right)
+            let rate = if self.moves { h.inward.times(square(self.rate)).expr() } else { ZERO };
+            (positive_first(left), rate + &h.given)
         });
         each.collect()
     }
 
     /// Solves the equations of motion and the demands of the joints together; gives every unknown its value.
     pub fn solve(&mut self) -> Result<(), DerivationStop> {
-        let unknowns = [self.accelerations(), self.reactions()].concat();
-        let place = |s: SymbolId| unknowns.iter().position(|u| *u == s);
-        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
-        let mut row = 0;
-        let turns = |b: usize| if self.bodies[b].alpha.is_some() { 3 } else { 2 };
-        for body in 0..self.bodies.len() {
-            let it = &self.bodies[body];
-            let own: Vec<SymbolId> = it.a.into_iter().chain(it.alpha).collect();
-            let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
-            let sense = f64::from(self.sense_of(body));
-            for (k, own) in own.into_iter().enumerate() {
-                let inertia = if k < 2 { self.value(&it.mass.expr()) } else { inertia };
-                if let Some(at) = place(own) {
-                    system.term(row + k, at, -inertia);
-                }
+        let mut equations: Vec<(Expr, Expr)> =
+            (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
+        if let (Some(pivot), Some(alpha)) = (self.pivot.clone(), self.bodies[0].alpha) {
+            // Moments about the pin have one unknown, and each of the others one more.
+            let still = self.scene.end == End::Equilibrium;
+            let own = [alpha, pivot.force[0], pivot.force[1]].into_iter().zip(equations);
+            for (symbol, row) in own.skip(usize::from(still)) {
+                let is =
+                    if symbol == alpha { Some(row.0.over(pivot.about)) } else { self.isolated(&row, symbol) };
+                self.page.step(symbol, is.ok_or(DerivationStop::Beyond(Beyond::Unfound))?);
             }
-            for pull in self.on(body) {
-                let size = self.value(&pull.size.expr());
-                let shares = [pull.along[0].expr(), pull.along[1].expr(), pull.turn.expr()];
-                for (k, share) in shares.iter().enumerate().take(turns(body)) {
-                    let share = size * self.value(share) * if k == 2 { sense } else { 1.0 };
-                    match pull.unknown.and_then(place) {
-                        Some(at) => system.term(row + k, at, share),
-                        None => system.right(row + k, 0, -share),
-                    }
-                }
-            }
-            row += turns(body);
+            return Ok(());
         }
-        let rate = if self.moves { self.symbols.value(self.rate) } else { 0.0 };
-        for hold in &self.holds {
-            for pull in &hold.pulls {
-                let it = &self.bodies[pull.body];
-                let sense = f64::from(self.sense_of(pull.body));
-                for (i, a) in it.a.iter().enumerate() {
-                    if let Some(at) = place(*a) {
-                        system.term(row, at, self.value(&pull.along[i].expr()));
-                    }
-                }
-                if let Some(at) = it.alpha.and_then(place) {
-                    system.term(row, at, sense * self.value(&pull.turn.expr()));
-                }
-            }
-            let right = self.value(&hold.inward.expr()) * rate * rate + self.value(&hold.given);
-            system.right(row, 0, right);
-            row += 1;
+        let mut rates = self.accelerations();
+        if self.scene.end == End::Equilibrium {
+            rates.clear();
+        } else {
+            equations.extend(self.demands());
         }
-        let Ok(solution) = system.solve() else { return beyond() };
+        let unknowns = [rates.clone(), self.reactions()].concat();
+        let Some(solution) = self.page.solved(&equations, &unknowns) else { return beyond() };
         let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
-        let rates = self.accelerations().len();
-        let g = self.value(&self.g);
-        for (i, symbol) in unknowns.into_iter().enumerate().filter(|(i, _)| !solution.is_open(*i)) {
+        let (rates, g) = (rates.len(), self.value(&self.g));
+        for (i, (symbol, value)) in unknowns.into_iter().zip(solution).enumerate() {
             // What is 0 but for rounding.
-            let (value, scale) = (solution.get(i, 0), if i < rates { g } else { weights });
-            let value = if value.abs() < ROUNDING * scale { 0.0 } else { value };
-            self.symbols.settle(symbol, value, 0.0);
+            let scale = if i < rates { g } else { weights };
+            if let Some(value) = value {
+                let value = if value.abs() < ROUNDING * scale { 0.0 } else { value };
+                self.symbols.settle(symbol, value, 0.0);
+            }
         }
         Ok(())
+    }
+
+    /// The moments, or what is left of all equations when the forces of the joints have been eliminated, of a single body in
+    /// equilibrium.
+    pub fn balanced(&mut self) -> Option<Expr> {
+        match self.pivot {
+            Some(_) => Some(self.equations(0).swap_remove(0).0),
+            None => self.eliminated().map(|[power, _]| power.expr()),
+        }
+    }
+    /// By how much less the forces turn it per angle beside the equilibrium, N m/rad; of a single body.
+    pub fn stiffness(&mut self) -> Option<f64> {
+        let all = self.balanced()?;
+        let (all, at) = (self.page.expanded(&all), self.value(&self.turns[0].at[END]));
+        let step = 0.25;
+        let mut beside = |steps: f64| self.along_way(&all, at + steps * step);
+        let slope = 8.0 * (beside(1.0) - beside(-1.0)) - (beside(2.0) - beside(-2.0));
+        (self.bodies.len() == 1).then(|| -slope / (12.0 * step.to_radians()))
+    }
+
+    /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
+    pub fn unravel(&mut self, known: Option<SymbolId>) {
+        let mut open = [self.accelerations(), self.reactions()].concat();
+        open.retain(|s| Some(*s) != known && !self.symbols.value(*s).is_nan());
+        let mut all = self.demands();
+        all.extend((0..self.bodies.len()).flat_map(|b| self.equations(b)));
+        while let Some((at, symbol, is)) = all.iter().enumerate().find_map(|(at, row)| {
+            let uses = [row.0.uses(), row.1.uses()].concat();
+            let mut unknown = open.iter().filter(|s| uses.contains(s));
+            let (Some(symbol), None) = (unknown.next(), unknown.next()) else { return None };
+            Some((at, *symbol, self.isolated(row, *symbol)?))
+        }) {
+            // What is 0 but for rounding stays 0.
+            if self.symbols.value(symbol) != 0.0 {
+                self.page.step(symbol, is);
+            }
+            open.retain(|s| *s != symbol);
+            all.remove(at);
+        }
     }
 
     /// At an instant, the velocities that go with a turn of a single body that its joints do not place, where each force of a joint
@@ -1580,7 +1838,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Of a single body, what is left when the forces of the joints are eliminated, `J q'' = Q - B q'^2`: `Q` and `B`.
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
-        let [it] = &self.bodies[..] else { return None };
+        let ([it], None) = (&self.bodies[..], &self.pivot) else { return None };
         let (mass, centre) = (it.mass.clone(), self.centre(0));
         if self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
             return None;
@@ -1606,6 +1864,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(DerivedAnswer::Value(known)) = self.found_for(label) {
             return Ok(known);
         }
+        if let Some(found) = self.of_pivot(label)? {
+            return Ok(found);
+        }
         let none = || DerivationStop::Beyond(Beyond::Quantity(label.quantity));
         let key = self.variant.solved.get(label).map(|e| e.value());
         let rate = if self.moves { self.rate.into() } else { ZERO };
@@ -1626,8 +1887,15 @@ impl<'d, 'a> Plane<'d, 'a> {
                 omega
             }
             (Q::Alpha, Owner::Body(b)) => self.bodies[b].alpha.ok_or_else(none)?,
-            (Q::AX, Owner::Body(b)) => self.bodies[b].a[0],
-            (Q::AY, Owner::Body(b)) => self.bodies[b].a[1],
+            (Q::AX | Q::AY, Owner::Body(b)) => {
+                let i = usize::from(label.quantity == Q::AY);
+                let a = self.bodies[b].a[i];
+                if let Some(pivot) = &self.pivot {
+                    let is = self.component(pivot, i);
+                    self.page.step(a, is);
+                }
+                a
+            }
             (Q::V, Owner::Body(b)) => {
                 let centre = self.centre(b);
                 let is = match self.speeds.get(b) {
@@ -1707,6 +1975,190 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(symbol)
     }
 
+    /// What a quantity is of a body on a pin that no other body has, or has in another way.
+    fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
+        use Quantity as Q;
+        if let Some(blow) = &self.blow
+            && let (Q::Impulse | Q::ImpulseX | Q::ImpulseY, Owner::Joint(j)) = (label.quantity, label.of)
+        {
+            return self.impulse_of(&blow.impulses.clone(), j, label.quantity);
+        }
+        if let (Some(blow), true, None) = (self.blow.clone(), self.scene.end == End::AtOnce, &self.pivot)
+            && blow.from_rest
+            && let Some(found) = self.just_after(&blow, label)
+        {
+            return Ok(Some(found));
+        }
+        if let (true, Some(k)) = (self.scene.end == End::Equilibrium, self.k) {
+            let frequency = [r"\Omega", r"\omega_s"];
+            let of = |this: &mut Self| {
+                let j = this.j.map_or_else(|| this.spring_inertia(), Expr::from);
+                this.page.find_once(&frequency, "rad/s", root(k / j))
+            };
+            match label.quantity {
+                Q::OmegaSmall => return Ok(Some(of(self))),
+                Q::PeriodSmall => {
+                    let frequency = of(self);
+                    let is = number(2) * self.draft.pi() / frequency;
+                    return Ok(Some(self.page.find_once(&[r"\tau_0", r"\tau_s"], "s", is)));
+                }
+                _ => {}
+            }
+        }
+        let Some(pivot) = self.pivot.clone() else { return Ok(None) };
+        let ([r, s], about) = (pivot.force, pivot.about);
+        let mgh = self.bodies[0].mass.times(&self.g).times(&pivot.h);
+        let of = |this: &mut Self, quantity| this.get(Label { quantity, ..label });
+        let (names, is) = match label.quantity {
+            Q::IO => return Ok(Some(about)),
+            Q::PinRadial => return Ok(Some(r)),
+            Q::PinTangential => return Ok(Some(s)),
+            Q::SpringForce => return Ok(self.springs.first().copied()),
+            Q::PinX | Q::PinY if !pivot.radial => {
+                return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
+            }
+            Q::PinForce => (["F_O", "O"], root(square(r) + square(s))),
+            Q::PinX | Q::PinY => {
+                let i = usize::from(label.quantity == Q::PinY);
+                let shares = [r, s].into_iter().zip(self.basis());
+                let is = positive_first(shares.map(|(force, unit)| unit[i].times(force).expr()));
+                ([["O_x", "X_O"], ["O_y", "Y_O"]][i], is)
+            }
+            Q::PinAngle => {
+                let (x, y) = (of(self, Q::PinX)?, of(self, Q::PinY)?);
+                let angle = arc_cosine(x / root(square(x) + square(y)));
+                ([r"\psi_O", r"\chi_O"], in_sense(angle, self.symbols.value(y)))
+            }
+            Q::RotationalFraction => ([r"\eta", r"eta"], pivot.own.over(about)),
+            Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
+            Q::WorkCouple => (["W_{M}", "A_{M}"], self.couple().by(self.turned())),
+            Q::PowerCouple => {
+                let rate = in_sense(of(self, Q::Omega)?.into(), self.sense);
+                ([r"\dot{W}_{M}", r"\dot{A}_{M}"], self.couple().by(&rate))
+            }
+            Q::OmegaMax => {
+                let height = signed(cosine(&self.turns[0].at[START]), pivot.up);
+                let gained = mgh.times(number(2)).by(ONE + height).over(about);
+                ([r"\omega_{\mathrm{max}}", r"\omega_{m}"], root(square(&self.first) + gained))
+            }
+            Q::OmegaSmall => ([r"\Omega", r"\omega_s"], root(mgh.expr() / about)),
+            Q::PeriodSmall => {
+                let frequency = of(self, Q::OmegaSmall)?;
+                ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
+            }
+            Q::T if self.scene.end != End::AtOnce && !self.turns[0].at[END].uses().is_empty() => {
+                let (t, time) = (self.named(&["t", "t_1"], "s"), self.time());
+                self.symbols.settle(t, time, 0.0);
+                return Ok(Some(self.page.step(t, t.into())));
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(self.page.find_once(&names, label.quantity.unit(), is)))
+    }
+    /// Velocities and energy right after a blow on bodies at rest.
+    fn just_after(&mut self, blow: &Blow, label: Label) -> Option<SymbolId> {
+        use Quantity as Q;
+        let size = |v: &[Expr; 2]| root(square(&v[0]) + square(&v[1]));
+        let it = |b: usize| &blow.bodies[b];
+        let (names, is) = match (label.quantity, label.of) {
+            (Q::VX, Owner::Body(b)) => return Some(it(b).a[0]),
+            (Q::VY, Owner::Body(b)) => return Some(it(b).a[1]),
+            (Q::V, Owner::Body(b)) => {
+                (["v", "u"].map(|l| tagged(l, &it(b).tag)), size(&it(b).a.map(Expr::from)))
+            }
+            (Q::Omega, Owner::Body(b)) => {
+                let omega = it(b).alpha?;
+                if self.symbols.value(omega) >= 0.0 {
+                    return Some(omega);
+                }
+                ([r"\omega", r"\Omega"].map(|l| tagged(l, &it(b).tag)), -Expr::from(omega))
+            }
+            (Q::V, Owner::Spot(spot)) => {
+                let away = less(&self.spot(spot), &self.centre(spot.body));
+                let [x, y] = self.places(&away, END);
+                let spin = it(spot.body).alpha.map_or(ZERO, Expr::from);
+                let spin = in_sense(spin, f64::from(self.sense_of(spot.body)));
+                let [a, b] = it(spot.body).a;
+                let name = self.scene.point_name(spot).map_or("P", |n| n.1);
+                (["v", "u"].map(|l| tagged(l, name)), size(&[a - y.expr() * &spin, b + x.expr() * spin]))
+            }
+            (Q::KineticEnergy, _) => {
+                let each = blow.bodies.iter().flat_map(|b| {
+                    let straight = b.a.map(|v| b.mass.by(square(v)));
+                    let spin = b.alpha.map_or(ZERO, |w| sum(b.inertia.iter().map(Factors::expr)) * square(w));
+                    straight.into_iter().chain([spin])
+                });
+                (
+                    ["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned),
+                    ratio(1, 2) * sum(each.collect::<Vec<_>>()),
+                )
+            }
+            _ => return None,
+        };
+        Some(self.page.find_once(&[&names[0], &names[1]], label.quantity.unit(), is))
+    }
+    fn spring_inertia(&mut self) -> Expr {
+        let speeds = self.speeds();
+        self.inertia(&speeds).expr()
+    }
+    /// The impulse of a joint, to the right or up where it has both.
+    fn impulse_of(
+        &mut self,
+        impulses: &[(usize, SymbolId)],
+        joint: usize,
+        quantity: Quantity,
+    ) -> Result<Option<SymbolId>, DerivationStop> {
+        let own: Vec<SymbolId> = impulses.iter().filter(|(j, _)| *j == joint).map(|(_, s)| *s).collect();
+        let i = usize::from(quantity == Quantity::ImpulseY);
+        if !self.pivot.as_ref().is_some_and(|p| p.radial) {
+            return Ok(own.get(i).copied());
+        }
+        // The place of the blow is that of the start.
+        self.here = if self.scene.end == End::AtOnce { END } else { START };
+        let shares = own.iter().zip(self.basis());
+        let is = positive_first(shares.map(|(impulse, unit)| unit[i].times(*impulse).expr()));
+        self.here = END;
+        Ok(Some(self.page.find_once(&[["J_x", "S_x"], ["J_y", "S_y"]][i], "N s", is)))
+    }
+    /// The moment of all couples, positive with a growing angle.
+    fn couple(&mut self) -> Expr {
+        let couples = self.scene.couples.iter();
+        let each = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
+        positive_first(each.collect::<Vec<_>>())
+    }
+    /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
+    pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
+        let angle = self.turns[0].at[END].uses();
+        let kept: Vec<f64> = angle.iter().map(|a| self.symbols.value(*a)).collect();
+        angle.iter().for_each(|a| self.symbols.place(*a, degrees));
+        let value = self.page.expanded(of).value(&self.symbols);
+        angle.iter().zip(kept).for_each(|(a, x)| self.symbols.place(*a, x));
+        value
+    }
+    /// The square of the angular speed of a body on a pin, by the balance of work.
+    pub fn square(&self, pivot: &Pivot) -> Expr {
+        let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
+        self.page.expanded(&square)
+    }
+    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
+    /// cosine takes away.
+    fn time(&mut self) -> f64 {
+        let Some(square) = self.pivot.as_ref().map(|p| self.square(p)) else { return f64::NAN };
+        let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
+        let (half, pieces) = (0.5 * (last - first).abs(), 40);
+        let step = std::f64::consts::PI / f64::from(pieces);
+        let mut pace = |theta: f64| {
+            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
+            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
+            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
+        };
+        let mut piece = |i: i32| {
+            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
+            gauss::mean(&places.collect::<Vec<f64>>())
+        };
+        step * (0..pieces).map(&mut piece).sum::<f64>()
+    }
+
     fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
         let speed = self.speed(point, None);
         let speed = if self.value(&speed) < 0.0 { -speed } else { speed };
@@ -1747,11 +2199,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The inertia of the motion at the start, from the places of the key.
     pub fn first_inertia(&self) -> f64 {
-        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
-        let Some(poses) = Layout::new(self.scene, &numbers).and_then(|l| l.poses::<Jet<f64>>(0.0, false))
-        else {
-            return f64::NAN;
-        };
+        let Some(poses) = self.poses(0.0, false) else { return f64::NAN };
         let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let v = poses[b].point([self.value(&it.centre.expr()), 0.0]).map(|x| x.first);
             let (spin, _) = poses[b].turn();

@@ -4,14 +4,12 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Arm, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Pin,
-    Quantity, Rest, RotaryInertia, Shape, Slope, Start, Tie, Zero,
+    AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Quantity,
+    RotaryInertia, Shape, Slope, Start, Tie,
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
-use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, number, product, root, signed, sine, square, sum,
-};
+use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, square, sum};
 use crate::solution::factors::{Cancel, Factors};
 use crate::solve::outcome::Entry;
 
@@ -20,8 +18,6 @@ use crate::solve::outcome::Entry;
 pub enum ForceSource {
     /// The weight of this body.
     Weight(usize),
-    /// The spring on this pinned body.
-    Spring(usize),
     /// A couple, by index.
     Couple(usize),
     /// A tie, by index.
@@ -91,74 +87,6 @@ pub struct BodyTerms {
     pub slips: bool,
 }
 
-/// What holds a body on a pin: its moments vary with the angle, so they are written for any angle.
-#[derive(Debug, Clone)]
-pub struct Pivot {
-    /// Does the angle count from upright?
-    pub up: bool,
-    /// Any angle on the way.
-    pub angle: SymbolId,
-    /// The angle at the start.
-    pub first: Expr,
-    /// Distance from the pin to the mass centre.
-    pub h: Expr,
-    /// Moment of inertia about the mass centre, as the sum that it is.
-    pub own: Expr,
-    /// Moment of inertia about the pin.
-    pub about: SymbolId,
-    /// Component of the force of the pin along the line to the mass centre, positive toward the pin.
-    pub radial: SymbolId,
-    /// The other component, positive with growing angle.
-    pub across: SymbolId,
-    /// The spring.
-    pub spring: Option<PivotSpring>,
-}
-
-/// A spring between a fixed anchor and a point of a pinned body.
-#[derive(Debug, Clone)]
-pub struct PivotSpring {
-    /// Distance from the pin to its point of the body.
-    pub b: Expr,
-    /// Its anchor, as seen from the pin.
-    pub anchor: [Expr; 2],
-    /// Stiffness.
-    pub stiffness: Expr,
-    /// Natural length, or the stretch at the start where that is given.
-    pub rest: Expr,
-    /// Its force, positive if it pulls, and the components of its direction, outward and across.
-    pub force: [SymbolId; 3],
-}
-
-impl Pivot {
-    /// What sets the heights apart of the mass centre at two angles, over the distance from the pin: `cos a - cos b` from upright.
-    pub fn sinking(&self, from: &Expr, to: &Expr) -> Expr {
-        if self.up { cosine(from) - cosine(to) } else { cosine(to) - cosine(from) }
-    }
-}
-
-impl PivotSpring {
-    /// Anchor as seen from the pin at an angle, along the body outward.
-    fn along(&self, up: bool, angle: &Expr) -> Expr {
-        let [x, y] = &self.anchor;
-        x * sine(angle) + signed(y * cosine(angle), up)
-    }
-
-    /// Its length at an angle, by the law of cosines.
-    pub fn length(&self, up: bool, angle: &Expr) -> Expr {
-        let [x, y] = &self.anchor;
-        let twice = product([number(2), self.b.clone(), self.along(up, angle)]);
-        root(square(x) + square(y) + square(&self.b) - twice)
-    }
-
-    /// What force and direction are at an angle and a length.
-    pub fn law(&self, up: bool, angle: &Expr, length: &Expr) -> [Expr; 3] {
-        let [x, y] = &self.anchor;
-        let side = x * cosine(angle) - signed(y * sine(angle), up);
-        let out = self.along(up, angle) - &self.b;
-        [&self.stiffness * (length - &self.rest), out / length, side / length]
-    }
-}
-
 /// The terms of a scene.
 #[derive(Debug, Clone)]
 pub struct Terms {
@@ -174,8 +102,6 @@ pub struct Terms {
     pub tied: bool,
     /// And does it move? Not where a contact holds by friction.
     pub one: bool,
-    /// The pin of a pinned body.
-    pub pivot: Option<Pivot>,
 }
 
 /// Friction or tension of a tie as a symbol.
@@ -192,11 +118,8 @@ impl Terms {
         let lead = draft.scene.ending_coordinate();
         let g = gravity(draft);
         let parts = parts(draft, rolled);
-        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true, pivot: None };
+        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true };
         this.act(draft, rolled);
-        if let Some((body, pin)) = draft.scene.pinned() {
-            this.hang(draft, body, pin);
-        }
         this.tied = this.ratios(draft, rolled).is_some();
         if !this.tied {
             for part in &mut this.parts {
@@ -267,58 +190,6 @@ impl Terms {
             self.push(ForceSource::Couple(i), ForceKind::Given, false, c.body, force, levers);
         }
         self.weigh(draft);
-    }
-
-    /// The pin of a body, its weight and its spring at any angle.
-    fn hang(&mut self, draft: &mut Draft, body: usize, pin: &Pin) {
-        let tex = draft.free(&[r"\phi", r"\varphi", r"\theta", r"\beta"]);
-        let first = draft.number(pin.start_deg, &format!("{tex}_0"), "deg");
-        let angle = draft.symbols.given(&tex, f64::NAN, "", "", true);
-        let h = match pin.arm {
-            Arm::Distance(h) => draft.number(h, "h", "m"),
-            Arm::HalfOf(l) => draft.number(l, "L", "m") / number(2),
-        };
-        let about = draft.named(&["I_O", "J_O"], "kg m^2");
-        let (radial, across) = (draft.named(&["R", "O_r"], "N"), draft.named(&["S", "O_t"], "N"));
-        let up = pin.from == Zero::Upright;
-        let arm = Factors::of(&sine(angle)).signed(if up { 1 } else { -1 });
-        let part = &mut self.parts[body];
-        let own = sum(part.inertia.iter().map(Factors::expr));
-        part.inertia = vec![about.factors()];
-        let weight = part.mass.by(&self.g);
-        let levers = [Factors::zero(), arm.times(&h)];
-        self.push(ForceSource::Weight(body), ForceKind::Given, false, body, weight, levers);
-        let spring = pin.spring.map(|s| {
-            let force = [(["F_s", r"F_{\mathrm{s}}"], "N"), (["n_r", "c_r"], "1"), (["n_t", "c_t"], "1")];
-            let force = force.map(|(names, unit)| draft.named(&names, unit));
-            let b = draft.number(s.at_m, "b", "m");
-            let levers = [Factors::zero(), b.factors().times(force[2])];
-            self.push(ForceSource::Spring(body), ForceKind::Spring, false, body, force[0].into(), levers);
-            PivotSpring {
-                b,
-                anchor: [draft.number(s.x_m, "x_A", "m"), draft.number(s.y_m, "y_A", "m")],
-                stiffness: draft.number(s.stiffness_n_m, "k_s", "N/m"),
-                rest: match s.rest {
-                    Rest::Length(l) => draft.number(l, "l_0", "m"),
-                    Rest::Stretch(stretch) => draft.number(stretch, r"\delta_0", "m"),
-                },
-                force,
-            }
-        });
-        self.pivot = Some(Pivot { up, angle, first, h, own, about, radial, across, spring });
-    }
-
-    /// The forces on a pinned body but the pin's own, toward the pin and across, with growing angle.
-    pub fn beside_the_pin(&self, pivot: &Pivot) -> [Expr; 2] {
-        let weight = self.parts[self.lead.body].mass.by(&self.g);
-        let [toward, across] =
-            [cosine(pivot.angle), sine(pivot.angle)].map(|w| signed(weight.by(w), pivot.up));
-        match &pivot.spring {
-            Some(PivotSpring { force: [pull, out, side], .. }) => {
-                [toward - *pull * *out, across + *pull * *side]
-            }
-            None => [toward, across],
-        }
     }
 
     fn push(
