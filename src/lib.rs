@@ -102,6 +102,8 @@
 //! [`picture`].
 //! A new joint in the plane: a variant in [`scene::planar`], how it places a body in [`scene::pose`], its rows in
 //! `solve/eom/planar.rs` and its virtual motion in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
+//! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], its force in `solve/eom/planar.rs` and its
+//! work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
@@ -114,7 +116,8 @@
 //! Rigid bodies in a plane. On lines and axles: velocity ratios that do not change with the position, cords without mass that run
 //! parallel to the line of the body they leave, one spring; one freedom, or more from rest under constant forces, or one body thrown
 //! with slip. About a pin: one body. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
-//! number at an instant from rest or just after a blow; a drive at an instant alone.
+//! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
+//! Gears and belts join wheels about fixed axles.
 pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]

@@ -322,12 +322,10 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         let rows = vec![view.label(strut.stiffness_n_m, units[0]), view.label(rest, units[1])];
         if strut.twists() {
             // A spiral about the point, out from it by half turns.
-            let half = |i: usize| {
-                let centre = near + Vec2::RIGHT * if i % 2 == 0 { 0.0 } else { 3.0 };
-                let from = if i % 2 == 0 { 0.0 } else { std::f64::consts::PI };
-                (centre, 9.0 + 3.0 * i as f64, from, from + std::f64::consts::PI)
-            };
-            (0..4).map(half).for_each(|(c, r, from, to)| board.arc(c, r, from, to, Role::Spring));
+            for (i, lower) in [0.0, 1.0, 0.0, 1.0].into_iter().enumerate() {
+                let (centre, from) = (near + Vec2::RIGHT * (3.0 * lower), std::f64::consts::PI * lower);
+                board.arc(centre, 9.0 + 3.0 * i as f64, from, from + std::f64::consts::PI, Role::Spring);
+            }
             let spots = [30.0, 150.0, -30.0, -150.0].map(Vec2::at_degrees).map(|d| (near + d * 22.0, d));
             board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots.to_vec());
             continue;
