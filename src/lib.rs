@@ -115,6 +115,9 @@
 //! parallel to the line of the body they leave, one spring; one freedom, or more from rest under constant forces, or one body thrown
 //! with slip. About a pin: one body. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
 //! number at an instant from rest or just after a blow; a drive at an instant alone; no worked solution yet.
+#[macro_use]
+mod worded;
+
 pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]

@@ -11,7 +11,7 @@ pub mod spell;
 mod table;
 
 pub use parse::{UnitFault, names};
-pub use quantity::{QuantityFault, WrittenQuantity, parse_decimal, parse_quantity};
+pub use quantity::{QuantityFault, WrittenQuantity, parse_quantity};
 
 /// Exponents of mass, length, time and angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -379,11 +379,6 @@ pub enum UnitSlip {
     Missing(&'static str),
     /// This single factor is too many.
     TooMany(&'static str),
-}
-
-/// The words for kinds of quantities.
-pub fn kinds() -> impl Iterator<Item = &'static str> {
-    table::KINDS.iter().map(|(_, word)| *word)
 }
 
 impl fmt::Display for Unit {
