@@ -381,6 +381,11 @@ pub enum UnitSlip {
     TooMany(&'static str),
 }
 
+/// The words for kinds of quantities.
+pub fn kinds() -> impl Iterator<Item = &'static str> {
+    table::KINDS.iter().map(|(_, word)| *word)
+}
+
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.ascii)
