@@ -1,6 +1,7 @@
 //! What is wrong in somebody's file: where, which value, and what would be right.
 use std::fmt;
 use std::ops::{Deref, DerefMut};
+use std::path::Path;
 use std::slice;
 use std::vec;
 
@@ -45,6 +46,10 @@ impl Finding {
     /// A finding about `field`, with no place in the file yet.
     pub fn new(field: impl Into<String>, message: impl Into<String>) -> Self {
         Self { file: None, at: None, field: field.into(), message: message.into(), hint: None }
+    }
+    /// A finding about a file or a folder as a whole.
+    pub fn of_file(path: &Path, message: impl Into<String>) -> Self {
+        Self::new("", message).in_file(path.display().to_string())
     }
     /// Adds what would be right.
     #[must_use]

@@ -118,6 +118,9 @@
 //! with slip. About a pin: one body. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
 //! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
 //! Gears and belts join wheels about fixed axles.
+#[macro_use]
+mod worded;
+
 pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]

@@ -92,7 +92,6 @@ pub fn is_template(name: &str) -> bool {
 
 /// All templates of one language, compiled: one engine for each format, built once and shared by all threads.
 pub struct Templates {
-    language: String,
     engines: Vec<(&'static str, Tera)>,
     /// Where the templates given by the user came from: name to path.
     files: BTreeMap<String, String>,
@@ -217,8 +216,7 @@ impl Templates {
             engines.push((end, engine));
         }
         if faults.is_empty() {
-            let (language, within) = (language.to_owned(), BTreeMap::new());
-            Ok(Self { language, engines, files, within, metered: all_metered })
+            Ok(Self { engines, files, within: BTreeMap::new(), metered: all_metered })
         } else {
             Err(faults)
         }
@@ -233,11 +231,6 @@ impl Templates {
             Ok(templates) => templates,
             Err(faults) => panic!("a built-in template cannot be read: {faults:?}"),
         }
-    }
-
-    /// Code of the language.
-    pub fn language(&self) -> &str {
-        &self.language
     }
 
     /// The engine of a name; that of Markdown for names without an ending, which stand in a bank.
@@ -284,8 +277,6 @@ impl Templates {
         Ok(names)
     }
 
-    /// Appends the text of a template to `out`; its name says which format it is.
-    ///
     /// What a template comes to.
     ///
     /// # Errors
@@ -302,6 +293,8 @@ impl Templates {
     pub fn markdown(&self, name: &str, view: &View) -> Result<String, Finding> {
         Ok(String::from_utf8_lossy(&self.made(name, view)?).trim_end().to_owned() + "\n")
     }
+    /// Appends the text of a template to `out`; its name says which format it is.
+    ///
     /// # Errors
     /// A name that the view does not hold, with file, line and column.
     pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {

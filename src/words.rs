@@ -8,8 +8,7 @@ mod lists;
 pub mod plain;
 
 use rustc_hash::FxHashMap;
-use serde::Serialize;
-use serde_json::Value;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -45,7 +44,7 @@ pub struct Words {
 }
 
 /// Phrases by name in one language, as they are handed to a page.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Phrases {
     /// Code of the language.
     pub language: String,
@@ -53,18 +52,6 @@ pub struct Phrases {
     pub decimal: char,
     /// The phrases.
     pub phrases: BTreeMap<String, String>,
-}
-
-impl Phrases {
-    /// The phrases in this JSON, as they are handed to a page.
-    pub fn of(value: &Value) -> Option<Self> {
-        let phrase = |(name, phrase): (&String, &Value)| Some((name.clone(), phrase.as_str()?.to_owned()));
-        Some(Self {
-            language: value.get("language")?.as_str()?.to_owned(),
-            decimal: value.get("decimal")?.as_str()?.chars().next()?,
-            phrases: value.get("phrases")?.as_object()?.iter().map(phrase).collect::<Option<_>>()?,
-        })
-    }
 }
 
 impl Words {

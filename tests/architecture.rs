@@ -5,6 +5,7 @@ use std::path::Path;
 /// Room (or one file of it) and the rooms that it may use besides itself. The most specific name wins.
 const DOORS: &[(&str, &[&str])] = &[
     ("finding", &[]),
+    ("worded", &[]),
     ("csv_field", &[]),
     ("num", &[]),
     ("units", &["num"]),

@@ -448,15 +448,6 @@ impl Batch {
             *fault = Some(RecordFault::Bytes);
         }
     }
-
-    /// The delimiter of the file.
-    pub fn delimiter(&self) -> u8 {
-        self.shape.delimiter
-    }
-    /// Bytes held, for progress.
-    pub fn size(&self) -> usize {
-        self.bytes.len()
-    }
 }
 
 /// UTF-8, or else Windows-1252.
@@ -688,26 +679,31 @@ impl RecordSource {
                     lines += walked.lines;
                 }
             }
-            batch.line = self.line;
-            batch.shape = shape;
-            batch.simple = simple;
-            batch.decoded = self.decoded;
-            batch.number = self.batches;
-            batch.read_so_far = self.read_so_far;
+            // no end within reach: one unreadable record, and the rest of its line is passed over
+            self.skipping = cut == 0;
+            let shown = if cut == 0 { data.len().min(4 * SHOWN) } else { cut };
             batch.bytes.clear();
-            batch.overlong = cut == 0;
-            self.batches += 1;
-            if cut == 0 {
-                // no end within reach: one unreadable record, and the rest of its line is passed over
-                batch.bytes.extend_from_slice(&data[..data.len().min(4 * SHOWN)]);
-                self.skipping = true;
-                return Ok(true);
-            }
-            batch.bytes.extend_from_slice(&data[..cut]);
+            batch.bytes.extend_from_slice(&data[..shown]);
+            self.tell(batch, simple, cut == 0);
             self.start += cut;
             self.line += lines;
             return Ok(true);
         }
+    }
+
+    /// Tells a batch what it is besides its bytes.
+    fn tell(&mut self, batch: &mut Batch, simple: bool, overlong: bool) {
+        *batch = Batch {
+            bytes: std::mem::take(&mut batch.bytes),
+            line: self.line,
+            shape: self.shape,
+            simple,
+            overlong,
+            decoded: self.decoded,
+            read_so_far: self.read_so_far,
+            number: self.batches,
+        };
+        self.batches += 1;
     }
 
     /// Reads straight into the batch up to a line end, where all that is read has neither quotes nor lone CRs. `false`:
@@ -734,14 +730,7 @@ impl RecordSource {
         self.buffer.clear();
         self.buffer.extend_from_slice(rest);
         batch.bytes.truncate(cut);
-        batch.line = self.line;
-        batch.shape = self.shape;
-        batch.simple = true;
-        batch.decoded = false;
-        batch.overlong = false;
-        batch.number = self.batches;
-        batch.read_so_far = self.read_so_far;
-        self.batches += 1;
+        self.tell(batch, true, false);
         self.line += memchr::memchr_iter(b'\n', &batch.bytes).count() as u64;
         Ok(true)
     }

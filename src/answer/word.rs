@@ -1,44 +1,31 @@
 //! The words that answer a question, or give a number its sign, in both languages.
 use crate::answer::read::WhyUnreadable;
 
-/// A word that answers a question or gives a number its sign.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AnswerWord {
-    /// Up, positive.
-    Up,
-    /// Down, negative.
-    Down,
-    /// Forward, positive.
-    Forward,
-    /// Back, negative.
-    Back,
-    /// To the right: a direction on a level only.
-    Right,
-    /// To the left.
-    Left,
-    /// Does not move.
-    Stays,
-    /// Yes.
-    Yes,
-    /// No.
-    No,
+worded! {
+    /// A word that answers a question or gives a number its sign.
+    AnswerWord {
+        /// Up, positive.
+        Up "up",
+        /// Down, negative.
+        Down "down",
+        /// Forward, positive.
+        Forward "forward",
+        /// Back, negative.
+        Back "back",
+        /// To the right: a direction on a level only.
+        Right "right",
+        /// To the left.
+        Left "left",
+        /// Does not move.
+        Stays "stays",
+        /// Yes.
+        Yes "yes",
+        /// No.
+        No "no",
+    }
 }
 
 impl AnswerWord {
-    /// As keys write it.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            AnswerWord::Up => "up",
-            AnswerWord::Down => "down",
-            AnswerWord::Forward => "forward",
-            AnswerWord::Back => "back",
-            AnswerWord::Right => "right",
-            AnswerWord::Left => "left",
-            AnswerWord::Stays => "stays",
-            AnswerWord::Yes => "yes",
-            AnswerWord::No => "no",
-        }
-    }
     /// 1 or -1 for a direction.
     pub const fn sign(self) -> Option<f64> {
         match self {

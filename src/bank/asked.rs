@@ -84,9 +84,10 @@ fn read(
         let name = quantity.and_then(Node::text).map_or(id, str::trim);
         let label = checks::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
         if label.quantity.is_word() {
-            faults
-                .at(quantity.unwrap_or(key), told!("`{name}` is answered with a word; `if:` is for numbers"));
-            return None;
+            return faults.refuse(
+                quantity.unwrap_or(key),
+                told!("`{name}` is answered with a word; `if:` is for numbers"),
+            );
         }
         let powers = measure::own_powers(label.quantity.unit()).map(|p| p / 4);
         let (formula, unit) = (Formula::new(vec![Step::Name(term(label))]), label.quantity.unit().to_owned());
@@ -119,16 +120,14 @@ fn read(
     let dimension = measure::powers_text(expression.powers);
     let Some(unit) = unit else {
         let hint = told!("write its unit; the expression has the dimension {dimension}");
-        faults.hint(node, told!("`{id}` asks for an expression, and `unit` is missing"), hint);
-        return None;
+        return faults.refuse_with(node, told!("`{id}` asks for an expression, and `unit` is missing"), hint);
     };
     // A unit that is none is told where questions are read.
     let read = Unit::parse(unit.text().unwrap_or("").trim()).ok()?;
     if measure::powers(&read) != expression.powers {
         let found = measure::powers_text(measure::powers(&read));
         let message = told!("`{}` has the dimension {dimension}, its unit {found}", shorten(&written_text));
-        faults.hint(unit, message, told!("a unit such as {dimension}"));
-        return None;
+        return faults.refuse_with(unit, message, told!("a unit such as {dimension}"));
     }
     let formula = expression.formula().map(&mut |name| match name {
         Name::Datum(datum, degrees) => {
@@ -150,20 +149,21 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
     }
     let Some(other) = scene.as_if(how) else {
         let hint = "take `if:` away, or write a contact: `rolls`, `slips`, `touches` or `slides`";
-        faults.hint(node, "no contact of this scene could be another", hint);
-        return None;
+        return faults.refuse_with(node, "no contact of this scene could be another", hint);
     };
     if scene.thrown().is_some() {
         let message = "a body that is thrown with slip has a speed and a spin of its own: it cannot be taken as if it rolled or were smooth";
-        faults.hint(node, message, "ask for `a_rolling` or `friction_if_rolled`, or take `if:` away");
-        return None;
+        return faults.refuse_with(
+            node,
+            message,
+            "ask for `a_rolling` or `friction_if_rolled`, or take `if:` away",
+        );
     }
     let own = Faults::default();
     checks::structure(&other, node, &own);
     if let Some(why) = own.into_sorted("").iter().next() {
         let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
-        faults.at(node, told!("as if it {so}, this scene is not solved: {}", why.message));
-        return None;
+        return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));
     }
     scene.formulas.others.push((how, other));
     Some(scene.formulas.others.len() - 1)

@@ -200,8 +200,7 @@ fn part(name: &str, at: &Node, faults: &Faults) -> Option<PolicyPart> {
     };
     if problem.is_empty() || part == Some("") {
         let hint = "number or id of the problem, a point, id of the part: `1.omega`";
-        faults.hint(at, format!("`{}` is no part of a problem", shorten(name)), hint);
-        return None;
+        return faults.refuse_with(at, format!("`{}` is no part of a problem", shorten(name)), hint);
     }
     Some(PolicyPart { problem: problem.to_owned(), part: part.map(str::to_owned), at: (at.line, at.column) })
 }
@@ -225,13 +224,19 @@ fn moment(node: &Node, (zone, day_first): &Dates, faults: &Faults) -> Option<i64
     let shown = time::parse(text).filter(|m| certain(m) && text.contains(':'));
     let Some((shown, read)) = shown.and_then(|shown| Some((shown, zone.read(text)?))) else {
         let hint = "for example `2026-03-09 23:59`, or `2026-03-09T23:59+01:00`";
-        faults.hint(node, format!("expected a date with the time of day, found {}", node.kind()), hint);
-        return None;
+        return faults.refuse_with(
+            node,
+            format!("expected a date with the time of day, found {}", node.kind()),
+            hint,
+        );
     };
     if !shown.zoned && zone.skips(shown.micros[order]) {
         let hint = "clocks are put forward over it";
-        faults.hint(node, format!("there is no such time in {}: {}", zone.name(), node.kind()), hint);
-        return None;
+        return faults.refuse_with(
+            node,
+            format!("there is no such time in {}: {}", zone.name(), node.kind()),
+            hint,
+        );
     }
     let at = read.micros[order];
     // 23:59 includes its last second, unless seconds are written.

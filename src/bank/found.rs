@@ -19,25 +19,24 @@ pub fn only<'n>(
         ([symbol], []) => {
             let message =
                 told!("`{symbol}` is unknown, and nothing is measured from which it could be found");
-            faults.hint(problem, message, "give a datum `measured:` and a quantity, such as `measured: t`");
-            None
+            faults.refuse_with(
+                problem,
+                message,
+                "give a datum `measured:` and a quantity, such as `measured: t`",
+            )
         }
-        ([], [(_, node), ..]) => {
-            faults.hint(
-                node,
-                "this is measured, and nothing is unknown",
-                "write `unknown: 1 to 3 step 0.1` for a datum",
-            );
-            None
-        }
+        ([], [(_, node), ..]) => faults.refuse_with(
+            node,
+            "this is measured, and nothing is unknown",
+            "write `unknown: 1 to 3 step 0.1` for a datum",
+        ),
         _ => {
             let at = measured.get(1).map_or(problem, |(_, node)| *node);
-            faults.hint(
+            faults.refuse_with(
                 at,
                 "one datum is found from one measurement",
                 "keep one `unknown:` and one `measured:`",
-            );
-            None
+            )
         }
     }
 }

@@ -137,8 +137,7 @@ fn is_id(text: &str) -> bool {
 /// The scene with some of its fields replaced, read by the reader of scenes.
 fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
     let (Value::Map(old), Value::Map(new)) = (&case.node.value, &changes.value) else {
-        faults.at(changes, told!("expected fields of a scene, found {}", changes.kind()));
-        return None;
+        return faults.refuse(changes, told!("expected fields of a scene, found {}", changes.kind()));
     };
     let mut fields = old.clone();
     for (key, value) in new {

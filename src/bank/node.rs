@@ -109,6 +109,21 @@ impl Faults {
             if let Some(h) = hint { finding.hint(h) } else { finding }
         });
     }
+    /// [`Faults::at`], where there is nothing to go on with.
+    pub fn refuse<T>(&self, node: &Node, message: impl Into<String>) -> Option<T> {
+        self.at(node, message);
+        None
+    }
+    /// [`Faults::hint`], where there is nothing to go on with.
+    pub fn refuse_with<T>(
+        &self,
+        node: &Node,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Option<T> {
+        self.hint(node, message, hint);
+        None
+    }
     #[cfg(feature = "program")]
     fn push(&self, node: &Node, finding: impl FnOnce() -> Finding) {
         let finding = if node.line > 0 { finding().at(node.line, node.column) } else { finding() };
@@ -154,8 +169,7 @@ impl<'n> Fields<'n> {
     /// Opens a map; anything else is a finding.
     pub fn open(node: &'n Node, what: &str, faults: &'n Faults) -> Option<Self> {
         let Value::Map(entries) = &node.value else {
-            faults.at(node, told!("expected {what}, found {}", node.kind()));
-            return None;
+            return faults.refuse(node, told!("expected {what}, found {}", node.kind()));
         };
         for (i, (key, _)) in entries.iter().enumerate() {
             if WHOLE

@@ -162,10 +162,7 @@ fn plain_id(text: &str) -> bool {
 fn id(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     match node.text() {
         Some(t) if plain_id(t) => Some(t.to_owned()),
-        _ => {
-            faults.hint(node, told!("{} is no id of {what}", node.kind()), ID_HINT);
-            None
-        }
+        _ => faults.refuse_with(node, told!("{} is no id of {what}", node.kind()), ID_HINT),
     }
 }
 
@@ -174,17 +171,10 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
     match measure::decimal_constant(node.text().unwrap_or("")) {
         Ok((value, unit)) if measure::fits(&unit, "m/s^2") && value.value > 0 => Some((value, unit)),
         Ok((_, unit)) if !measure::fits(&unit, "m/s^2") => {
-            faults.hint(node, told!("{} is no acceleration of free fall", node.kind()), example);
-            None
+            faults.refuse_with(node, told!("{} is no acceleration of free fall", node.kind()), example)
         }
-        Ok(_) => {
-            faults.hint(node, "the acceleration of free fall is above 0", example);
-            None
-        }
-        Err(message) => {
-            faults.hint(node, message, example);
-            None
-        }
+        Ok(_) => faults.refuse_with(node, "the acceleration of free fall is above 0", example),
+        Err(message) => faults.refuse_with(node, message, example),
     }
 }
 
@@ -229,24 +219,22 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         if share > 0.0 && share < 1.0 {
             return Some(share);
         }
-        faults.hint(
+        faults.refuse_with(
             n,
             told!("a relative tolerance of {} makes no sense", n.kind()),
             "above 0 and below 100 %",
-        );
-        None
+        )
     };
     if node.text().is_some_and(|t| t.trim() == "widens with cond") {
         return Some(Relative::WIDENS);
     }
     if !matches!(node.value, Value::Map(_)) {
         if node.text().is_some_and(|t| t.trim_start().starts_with(|c: char| c.is_alphabetic())) {
-            faults.hint(
+            return faults.refuse_with(
                 node,
                 told!("expected a relative tolerance, found {}", node.kind()),
                 "write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`",
             );
-            return None;
         }
         return sound(node).map(Relative::Fixed);
     }
@@ -257,8 +245,7 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
     fields.close();
     let (least, per_cond, most) = (least?, per_cond?, most?);
     if least > most {
-        faults.at(node, "the least tolerance is above the most");
-        return None;
+        return faults.refuse(node, "the least tolerance is above the most");
     }
     Some(Relative::Widens { least, per_cond, most })
 }
@@ -270,23 +257,16 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
     let relative = fields.get("relative").and_then(|n| self::relative(n, faults));
     let absolute = fields.get("absolute").and_then(|n| {
         let Some(unit) = unit else {
-            faults.hint(
+            return faults.refuse_with(
                 n,
                 "an absolute tolerance needs a unit, so it belongs to a question",
                 "move it there",
             );
-            return None;
         };
         match measure::constant(n.text().unwrap_or(""), unit.ascii()) {
             Ok(x) if x >= 0.0 => Some(x),
-            Ok(_) => {
-                faults.at(n, "a tolerance is not negative");
-                None
-            }
-            Err(message) => {
-                faults.hint(n, message, told!("for example `0.5 {}`", unit.ascii()));
-                None
-            }
+            Ok(_) => faults.refuse(n, "a tolerance is not negative"),
+            Err(message) => faults.refuse_with(n, message, told!("for example `0.5 {}`", unit.ascii())),
         }
     });
     fields.close();
@@ -703,15 +683,11 @@ impl CaseRead<'_> {
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     let Some(text) = node.text() else {
-        faults.hint(node, told!("expected a draw, found {}", node.kind()), draw::FORMS);
-        return None;
+        return faults.refuse_with(node, told!("expected a draw, found {}", node.kind()), draw::FORMS);
     };
     match draw::parse(text) {
         Ok(draw) => Some(draw),
-        Err((message, hint)) => {
-            faults.hint(node, message, hint);
-            None
-        }
+        Err((message, hint)) => faults.refuse_with(node, message, hint),
     }
 }
 
@@ -961,12 +937,11 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
         match checks::label(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
-                faults.hint(
+                return faults.refuse_with(
                     place,
                     told!("`{name}` belongs to another body in the case `{case}`"),
                     "list the bodies of all cases in the same order",
                 );
-                return None;
             }
             Err((message, hint)) => {
                 let message = if case.is_empty() { message } else { told!("{message} (case `{case}`)") };
@@ -988,8 +963,7 @@ fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faul
         Ok(unit) => told!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
         Err(message) => message,
     };
-    faults.hint(node, message, told!("for example `unit: {}`", quantity.unit()));
-    None
+    faults.refuse_with(node, message, told!("for example `unit: {}`", quantity.unit()))
 }
 
 /// Wrong methods near which an answer may lie, with the reasons.
@@ -1077,14 +1051,13 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             let (number, unit) = match measure::decimal_constant(n.text().unwrap_or("")) {
                 Ok(read) => read,
                 Err(message) => {
-                    faults.at(n, message);
-                    return None;
+                    return faults.refuse(n, message);
                 }
             };
             let found = measure::powers(&unit);
             if found != expression.powers && !(number.value == 0 && unit.is_number()) {
                 let wanted = measure::powers_text(expression.powers);
-                faults.hint(
+                return faults.refuse_with(
                     n,
                     told!(
                         "`{}` has the dimension {wanted}, this limit {}",
@@ -1093,7 +1066,6 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                     ),
                     told!("write the unit of the limit, for example `{} {wanted}`", number.text()),
                 );
-                return None;
             }
             Some(unit.decimal_to_si(number.value, number.decimals))
         };

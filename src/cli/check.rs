@@ -17,7 +17,7 @@ use std::path::Path;
 /// A folder, or another file of a sheet than the one that answers are checked by.
 fn no_sheet(given: &Path, is: &str) -> Finding {
     let beside = if given.is_dir() { given.join(names::SHEET) } else { given.with_file_name(names::SHEET) };
-    let fault = Finding::new("", is).in_file(given.display().to_string());
+    let fault = Finding::of_file(given, is);
     fault.hint(match beside.is_file() {
         true => format!("answers are checked by another file: give {}", beside.display()),
         false => "give the file sheet.json that came with your sheet; the page sheet.html is for a browser"
@@ -123,9 +123,7 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     for hint in hints {
         io.line(&hint);
     }
-    if !faults.is_empty() {
-        return Err(faults);
-    }
+    faults.into_result(())?;
     Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
 }
 

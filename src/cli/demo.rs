@@ -142,7 +142,7 @@ fn kinds_and_verdicts(root: &Path) -> Result<String, Findings> {
     };
     let head = ["rows"].into_iter().chain(met.iter().copied()).chain(["all"]).map(str::to_owned).collect();
     let rows: Vec<Vec<String>> =
-        [head].into_iter().chain(TrueKind::ALL.iter().map(|kind| row(kind.name()))).collect();
+        [head].into_iter().chain(TrueKind::ALL.iter().map(|kind| row(kind.as_str()))).collect();
     Ok(terminal::table(&rows, &[0]))
 }
 

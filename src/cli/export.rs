@@ -24,7 +24,7 @@ pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
         (ExportFormat::Canvas, None) => QuestionLayout::Parts,
         (_, Some(_)) => {
             return Err(
-                Finding::new("--as", format!("is for moodle, and not for {}", args.format.name())).into()
+                Finding::new("--as", format!("is for moodle, and not for {}", args.format.as_str())).into()
             );
         }
         _ => QuestionLayout::Whole,
@@ -64,7 +64,7 @@ pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
         terminal::count(made.variants, "variant"),
         terminal::count(made.problems, "problem"),
         terminal::count(made.questions, "question"),
-        args.format.name(),
+        args.format.as_str(),
         made.bytes.div_ceil(1000),
         args.out.display()
     ));
@@ -75,7 +75,7 @@ pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
     }
     io.line(&format!(
         "What {} does not carry over (tolerances and points are those of the key):",
-        args.format.name()
+        args.format.as_str()
     ));
     made.losses.iter().for_each(|lost| io.line(&format!("  {lost}")));
     Ok(Exit::Fine)
@@ -119,9 +119,7 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<Pool, Findings
     )?;
     let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
     let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
-    if !tried.faults.is_empty() {
-        return Err(tried.faults);
-    }
+    tried.faults.into_result(())?;
     let name = args.name.as_ref().unwrap_or(&loaded.bank.id);
     deal::may_be_named(name)?;
     let plan = Plan {

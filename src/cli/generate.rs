@@ -28,9 +28,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
     // A name that is not known is told with its place when the sheet is written.
     if texts::unknown_names(&loaded.bank, &texts.templates).is_empty() {
         let lacking = texts::never_given(&loaded.bank, &texts.templates);
-        if !lacking.is_empty() {
-            return Err(lacking);
-        }
+        lacking.into_result(())?;
     }
     if old.is_none() {
         set::may_write(
@@ -52,9 +50,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
     let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
-    if !tried.faults.is_empty() {
-        return Err(tried.faults);
-    }
+    tried.faults.into_result(())?;
     // What only the worked solutions will lack is told now, as `lint` does, and refuses nothing.
     for fault in &tried.unsolved {
         io.note(&format!("note: {fault}"));
@@ -115,7 +111,7 @@ fn told(plan: &Plan, made: &SetMade, folder: &Path, io: &mut Io) {
         made.tries
     ));
     let mut sheets: Vec<String> =
-        plan.formats.iter().rev().map(|f| format!("sheet.{}", f.ending())).collect();
+        plan.formats.iter().rev().map(|f| format!("sheet.{}", f.as_str())).collect();
     sheets.push("sheet.json".to_owned());
     io.line(&format!("  start with:    {out}/{}", names::INDEX));
     let sheets = sheets.join(", ");

@@ -26,7 +26,7 @@ pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
         terminal::count(made.students, "student"),
         terminal::count(made.problems, "problem")
     ));
-    let files: Vec<String> = formats.iter().rev().map(|f| format!("solution.{}", f.ending())).collect();
+    let files: Vec<String> = formats.iter().rev().map(|f| format!("solution.{}", f.as_str())).collect();
     io.line(&format!("  one by one:    {out}/ID/ ({})", files.join(", ")));
     let booklets = tell::booklets(&formats, &args.out);
     if !booklets.is_empty() {

@@ -144,7 +144,7 @@ fn browser(page: &Path) -> Command {
 /// Booklets in these formats, as paths.
 pub fn booklets(formats: &[Format], folder: &Path) -> String {
     let all = formats.iter().rev().filter(|f| **f != Format::Md);
-    let all: Vec<String> = all.map(|f| format!("{}/booklet.{}", folder.display(), f.ending())).collect();
+    let all: Vec<String> = all.map(|f| format!("{}/booklet.{}", folder.display(), f.as_str())).collect();
     all.join(", ")
 }
 

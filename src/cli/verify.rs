@@ -39,8 +39,8 @@ fn strangers(args: &args::VerifyArgs, keys: &[SheetKey]) -> Result<(), Findings>
     if key_file::is_of(&stored, keys) {
         return Ok(());
     }
-    let fault = Finding::new("", "has rows of students who are not in the set, or is written otherwise");
-    let fault = fault.in_file(path.display().to_string());
+    let what = "has rows of students who are not in the set, or is written otherwise";
+    let fault = Finding::of_file(&path, what);
     Err(fault
         .hint("after an `--add` that was cut off run `generate --add` again; else put the original back")
         .into())

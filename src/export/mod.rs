@@ -18,41 +18,28 @@ use crate::bank::Problem;
 use crate::export::item::Item;
 use crate::finding::Findings;
 
-/// A platform's format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ExportFormat {
-    /// Moodle XML
-    Moodle,
-    /// QTI 1.2 in a ZIP archive, as Canvas imports it
-    Canvas,
-    /// QTI 2.1 in a ZIP archive
-    Qti21,
-    /// QTI 3.0 in a ZIP archive
-    Qti3,
+worded! {
+    /// A platform's format.
+    ExportFormat {
+        /// Moodle XML
+        Moodle "moodle",
+        /// QTI 1.2 in a ZIP archive, as Canvas imports it
+        Canvas "canvas",
+        /// QTI 2.1 in a ZIP archive
+        Qti21 "qti21",
+        /// QTI 3.0 in a ZIP archive
+        Qti3 "qti3",
+    }
 }
 
 impl ExportFormat {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Moodle, Self::Canvas, Self::Qti21, Self::Qti3];
-
     /// By its name, as people type it.
     ///
     /// # Errors
     /// There is none of this name.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let name = text.trim().to_ascii_lowercase();
-        let found = Self::ALL.into_iter().find(|p| p.name() == name);
-        found.ok_or_else(|| "the formats are moodle, canvas, qti21 and qti3".to_owned())
-    }
-
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Moodle => "moodle",
-            Self::Canvas => "canvas",
-            Self::Qti21 => "qti21",
-            Self::Qti3 => "qti3",
-        }
+        let format = Self::of_word(&text.trim().to_ascii_lowercase());
+        format.ok_or_else(|| "the formats are moodle, canvas, qti21 and qti3".to_owned())
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::bank::Problem;
 use crate::figure::view::SceneView;
 use crate::picture::{TextRun, symbol};
-use crate::scene::{Body, Cord, Far, Mass, Num, RotaryInertia, Scene, Shape, Slope, Tie};
+use crate::scene::{Body, Far, Mass, Num, RotaryInertia, Scene, Shape, Slope, Tie};
 use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
@@ -55,18 +55,6 @@ pub fn body_within(words: &Words, scene: &Scene, index: usize) -> String {
         Some((word, mark)) => format!("{} {mark}", word.to_lowercase()),
         None => name.to_lowercase(),
     }
-}
-
-/// A cord in words, by what it ties: `between wheel and pulley`.
-pub fn cord(words: &Words, scene: &Scene, cord: &Cord) -> String {
-    let one = body_within(words, scene, cord.from.body);
-    let other = match &cord.to {
-        Far::Body(end) => body_within(words, scene, end.body),
-        Far::Fixed => words.get("solution.cord.fixed").to_owned(),
-        Far::Spring { .. } => words.get("solution.cord.spring").to_owned(),
-        Far::Pull(_) => words.get("solution.cord.pull").to_owned(),
-    };
-    words.say("solution.cord.between", &[("one", &one), ("other", &other)])
 }
 
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.

@@ -213,23 +213,14 @@ impl<'a> SceneView<'a> {
 
     /// The number that gives the mass of a body, and whether it is a weight.
     pub fn mass(&self, body: &Body) -> Option<(Num, bool)> {
-        match &body.mass {
-            Mass::Kilograms(n) => Some((*n, false)),
-            Mass::Weight(n) => Some((*n, true)),
-            Mass::OfParts => None,
-        }
+        given_mass(&body.mass)
     }
 
     /// The numbers that give its mass, or the masses of its parts.
     pub fn masses(&self, body: &Body) -> Vec<(Num, bool)> {
-        let given = |mass: &Mass| match mass {
-            Mass::Kilograms(n) => Some((*n, false)),
-            Mass::Weight(n) => Some((*n, true)),
-            Mass::OfParts => None,
-        };
         match &body.inertia {
-            Some(RotaryInertia::Parts(parts)) => parts.iter().filter_map(|p| given(&p.mass)).collect(),
-            _ => given(&body.mass).into_iter().collect(),
+            Some(RotaryInertia::Parts(parts)) => parts.iter().filter_map(|p| given_mass(&p.mass)).collect(),
+            _ => self.mass(body).into_iter().collect(),
         }
     }
 
@@ -284,6 +275,15 @@ impl<'a> SceneView<'a> {
         all.sort_by(|a, b| b.1.total_cmp(&a.1));
         all.dedup_by(|a, b| a.0 == b.0 || (a.1 - b.1).abs() <= 1e-12 * b.1.abs());
         all
+    }
+}
+
+/// The number that gives a mass, and whether it is a weight.
+fn given_mass(mass: &Mass) -> Option<(Num, bool)> {
+    match mass {
+        Mass::Kilograms(n) => Some((*n, false)),
+        Mass::Weight(n) => Some((*n, true)),
+        Mass::OfParts => None,
     }
 }
 

@@ -78,12 +78,12 @@ pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Text
     let mut files = Vec::new();
     if let Some(folder) = own {
         if !folder.is_dir() {
-            let fault = Finding::new("", "there is no such folder").in_file(folder.display().to_string());
+            let fault = Finding::of_file(folder, "there is no such folder");
             return Err(fault.into());
         }
         collect(folder, "", &mut files)?;
         if files.is_empty() {
-            let fault = Finding::new("", "holds no template").in_file(folder.display().to_string());
+            let fault = Finding::of_file(folder, "holds no template");
             return Err(fault
                 .hint("templates end in .md or .html, such as statement/pulled-rolling.md")
                 .into());

@@ -203,13 +203,10 @@ pub fn add(
     let mut keys = replay::keys(plan.bank, old)?;
     let places = || members.iter().map(|m| Path::new(names::STUDENTS).join(&m.folder));
     let taken = |place: &PathBuf| {
-        let fault = Finding::new("", "is there already, and generate did not make it");
-        fault.in_file(place.display().to_string()).hint("move it away")
+        Finding::of_file(place, "is there already, and generate did not make it").hint("move it away")
     };
     let taken: Findings = places().map(|p| out.join(p)).filter(|p| p.exists()).map(|p| taken(&p)).collect();
-    if !taken.is_empty() {
-        return Err(taken);
-    }
+    taken.into_result(())?;
     let staged = Staged::new(out)?;
     let dealt = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
     let (tries, form_is_blank) = (dealt.tries(), set::form_is_blank(out));
@@ -411,7 +408,7 @@ fn store(plan: &Plan, students: Vec<StoredStudent>, keys: &[SheetKey]) -> (Store
         program: folder::program(),
         draw_version: stream::DRAW_VERSION,
         language: plan.texts.words.language().to_owned(),
-        formats: plan.formats.iter().map(|f| f.ending().to_owned()).collect(),
+        formats: plan.formats.iter().map(|f| f.as_str().to_owned()).collect(),
         page: plan.hosting,
         bank,
         problems: plan.chosen().map(|p| p.id.clone()).collect(),

@@ -77,8 +77,7 @@ fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<Chan
     if !path.is_file() {
         return Ok(Vec::new());
     }
-    let mut rows = ChangeRow::read(&files::read(&path)?)
-        .map_err(|e| Finding::new("", e.what).in_file(path.display().to_string()))?;
+    let mut rows = ChangeRow::read(&files::read(&path)?).map_err(|e| Finding::of_file(&path, e.what))?;
     rows.retain(|row| row.student == student && row.problem == number);
     Ok(rows)
 }

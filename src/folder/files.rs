@@ -8,7 +8,7 @@ use std::time::SystemTime;
 
 /// A fault of the machine as a finding about a path.
 pub fn trouble(path: &Path, what: &str, error: &io::Error) -> Finding {
-    Finding::new("", format!("{what}: {}", in_words(error))).in_file(path.display().to_string())
+    Finding::of_file(path, format!("{what}: {}", in_words(error)))
 }
 
 fn in_words(error: &io::Error) -> String {
@@ -74,7 +74,7 @@ pub fn records(path: &Path) -> Result<Vec<CsvRecord>, Finding> {
     let mut reader =
         csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
     let records: Result<Vec<_>, _> = reader.records().collect();
-    records.map_err(|e| Finding::new("", e.to_string()).in_file(path.display().to_string()))
+    records.map_err(|e| Finding::of_file(path, e.to_string()))
 }
 
 /// The folder above a path.
@@ -135,10 +135,8 @@ pub fn has_a_name(place: &Path, example: &str) -> Result<(), Finding> {
     if place.file_name().is_some() && !stood_in().unwrap_or(false) {
         return Ok(());
     }
-    let fault = Finding::new("", "is the folder that you stand in, or above it");
-    Err(fault
-        .in_file(place.display().to_string())
-        .hint(format!("write into a new folder, such as {example}")))
+    let fault = Finding::of_file(place, "is the folder that you stand in, or above it");
+    Err(fault.hint(format!("write into a new folder, such as {example}")))
 }
 
 /// Nothing goes among what the students of a set get: into a folder `students` beside a `set.json`, or below one.
@@ -160,8 +158,8 @@ pub fn not_among_students(place: &Path) -> Result<(), Finding> {
     if !known.ancestors().any(of_a_set) {
         return Ok(());
     }
-    let fault = Finding::new("", "is within the folder of what students get");
-    Err(fault.in_file(place.display().to_string()).hint("give another --out"))
+    let fault = Finding::of_file(place, "is within the folder of what students get");
+    Err(fault.hint("give another --out"))
 }
 
 /// May a file be written here that students of a set do not get? Yes if nothing is there, or with `force` a file.
@@ -169,7 +167,7 @@ pub fn not_among_students(place: &Path) -> Result<(), Finding> {
 /// # Errors
 /// What is in the way.
 pub fn may_write_file(path: &Path, force: bool) -> Result<(), Finding> {
-    let finding = |what: &str| Finding::new("", what).in_file(path.display().to_string());
+    let finding = |what: &str| Finding::of_file(path, what);
     not_among_students(path)?;
     if path.is_dir() {
         return Err(finding("is a folder, and a file is wanted").hint("give the file a name"));
@@ -203,7 +201,7 @@ pub fn may_write_folder(
     new: &NewFolder,
     foreign: impl FnOnce() -> Result<Option<Vec<String>>, Findings>,
 ) -> Result<(), Findings> {
-    let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
+    let finding = |what: &str| Finding::of_file(out, what);
     has_a_name(out, new.example)?;
     not_among_students(out)?;
     if !out.exists() || (out.is_dir() && names_in(out).is_empty()) {
@@ -265,7 +263,6 @@ pub fn not_ours(place: &Path, foreign: &[String], verb: &str) -> Finding {
     if foreign.len() > NAMED {
         named.push_str(&format!(" and {} more", foreign.len() - NAMED));
     }
-    Finding::new("", format!("holds what `slipstick {verb}` did not make: {named}"))
-        .in_file(place.display().to_string())
+    Finding::of_file(place, format!("holds what `slipstick {verb}` did not make: {named}"))
         .hint("nothing was changed: move it elsewhere, or give another --out")
 }

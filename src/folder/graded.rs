@@ -36,14 +36,11 @@ pub struct OpenGrading {
 /// # Errors
 /// The folder is no grading, or its parts do not fit each other.
 pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> {
-    let name = folder.display().to_string();
     if !folder.is_dir() {
         let what =
             if folder.exists() { "is a file; a grading is a folder" } else { "there is no such folder" };
-        return Err(Finding::new("", what)
-            .in_file(name)
-            .hint("give the folder that `slipstick grade` made")
-            .into());
+        let fault = Finding::of_file(folder, what);
+        return Err(fault.hint("give the folder that `slipstick grade` made").into());
     }
     has_all(folder)?;
     let basis = folder.join(names::BASIS);
@@ -82,10 +79,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> 
             faults
         }
     };
-    let faults: Findings = faults.in_file(&file);
-    if !faults.is_empty() {
-        return Err(faults);
-    }
+    faults.in_file(&file).into_result(())?;
     Ok(OpenGrading { folder: folder.to_owned(), set, bank, policy, given, grading })
 }
 
@@ -99,10 +93,8 @@ fn has_all(folder: &Path) -> Result<(), Finding> {
     if missing.is_empty() {
         return Ok(());
     }
-    let fault = Finding::new("", format!("holds no {}", missing.join(", ")));
-    Err(fault
-        .in_file(folder.display().to_string())
-        .hint("give the folder that `slipstick grade` made; if an earlier version did, grade again"))
+    let fault = Finding::of_file(folder, format!("holds no {}", missing.join(", ")));
+    Err(fault.hint("give the folder that `slipstick grade` made; if an earlier version did, grade again"))
 }
 
 /// Are the marks those that were written? Large gradings are not hashed.
@@ -119,8 +111,7 @@ fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
         match hash(&path) {
             Ok(found) if found == *told => {}
             Ok(_) => faults.push(
-                Finding::new("", "is not as `slipstick grade` wrote it: its SHA-256 is another")
-                    .in_file(path.display().to_string())
+                Finding::of_file(&path, "is not as `slipstick grade` wrote it: its SHA-256 is another")
                     .hint("put the original back, or grade again; marks are changed by a course file"),
             ),
             Err(fault) => faults.push(fault),
@@ -153,10 +144,7 @@ impl OpenGrading {
 /// # Errors
 /// It cannot be read.
 pub fn each_row(path: &Path, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
-    let in_words = |fault: Unreadable| {
-        let found = Finding::new("", fault.what).at(usize::try_from(fault.line).unwrap_or(0).max(1), 1);
-        found.in_file(path.display().to_string())
-    };
+    let in_words = |fault: Unreadable| fault.in_file(path);
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
     let mut reader = AnswerReader::new(file).map_err(in_words)?;
     while let Some(row) = reader.next_row().map_err(in_words)? {
@@ -244,6 +232,5 @@ pub fn policy(
 
 /// Which attempt counts, if the command said so when it was graded.
 pub fn counts_said(grading: &StoredGrading) -> Option<Counts> {
-    let said = |(word, _): &&(&str, Counts)| grading.attempts.as_deref() == Some(word);
-    Counts::WORDS.iter().find(said).map(|(_, counts)| *counts)
+    grading.attempts.as_deref().and_then(Counts::of_word)
 }

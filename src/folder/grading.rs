@@ -77,16 +77,13 @@ pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Find
     may_write(order.out, order.force).map_err(|f| faults.extend(f)).ok();
     let from_pipe = order.submissions == Path::new("-");
     if !from_pipe && !order.submissions.exists() {
-        let fault =
-            Finding::new("", "there is no such file").in_file(order.submissions.display().to_string());
+        let fault = Finding::of_file(order.submissions, "there is no such file");
         faults.push(fault);
     }
     if let Some(language) = order.language {
         faults.extend(banks::words(language).err().unwrap_or_default());
     }
-    if !faults.is_empty() {
-        return Err(faults);
-    }
+    faults.into_result(())?;
     let Replayed { set, bank, keys, not_drawn } = set::replayed(order.set)?;
     let text = |name: &str| files::read_text(&order.set.join(name));
     let (set_text, bank_text, key_text) = (text(names::SET)?, text(&set.bank.file)?, text(names::KEY)?);
@@ -428,8 +425,7 @@ fn answers(
         run_file(path, (order.submissions, &answers), (table, rules, options), &mut out, &mut progress)?;
     // Which attempt counts was found in an earlier walk over the file.
     if files::stamp(path) != first {
-        let changed = Finding::new("", "was changed while it was graded");
-        let changed = changed.in_file(order.submissions.display().to_string());
+        let changed = Finding::of_file(order.submissions, "was changed while it was graded");
         return Err(changed.hint("grade it again, or a copy of it").into());
     }
     out.flush().map_err(|e| fault(&e))?;

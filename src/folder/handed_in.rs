@@ -92,7 +92,7 @@ pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
     }
     if let Some(made) = [names::SET, names::GRADING].into_iter().find(|name| path.join(name).is_file()) {
         let what = format!("is no folder of answers: it has {made}, which slipstick made");
-        let fault = Finding::new("", what).in_file(path.display().to_string());
+        let fault = Finding::of_file(path, what);
         return Err(fault.hint(HINT));
     }
     let mut all = JoinedFiles::default();
@@ -105,12 +105,12 @@ pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
     }
     if read.is_empty() {
         let what = format!("holds no file of answers{}", all.reasons());
-        let fault = Finding::new("", what).in_file(path.display().to_string());
+        let fault = Finding::of_file(path, what);
         return Err(fault.hint(HINT));
     }
     read.sort();
     let mut joined = csv::Writer::from_writer(Vec::new());
-    let no_room = |_| Finding::new("", "is too large to be joined").in_file(path.display().to_string());
+    let no_room = |_| Finding::of_file(path, "is too large to be joined");
     joined.write_record(COLUMNS.iter().chain([&SAVED])).map_err(no_room)?;
     csv_field::push_line(&mut all.kept, COLUMNS.iter().chain([&SAVED, &FILE]));
     for (saved, name, rows) in &read {
@@ -178,7 +178,7 @@ fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut FoundFiles) 
             continue;
         }
         if found.len() >= MOST {
-            return Err(Finding::new("", "holds too many files").in_file(folder.display().to_string()));
+            return Err(Finding::of_file(folder, "holds too many files"));
         }
         if path.is_dir() {
             if depth < DEEPEST {
@@ -196,10 +196,10 @@ fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut FoundFiles) 
 
 fn in_archive(path: &Path, found: &mut FoundFiles) -> Result<(), Finding> {
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
-    let no_archive = |_| Finding::new("", "is no ZIP archive").in_file(path.display().to_string());
+    let no_archive = |_| Finding::of_file(path, "is no ZIP archive");
     let mut archive = zip::ZipArchive::new(std::io::BufReader::new(file)).map_err(no_archive)?;
     if archive.len() > MOST {
-        return Err(Finding::new("", "holds too many files").in_file(path.display().to_string()));
+        return Err(Finding::of_file(path, "holds too many files"));
     }
     for i in 0..archive.len() {
         let Ok(entry) = archive.by_index(i) else {

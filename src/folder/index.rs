@@ -69,7 +69,7 @@ pub fn of_set<'s>(
             .iter()
             .rev()
             .map(|format| {
-                let file = format!("sheet.{}", format.ending());
+                let file = format!("sheet.{}", format.as_str());
                 (address(names::STUDENTS, &format!("{folder}/{file}")), file)
             })
             .collect(),

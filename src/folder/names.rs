@@ -80,7 +80,7 @@ pub fn is_of_set(name: &str) -> bool {
 pub fn is_of_student(name: &str, problems: usize) -> bool {
     let sheet = name.strip_prefix("sheet.");
     let figure = name.strip_prefix("problem-").and_then(|n| n.strip_suffix(".svg"));
-    sheet.is_some_and(|e| e == "json" || Format::ALL.iter().any(|f| f.ending() == e))
+    sheet.is_some_and(|e| e == "json" || Format::ALL.iter().any(|f| f.as_str() == e))
         || figure.is_some_and(|n| (1..=problems).any(|i| i.to_string() == n))
 }
 

@@ -326,10 +326,7 @@ fn read(keys: &KeyTable, folder: &Path) -> Result<Grading, Findings> {
     graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(keys, row))?;
     let path = folder.join(names::GRADEBOOK);
     let bytes = files::read(&path)?;
-    found.book(keys, bytes.as_slice()).map_err(|fault| {
-        let line = usize::try_from(fault.line).unwrap_or(1).max(1);
-        Findings::from(Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string()))
-    })?;
+    found.book(keys, bytes.as_slice()).map_err(|fault| fault.in_file(&path))?;
     Ok(found)
 }
 

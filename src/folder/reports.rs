@@ -24,7 +24,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Names of the students' files in a folder of grades, by its basis; none where there is no basis.
 pub fn folders(graded: &Path) -> BTreeSet<String> {
@@ -88,7 +88,7 @@ pub fn write(job: &ReportJob) -> Result<ReportMade, Findings> {
     let place = job.out.unwrap_or(job.graded);
     files::not_among_students(place)?;
     if !job.graded.is_dir() {
-        let fault = Finding::new("", "there is no such folder").in_file(job.graded.display().to_string());
+        let fault = Finding::of_file(job.graded, "there is no such folder");
         return Err(fault.hint("give the folder that `slipstick grade` made").into());
     }
     staged::sweep_beside(place);
@@ -136,7 +136,7 @@ fn exchange(staged: &Staged, place: &Path) -> Result<(), Finding> {
 
 /// Into the folder of the grades, or one that is not there or is empty; with `--force` over an earlier report.
 fn may_write(job: &ReportJob, place: &Path) -> Result<(), Finding> {
-    let fault = |what: &str| Finding::new("", what).in_file(place.display().to_string());
+    let fault = |what: &str| Finding::of_file(place, what);
     if place.exists() && !place.is_dir() {
         return Err(fault("is a file; a report is written to a folder"));
     }
@@ -313,14 +313,9 @@ fn inline(converter: &mut Converter, markdown: &str) -> String {
 }
 
 fn read_marks(graded: &OpenGrading, bank: &Bank, words: &Words) -> Result<Marks, Findings> {
-    let unreadable = |path: &PathBuf, fault: Unreadable| {
-        let finding = Finding::new("", fault.what).in_file(path.display().to_string());
-        let finding = if fault.line > 0 {
-            finding.at(usize::try_from(fault.line).unwrap_or(usize::MAX), 1)
-        } else {
-            finding
-        };
-        finding.hint("it is written by `slipstick grade` and not meant to be edited: grade again")
+    let unreadable = |path: &Path, fault: Unreadable| {
+        let hint = "it is written by `slipstick grade` and not meant to be edited: grade again";
+        fault.in_file(path).hint(hint)
     };
     let answers = graded.folder.join(names::ANSWERS);
     let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));

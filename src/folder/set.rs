@@ -122,11 +122,11 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
 pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
     let path = folder.join(names::SET);
     if folder.is_file() {
-        let fault = Finding::new("", "is a file; a set is a folder").in_file(folder.display().to_string());
+        let fault = Finding::of_file(folder, "is a file; a set is a folder");
         return Err(fault.hint("give the folder that `slipstick generate` made").into());
     }
     if !path.is_file() {
-        let fault = Finding::new("", "holds no set").in_file(folder.display().to_string());
+        let fault = Finding::of_file(folder, "holds no set");
         return Err(fault
             .hint("a set is a folder that `slipstick generate` made; it has a file set.json")
             .into());
@@ -211,9 +211,9 @@ pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings
     differs("name", plan.name.to_owned(), set.name.clone());
     differs("problems", ids.join(","), set.problems.join(","));
     differs("language", plan.texts.words.language().to_owned(), set.language.clone());
-    let formats: Vec<&str> = plan.formats.iter().map(|f| f.ending()).collect();
+    let formats: Vec<&str> = plan.formats.iter().map(|f| f.as_str()).collect();
     differs("formats", formats.join(","), set.formats.join(","));
-    differs("page", plan.hosting.name().to_owned(), set.page.name().to_owned());
+    differs("page", plan.hosting.as_str().to_owned(), set.page.as_str().to_owned());
     differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
     differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
     faults.into_result(())

@@ -2,9 +2,11 @@
 //!
 //! The csv crate reads. Fields are written by [`crate::csv_field`], which also keeps a spreadsheet from running them.
 use crate::csv_field::{push_text, unguarded};
+use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use std::borrow::Cow;
 use std::io::{Read, Write as _};
+use std::path::Path;
 
 /// The columns in the order in which they are written.
 pub const COLUMNS: [&str; 14] = [
@@ -125,8 +127,8 @@ impl AnswerRow<'_> {
         out.push(b',');
         out.extend_from_slice(self.verdict.as_str().as_bytes());
         for points in [self.points, self.max_points] {
-            out.push(b',');
-            push_points(out, points);
+            // Writing to a vector does not fail.
+            let _ = write!(out, ",{}", points + 0.0);
         }
         texts(out, [&self.reason, &self.methods, &self.slip, &self.credit, &self.submitted_at]);
         out.push(b'\n');
@@ -148,10 +150,9 @@ pub(crate) fn push_number(out: &mut Vec<u8>, mut number: u64) {
     out.extend_from_slice(&digits[at..]);
 }
 
-/// Appends points: whole ones without a point, none without a sign.
-pub(crate) fn push_points(out: &mut Vec<u8>, points: f64) {
-    // Writing to a vector does not fail.
-    let _ = write!(out, "{}", points + 0.0);
+/// Points as they are written: whole ones without a point, none without a sign.
+pub(crate) fn in_points(points: f64) -> String {
+    (points + 0.0).to_string()
 }
 
 /// Stands in a row for a text that changes from line to line.
@@ -206,6 +207,14 @@ impl From<csv::Error> for Unreadable {
 }
 
 impl Unreadable {
+    /// The same as a finding about the file.
+    pub fn in_file(self, path: &Path) -> Finding {
+        let fault = Finding::of_file(path, self.what);
+        match usize::try_from(self.line) {
+            Ok(line) if line > 0 => fault.at(line, 1),
+            _ => fault,
+        }
+    }
     /// The header lacks a column.
     pub fn no_column(name: &str) -> Self {
         Unreadable { line: 1, what: format!("there is no column `{name}`") }
@@ -246,7 +255,7 @@ impl<R: Read> AnswerReader<R> {
         let (record, at) = (&self.record, &self.at);
         let text = |i: usize| String::from_utf8_lossy(at[i].and_then(|c| record.get(c)).unwrap_or_default());
         let verdict = text(6);
-        let Some(verdict) = Verdict::ALL.iter().copied().find(|v| v.as_str() == verdict) else {
+        let Some(verdict) = Verdict::of_word(&verdict) else {
             return Err(Unreadable { line, what: format!("`{verdict}` is no verdict") });
         };
         let number = |i: usize| {

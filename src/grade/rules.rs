@@ -67,9 +67,7 @@ impl<'p> Rules<'p> {
             );
             faults.push(Finding::new("drop lowest", what).hint("at least one problem must count"));
         }
-        if !faults.is_empty() {
-            return Err(faults);
-        }
+        faults.into_result(())?;
         let methods = (0..table.columns.len()).map(|column| {
             let shares: Vec<f64> = table.methods(column).iter().map(|id| policy.credit.of(id)).collect();
             if shares.iter().any(|s| *s > 0.0) { shares } else { Vec::new() }

@@ -50,7 +50,7 @@ pub(crate) struct QuickKey {
 }
 
 /// How a part is asked: the same for nearly all students.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AskedColumn {
     /// SI value = cell * times / over
     pub times: f64,
@@ -61,14 +61,6 @@ pub(crate) struct AskedColumn {
     pub bare: bool,
     /// The unit that is asked, by its place in [`KeyTable::units`]; `WORD` where no number is asked.
     pub unit: u16,
-}
-
-impl PartialEq for AskedColumn {
-    fn eq(&self, other: &Self) -> bool {
-        let bits = |a: &AskedColumn| [a.times, a.over, a.points].map(f64::to_bits);
-        bits(self) == bits(other)
-            && (self.magnitude, self.bare, self.unit) == (other.magnitude, other.bare, other.unit)
-    }
 }
 
 /// What relations between parts and the guards of follow-through need.
@@ -86,7 +78,7 @@ pub(crate) struct ProblemNumbers {
 pub(crate) const WORD: u16 = u16::MAX;
 
 /// The keys of all students.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct KeyTable {
     /// In the order of the sheets given.
     pub students: Vec<TableStudent>,
@@ -174,23 +166,14 @@ impl KeyTable {
         let names: FxHashMap<&str, &str> = names.iter().map(|(id, n)| (id.as_str(), n.as_str())).collect();
         let columns = columns(&sheets);
         let mut table = KeyTable {
-            students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),
             known: Vec::with_capacity(sheets.len() * columns.len()),
-            wrong: Vec::new(),
             methods: vec![Arc::from([]); columns.len()],
             follows: vec![Arc::from([]); columns.len()],
             numbers: Vec::with_capacity(sheets.len() * columns.len()),
             quick: Vec::with_capacity(sheets.len() * columns.len()),
-            asked: Vec::new(),
-            units: Vec::new(),
-            problems: Vec::new(),
             columns,
-            by_id: Ids::default(),
-            by_small_id: FxHashMap::default(),
-            by_loose_id: FxHashMap::default(),
-            by_part: Ids::default(),
-            by_loose_part: FxHashMap::default(),
+            ..Self::default()
         };
         for of_problem in table.columns.chunk_by(|a, b| a.number == b.number) {
             let first = table.problems.len();

@@ -2,30 +2,31 @@
 use std::borrow::Cow;
 use std::fmt;
 
-macro_rules! verdicts {
-    ($($variant:ident $name:literal $doc:literal;)*) => {
-        /// What becomes of a cell.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Verdict { $(#[doc = $doc] $variant,)* }
-        impl Verdict {
-            /// All, in the order in which summaries list them.
-            pub const ALL: &'static [Verdict] = &[$(Verdict::$variant,)*];
-            /// Lower case, with spaces.
-            pub const fn as_str(self) -> &'static str { match self { $(Verdict::$variant => $name,)* } }
-        }
-    };
-}
-verdicts! {
-    Right "right" "Within the tolerance.";
-    Wrong "wrong" "Not within the tolerance.";
-    WrongDirection "wrong direction" "Right magnitude, other sign or word.";
-    WrongDimension "wrong dimension" "The unit is of another kind.";
-    MissingUnit "missing unit" "A unit is demanded.";
-    Unreadable "unreadable" "Neither right nor wrong: it cannot be read.";
-    Blank "blank" "Nothing written.";
-    UnknownStudent "unknown student" "Not on the roster.";
-    UnknownPart "unknown part" "No such part on the sheet.";
-    Superseded "superseded" "Another attempt counts.";
+worded! {
+    /// What becomes of a cell.
+    #[derive(PartialOrd, Ord, Hash)]
+    Verdict {
+        /// Within the tolerance.
+        Right "right",
+        /// Not within the tolerance.
+        Wrong "wrong",
+        /// Right magnitude, other sign or word.
+        WrongDirection "wrong direction",
+        /// The unit is of another kind.
+        WrongDimension "wrong dimension",
+        /// A unit is demanded.
+        MissingUnit "missing unit",
+        /// Neither right nor wrong: it cannot be read.
+        Unreadable "unreadable",
+        /// Nothing written.
+        Blank "blank",
+        /// Not on the roster.
+        UnknownStudent "unknown student",
+        /// No such part on the sheet.
+        UnknownPart "unknown part",
+        /// Another attempt counts.
+        Superseded "superseded",
+    }
 }
 
 impl fmt::Display for Verdict {

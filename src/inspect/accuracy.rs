@@ -303,6 +303,12 @@ impl StudySheet<'_> {
     pub fn plot(&self) -> LineChart {
         // What is not a number has no place: least of all that of no error.
         let shown = |l: &&MeasuredRow| worst(l).is_finite();
+        let point = |l: &MeasuredRow| DataPoint {
+            x: cost(l),
+            y: worst(l).max(NO_ERROR),
+            filled: l.best,
+            ringed: l.row.auto,
+        };
         let series = Method::ALL.iter().enumerate().map(|(style, method)| Series {
             name: method.name().to_owned(),
             style,
@@ -311,26 +317,13 @@ impl StudySheet<'_> {
                 .iter()
                 .filter(|l| l.row.rung.method() == *method && l.row.rung != Rung::Settled)
                 .filter(shown)
-                .map(|l| DataPoint {
-                    x: cost(l),
-                    y: worst(l).max(NO_ERROR),
-                    filled: l.best,
-                    ringed: l.row.auto,
-                })
+                .map(point)
                 .collect(),
         });
         // What settles by itself is no point of a line.
         let settled = self.lines.iter().filter(|l| l.row.rung == Rung::Settled).filter(shown);
-        let settled = settled.map(|l| Series {
-            name: "gauss, settled".to_owned(),
-            style: 0,
-            points: vec![DataPoint {
-                x: cost(l),
-                y: worst(l).max(NO_ERROR),
-                filled: l.best,
-                ringed: l.row.auto,
-            }],
-        });
+        let settled =
+            settled.map(|l| Series { name: "gauss, settled".to_owned(), style: 0, points: vec![point(l)] });
         let settled: Vec<Series> = settled.collect();
         let series: Vec<Series> =
             settled.into_iter().chain(series).filter(|s| !s.points.is_empty()).collect();

@@ -199,9 +199,7 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Findings> {
             }
         }
     }
-    if !faults.is_empty() {
-        return Err(faults);
-    }
+    faults.into_result(())?;
     let data: Vec<f64> = values
         .iter()
         .enumerate()

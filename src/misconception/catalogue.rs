@@ -79,18 +79,6 @@ impl Catalogue {
         faults.into_sorted(file).into_result(Self { entries })
     }
 
-    /// Puts the entries of another catalogue over these.
-    #[must_use]
-    pub fn with(mut self, other: Self) -> Self {
-        for entry in other.entries {
-            match self.entries.iter_mut().find(|e| e.id == entry.id) {
-                Some(old) => *old = entry,
-                None => self.entries.push(entry),
-            }
-        }
-        self
-    }
-
     /// The words of a method.
     pub fn get(&self, id: &str) -> Option<&Entry> {
         self.entries.iter().find(|e| e.id == id)

@@ -3,7 +3,7 @@
 //!
 //! Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., 4.6 (nodes by Newton's method); here in
 //! double-double.
-use crate::num::{Dd, Real};
+use crate::num::{Dd, Real, legendre};
 use std::sync::LazyLock;
 
 /// Nodes of a panel.
@@ -50,16 +50,6 @@ pub struct Rule {
     between: Vec<Dd>,
 }
 
-/// Legendre polynomials of degree 0 to `last` at a place from -1 to 1.
-fn legendre<T: Real>(x: T, last: usize) -> Vec<T> {
-    let mut p = vec![T::of(1.0), x];
-    for n in 2..=last {
-        let m = n as f64;
-        p.push((T::of(2.0 * m - 1.0) * x * p[n - 1] - T::of(m - 1.0) * p[n - 2]) / T::of(m));
-    }
-    p
-}
-
 static SHORT: LazyLock<Rule> = LazyLock::new(|| Rule::new(NODES));
 
 /// Longer panels for what is smooth on a long way and costs much to look at: in numbers of 32 digits, and in doubles.
@@ -94,8 +84,6 @@ pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
 
 impl Rule {
     fn new(count: usize) -> Self {
-        let n = count as f64;
-        let half = Dd::new(0.5);
         let mut rule = Self {
             nodes: Vec::new(),
             weights: Vec::new(),
@@ -104,18 +92,11 @@ impl Rule {
             last: [const { Vec::new() }; LAST],
             between: Vec::new(),
         };
-        for j in 0..count {
-            let mut x =
-                Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
-            let mut slope = Dd::ONE;
-            for _ in 0..8 {
-                let p = legendre(x, count);
-                slope = Dd::new(n) * (x * p[count] - p[count - 1]) / (x * x - Dd::ONE);
-                x = x - p[count] / slope;
-            }
-            rule.legendre.push(legendre(x, count + 1));
-            rule.nodes.push((x + Dd::ONE) * half);
-            rule.weights.push(Dd::ONE / ((Dd::ONE - x * x) * slope * slope));
+        for (x, slope) in legendre::zeros(count) {
+            rule.legendre.push(legendre::polynomials(x, count + 1));
+            let (node, weight) = legendre::node((x, slope));
+            rule.nodes.push(node);
+            rule.weights.push(weight);
             // 1 over the product of the distances from the other nodes is in proportion to 1 over the slope of the polynomial.
             rule.between.push(Dd::ONE / slope);
         }
@@ -190,7 +171,7 @@ impl Rule {
 
     /// The integral from the start of a panel of length 1 to this share of it of the polynomial that has these values at its nodes.
     pub fn until<T: Real>(&self, values: &[T], share: T) -> T {
-        let at = legendre(share.scale2(1) - T::of(1.0), self.nodes.len());
+        let at = legendre::polynomials(share.scale2(1) - T::of(1.0), self.nodes.len());
         let shares = self.shares(&at);
         values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * w)
     }

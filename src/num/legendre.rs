@@ -24,37 +24,38 @@ pub fn rule(n: usize) -> &'static Rule {
     RULES[n - 1].get_or_init(|| compute(n))
 }
 
-/// Legendre polynomial of degree n and its derivative, by the recurrence, for |x| < 1.
-fn legendre(n: usize, x: Dd) -> (Dd, Dd) {
-    let (mut before, mut p) = (Dd::ONE, x);
-    for k in 2..=n {
-        let k = k as f64;
-        let next = (Dd::new(2.0 * k - 1.0) * x * p - Dd::new(k - 1.0) * before) / Dd::new(k);
-        (before, p) = (p, next);
+/// Legendre polynomials of degree 0 to `last` at a place from -1 to 1, by the recurrence.
+pub fn polynomials<T: Real>(x: T, last: usize) -> Vec<T> {
+    let mut p = vec![T::of(1.0), x];
+    for n in 2..=last {
+        let m = n as f64;
+        p.push((T::of(2.0 * m - 1.0) * x * p[n - 1] - T::of(m - 1.0) * p[n - 2]) / T::of(m));
     }
-    let slope = Dd::new(n as f64) * (before - x * p) / (Dd::ONE - x * x);
-    (p, slope)
+    p
+}
+
+/// The zeros of the polynomial of this degree from -1 to 1, ascending, each with the slope there: Tricomi's estimate, then Newton.
+pub fn zeros(degree: usize) -> impl Iterator<Item = (Dd, Dd)> {
+    let n = degree as f64;
+    (0..degree).map(move |j| {
+        let mut x = Dd::new(-trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
+        let mut slope = Dd::ONE;
+        for _ in 0..8 {
+            let p = polynomials(x, degree);
+            slope = Dd::new(n) * (x * p[degree] - p[degree - 1]) / (x * x - Dd::ONE);
+            x = x - p[degree] / slope;
+        }
+        (x, slope)
+    })
+}
+
+/// Node and weight on the interval from 0 to 1 of a zero with its slope.
+pub fn node((x, slope): (Dd, Dd)) -> (Dd, Dd) {
+    ((x + Dd::ONE).scale2(-1), Dd::ONE / ((Dd::ONE - x * x) * slope * slope))
 }
 
 fn compute(n: usize) -> Rule {
-    let (mut nodes, mut weights) = (vec![Dd::ZERO; n], vec![Dd::ZERO; n]);
-    for i in 0..n.div_ceil(2) {
-        let mut x = Dd::ZERO;
-        if 2 * i + 1 != n {
-            // Tricomi's estimate, then Newton: three rounds reach 32 digits from four, a fourth settles the last.
-            let angle = std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5);
-            x = trig::sin_cos(Dd::new(angle)).1;
-            for _ in 0..5 {
-                let (p, slope) = legendre(n, x);
-                x = x - p / slope;
-            }
-        }
-        let (_, slope) = legendre(n, x);
-        // 1 - x and 1 + x halved: nodes near the ends keep their digits.
-        let weight = Dd::ONE / ((Dd::ONE - x) * (Dd::ONE + x) * slope * slope);
-        (nodes[i], weights[i]) = ((Dd::ONE - x).scale2(-1), weight);
-        (nodes[n - 1 - i], weights[n - 1 - i]) = ((Dd::ONE + x).scale2(-1), weight);
-    }
+    let (nodes, weights) = zeros(n).map(node).unzip();
     Rule { nodes, weights }
 }
 

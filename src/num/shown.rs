@@ -98,10 +98,19 @@ pub fn rounded(value: f64, to_figures: usize) -> f64 {
     figures(value, to_figures).parse().unwrap_or(value)
 }
 
+/// At most so many decimals, without zeros at their end: `12.5` for three.
+pub fn at_most_decimals(value: f64, most: usize) -> String {
+    without_zeros(&decimals(value, most))
+}
+
+/// A decimal number without the zeros at its end that say nothing.
+pub fn without_zeros(text: &str) -> String {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }.to_owned()
+}
+
 /// A share in per cent with at most so many decimals, without zeros at their end and without the sign: `12.5`.
 pub fn per_cent(share: f64, most: usize) -> String {
-    let text = decimals(share * 100.0, most);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    at_most_decimals(share * 100.0, most)
 }
 
 #[cfg(test)]

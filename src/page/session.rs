@@ -5,6 +5,7 @@ use crate::page::check::{self, CheckedProblem};
 use crate::page::echo;
 use crate::page::sheet_file::SheetFile;
 use crate::words::{Phrases, Words};
+use serde::Deserialize as _;
 use serde_json::{Value, json};
 
 /// A sheet that is open in a page, solved.
@@ -24,7 +25,8 @@ impl Session {
     pub fn open(text: &str) -> Result<Self, Finding> {
         let mut opening: Value = serde_json::from_str(text).map_err(|_| Finding::new("", "is no sheet"))?;
         let sheet = SheetFile::of(&opening["sheet"])?;
-        let phrases = Phrases::of(&opening["phrases"]).ok_or_else(|| Finding::new("phrases", "are none"))?;
+        let phrases = Phrases::deserialize(&opening["phrases"]);
+        let phrases = phrases.map_err(|_| Finding::new("phrases", "are none"))?;
         let problems = sheet.problems.iter().map(|problem| {
             let fault = |_| Finding::new("scene", format!("problem {} cannot be checked", problem.number));
             check::solve(problem, "sheet").map_err(fault)

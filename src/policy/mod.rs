@@ -13,7 +13,7 @@ pub const HOUR: i64 = 60 * MINUTE;
 pub const DAY: i64 = 24 * HOUR;
 
 /// All settings of a course that bear on marks.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Policy {
     /// What the course or the problem set is called; may be empty.
     pub title: String,
@@ -41,26 +41,6 @@ pub struct Policy {
     pub rounding: Option<Rounding>,
     /// What was found wrong with a part after it was handed in.
     pub corrections: Vec<Correction>,
-}
-
-impl Default for Policy {
-    fn default() -> Self {
-        Policy {
-            title: String::new(),
-            zone: Zone::utc(),
-            day_first: None,
-            due: None,
-            extensions: Vec::new(),
-            attempts: Attempts::default(),
-            late: Late::default(),
-            credit: Credit::default(),
-            hints: Hints::Nudge,
-            points: Vec::new(),
-            drop_lowest: 0,
-            rounding: None,
-            corrections: Vec::new(),
-        }
-    }
 }
 
 /// A part of a problem as somebody writes it, with the place where it is written.
@@ -102,16 +82,19 @@ impl PartialEq for Zone {
     }
 }
 
-impl Zone {
+impl Default for Zone {
     /// Coordinated universal time.
-    pub fn utc() -> Self {
+    fn default() -> Self {
         Zone { name: "UTC".to_owned(), zone: TimeZone::UTC }
     }
+}
+
+impl Zone {
     /// A zone by its name in the time zone database (`Europe/Berlin`), or by its offset (`+05:30`, `-3`).
     pub fn named(name: &str) -> Option<Self> {
         let name = name.trim();
         if name.eq_ignore_ascii_case("utc") || name == "Z" {
-            return Some(Self::utc());
+            return Some(Self::default());
         }
         let zone = match name.strip_prefix(['+', '-']) {
             Some(number) => {
@@ -200,21 +183,6 @@ impl Zone {
     }
 }
 
-/// A setting that is one of some words, in the order in which messages name them.
-macro_rules! worded {
-    ($(#[$about:meta])* $name:ident { $($(#[$of:meta])* $variant:ident $word:literal,)* }) => {
-        $(#[$about])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum $name { $($(#[$of])* $variant,)* }
-        impl $name {
-            /// How each is written.
-            pub const WORDS: &[(&'static str, Self)] = &[$(($word, Self::$variant),)*];
-            /// As it is written.
-            pub const fn as_str(self) -> &'static str { match self { $(Self::$variant => $word,)* } }
-        }
-    };
-}
-
 worded! {
     /// Which of several attempts counts.
     #[derive(Default)]
@@ -230,7 +198,7 @@ worded! {
 }
 
 /// Several answers to one part. An answer that cannot be read, or a blank one, is no attempt where a readable one was handed in.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Attempts {
     /// Which one counts.
     pub counts: Counts,
@@ -240,12 +208,6 @@ pub struct Attempts {
     pub penalty: f64,
     /// Share that is left at least, 0 to 1.
     pub least: f64,
-}
-
-impl Default for Attempts {
-    fn default() -> Self {
-        Attempts { counts: Counts::Last, at_most: None, penalty: 0.0, least: 0.0 }
-    }
 }
 
 impl Attempts {
@@ -508,14 +470,10 @@ impl Policy {
         part: &str,
         answered: bool,
     ) -> Option<&Correction> {
-        let mut found: Option<&Correction> = None;
         let meant = |c: &&Correction| c.part.means(number, problem, part) && (answered || c.to == For::All);
-        for one in self.corrections.iter().filter(meant) {
-            if found.is_none_or(|f| one.share > f.share) {
-                found = Some(one);
-            }
-        }
-        found
+        let meant = self.corrections.iter().filter(meant);
+        // Of equal ones the first.
+        meant.rev().max_by(|a, b| a.share.total_cmp(&b.share))
     }
     /// A student's total from (earned, possible) of each problem. The problems with the smallest share of their points are
     /// dropped, of equal ones the later; never the last one that is left. A problem without points has nothing to drop.

@@ -38,7 +38,7 @@ impl Evidence {
 }
 
 /// A moment, or two of which the column must choose.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Moment {
     /// Microseconds since 1970 (UTC; a time without zone is taken as UTC): day first, then month first.
     pub micros: [i64; 2],
@@ -200,15 +200,7 @@ fn extended(text: &str) -> Option<String> {
 
 /// One moment without doubt.
 fn certain(at: i64, zoned: bool, word: Option<ZoneWord>) -> Moment {
-    Moment {
-        micros: [at; 2],
-        zoned,
-        whole_day: false,
-        clashes: false,
-        word,
-        uncertain: None,
-        evidence: Evidence::default(),
-    }
+    Moment { micros: [at; 2], zoned, word, ..Moment::default() }
 }
 
 /// A date in numbers, with or without the time of day.
@@ -534,7 +526,7 @@ mod tests {
     /// passed over, and nothing told it.
     #[test]
     fn a_date_alone_and_a_wrong_weekday_are_told_apart() {
-        let zone = crate::policy::Zone::utc();
+        let zone = crate::policy::Zone::default();
         for (text, doubt) in [
             ("2026-03-29", Some("no time of day")),
             ("20260329", Some("no time of day")),

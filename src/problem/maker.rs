@@ -135,10 +135,6 @@ impl<'p> Maker<'p> {
         self.max_tries = tries.max(1);
         self
     }
-    /// The problem.
-    pub fn problem(&self) -> &'p Problem {
-        self.problem
-    }
     /// The key of a variant of the problem.
     pub fn key(&self, variant: &Variant) -> ProblemKey {
         self.frame.get_or_init(|| KeyFrame::new(self.problem)).key(variant)

@@ -133,10 +133,6 @@ impl Refusals {
             self.inadmissible.clone_from(&other.inadmissible);
         }
     }
-    /// All refusals together.
-    pub fn total(&self) -> u64 {
-        self.tallies.values().map(|t| u64::from(t.count)).sum()
-    }
     /// Names of the rules that refused and how often, most first.
     pub fn names(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
         let named = self.tallies.iter().map(|(rule, tally)| (name(problem, case, *rule), tally.count));
@@ -331,6 +327,5 @@ fn rounded(value: f64) -> String {
         1e3..1e6 => 0,
         _ => return shown::figures(value, 2),
     };
-    let text = shown::decimals(value, decimals);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    shown::at_most_decimals(value, decimals)
 }

@@ -91,55 +91,36 @@ impl Grading {
     }
 }
 
-/// Why a mark changed.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Why {
-    /// The key has another value.
-    Key,
-    /// The tolerance is another.
-    Tolerance,
-    /// Whether a unit must be written is settled otherwise.
-    Unit,
-    /// The part has other points.
-    Points,
-    /// A wrong method is now recognised.
-    Method,
-    /// A wrong method is no longer recognised.
-    NoMethod,
-    /// Credit for a wrong method is another.
-    Credit,
-    /// Points because it follows from an earlier answer, or other ones.
-    Follow,
-    /// What followed from an earlier answer does so no more, or earns more by itself.
-    NoFollow,
-    /// A correction for all.
-    Correction,
-    /// Another attempt counts.
-    Attempt,
-    /// What attempts or lateness cost, or when answers were due.
-    Policy,
-    /// Something else, such as a later version of the program.
-    Other,
-}
-
-impl Why {
-    /// A word for tables.
-    pub const fn as_str(&self) -> &'static str {
-        match self {
-            Why::Key => "key",
-            Why::Tolerance => "tolerance",
-            Why::Unit => "unit",
-            Why::Points => "points of the part",
-            Why::Method => "wrong method recognised",
-            Why::NoMethod => "wrong method no longer recognised",
-            Why::Credit => "credit",
-            Why::Follow => "follow-through",
-            Why::NoFollow => "no longer follow-through",
-            Why::Correction => "correction",
-            Why::Attempt => "another attempt counts",
-            Why::Policy => "attempts or lateness",
-            Why::Other => "other",
-        }
+worded! {
+    /// Why a mark changed.
+    #[derive(PartialOrd, Ord)]
+    Why {
+        /// The key has another value.
+        Key "key",
+        /// The tolerance is another.
+        Tolerance "tolerance",
+        /// Whether a unit must be written is settled otherwise.
+        Unit "unit",
+        /// The part has other points.
+        Points "points of the part",
+        /// A wrong method is now recognised.
+        Method "wrong method recognised",
+        /// A wrong method is no longer recognised.
+        NoMethod "wrong method no longer recognised",
+        /// Credit for a wrong method is another.
+        Credit "credit",
+        /// Points because it follows from an earlier answer, or other ones.
+        Follow "follow-through",
+        /// What followed from an earlier answer does so no more, or earns more by itself.
+        NoFollow "no longer follow-through",
+        /// A correction for all.
+        Correction "correction",
+        /// Another attempt counts.
+        Attempt "another attempt counts",
+        /// What attempts or lateness cost, or when answers were due.
+        Policy "attempts or lateness",
+        /// Something else, such as a later version of the program.
+        Other "other",
     }
 }
 

@@ -126,7 +126,7 @@ impl ChangesTold<'_> {
                 Why::Key => format!(
                     "{label}: the key differs for {count} of {}, by up to {} %",
                     terminal::count(self.keys.new.students.len(), "student"),
-                    terminal::per_cent(farthest)
+                    shown::per_cent(farthest, 3)
                 ),
                 Why::Tolerance => {
                     let old = self.keys.parts[part]
@@ -195,7 +195,7 @@ impl ChangesTold<'_> {
             let of = self.changes.iter().filter(|c| c.student == *student && c.gain().abs() > DUST);
             let parts: Vec<String> = of
                 .map(|c| {
-                    let why: Vec<&str> = c.why.iter().map(Why::as_str).collect();
+                    let why: Vec<&str> = c.why.iter().map(|why| why.as_str()).collect();
                     format!("{} {} ({})", self.label(c.part), signed(c.gain()), why.join(", "))
                 })
                 .collect();

@@ -441,13 +441,13 @@ impl ExplainedMarks<'_> {
                 let _ = write!(
                     text,
                     ", {days} d {hours} h {minutes} min late; lateness costs {} %{}, at most {} %",
-                    terminal::per_cent(late.penalty),
+                    shown::per_cent(late.penalty, 3),
                     match late.per {
                         Per::Once => "",
                         Per::Hour => " for each begun hour",
                         Per::Day => " for each begun day",
                     },
-                    terminal::per_cent(late.most)
+                    shown::per_cent(late.most, 3)
                 );
                 if late.grace > 0 {
                     let _ = write!(text, ", {} min are no lateness", late.grace / policy::MINUTE);
@@ -525,9 +525,9 @@ fn rule(question: &crate::bank::Question, entry: &KeyEntry, value: f64, half_wid
         };
     }
     match question.relative {
-        Relative::Fixed(_) => format!("{} % of the key", terminal::per_cent(share)),
+        Relative::Fixed(_) => format!("{} % of the key", shown::per_cent(share, 3)),
         Relative::Widens { .. } => {
-            format!("{} % of the key, by its condition number", terminal::per_cent(share))
+            format!("{} % of the key, by its condition number", shown::per_cent(share, 3))
         }
     }
 }
@@ -564,10 +564,10 @@ fn points(row: &AnswerRow, policy: &Policy) -> String {
             "methods" => {
                 let share = row.methods.split(' ').map(|id| policy.credit.of(id)).fold(0.0, f64::max);
                 steps[0] =
-                    format!("{} % of {} for a known wrong method", terminal::per_cent(share), row.max_points);
+                    format!("{} % of {} for a known wrong method", shown::per_cent(share, 3), row.max_points);
             }
             "follow" => {
-                let share = terminal::per_cent(policy.credit.follow);
+                let share = shown::per_cent(policy.credit.follow, 3);
                 steps[0] = format!(
                     "{share} % of {}, because the answer follows correctly from the student's own answer to {what}",
                     row.max_points
@@ -575,8 +575,8 @@ fn points(row: &AnswerRow, policy: &Policy) -> String {
             }
             "attempt" => steps.push(format!(
                 "times {what} for earlier attempts (each costs {} %, {} % are left at least)",
-                terminal::per_cent(policy.attempts.penalty),
-                terminal::per_cent(policy.attempts.least)
+                shown::per_cent(policy.attempts.penalty, 3),
+                shown::per_cent(policy.attempts.least, 3)
             )),
             "late" => steps.push(format!("times {what} for lateness")),
             "closed" => steps.push("nothing, because it came after the end".to_owned()),

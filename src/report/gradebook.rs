@@ -1,8 +1,8 @@
 //! Marks as CSV: a row for each student of the set, those who handed in nothing too.
-use crate::csv_field::push_text;
-use crate::grade::row::push_points;
+use crate::csv_field::push_line;
+use crate::grade::row::in_points;
 use crate::grade::run::Graded;
-use crate::grade::table::KeyTable;
+use crate::grade::table::{Column, KeyTable};
 use crate::policy::{Policy, Total, plain};
 
 /// A student's total over the problems, by the settings of the course.
@@ -31,35 +31,22 @@ pub fn total(table: &KeyTable, points: &[Option<f64>], student: usize, policy: &
 /// gradebook.csv: student, name, a column for each `problem.part`, total, max_total; where the course drops the lowest
 /// problems also which ones. Parts not handed in are empty and count nothing.
 pub fn gradebook(table: &KeyTable, graded: &Graded, policy: &Policy) -> Vec<u8> {
-    let mut out = b"student,name".to_vec();
-    for column in &table.columns {
-        out.push(b',');
-        push_text(&mut out, column.label().as_bytes());
-    }
-    out.extend_from_slice(b",total,max_total");
-    let drops = policy.drop_lowest > 0;
-    out.extend_from_slice(if drops { b",dropped\n" } else { b"\n" });
+    let mut out = Vec::new();
+    let mut line = |student: &str, name: &str, points: Vec<String>, sums: [String; 2], dropped: String| {
+        let dropped = (policy.drop_lowest > 0).then_some(dropped);
+        let who = [student.to_owned(), name.to_owned()];
+        push_line(&mut out, who.into_iter().chain(points).chain(sums).chain(dropped));
+    };
+    let labels = table.columns.iter().map(Column::label).collect();
+    line("student", "name", labels, ["total", "max_total"].map(str::to_owned), "dropped".to_owned());
     for (s, student) in table.students.iter().enumerate() {
-        push_text(&mut out, student.id.as_bytes());
-        out.push(b',');
-        push_text(&mut out, student.name.as_bytes());
-        for c in 0..table.columns.len() {
-            out.push(b',');
-            if let Some(points) = graded.points.get(s * table.columns.len() + c).copied().flatten() {
-                push_points(&mut out, plain(points));
-            }
-        }
+        let points = |c: usize| graded.points.get(s * table.columns.len() + c).copied().flatten();
+        let points =
+            (0..table.columns.len()).map(|c| points(c).map_or_else(String::new, |p| in_points(plain(p))));
         let total = total(table, &graded.points, s, policy);
-        for sum in [total.points, total.of] {
-            out.push(b',');
-            push_points(&mut out, sum);
-        }
-        if drops {
-            out.push(b',');
-            let numbers: Vec<String> = total.dropped.iter().map(usize::to_string).collect();
-            out.extend_from_slice(numbers.join(" ").as_bytes());
-        }
-        out.push(b'\n');
+        let dropped: Vec<String> = total.dropped.iter().map(usize::to_string).collect();
+        let sums = [total.points, total.of].map(in_points);
+        line(&student.id, &student.name, points.collect(), sums, dropped.join(" "));
     }
     out
 }

@@ -1,6 +1,6 @@
 //! Gradebooks as Canvas and Moodle import them: one total for each student of the set.
-use crate::csv_field::push_text;
-use crate::grade::row::push_points;
+use crate::csv_field::{push_line, push_text};
+use crate::grade::row::in_points;
 
 /// A student's line of a gradebook.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,26 +24,18 @@ pub struct GradebookLine<'l> {
 /// taken there all three are known; else the id of the roster stands in both SIS columns. An assignment of this name is filled, or a new one is
 /// made with these points (instructure/canvas-lms, `lib/gradebook_importer.rb`). An empty cell changes nothing.
 pub fn canvas(assignment: &str, most: f64, lines: &[GradebookLine]) -> Vec<u8> {
-    let mut out = b"Student,ID,SIS User ID,SIS Login ID,Section,".to_vec();
-    push_text(&mut out, canvas_name(assignment).as_bytes());
-    out.extend_from_slice(b"\nPoints Possible,,,,,");
-    push_points(&mut out, most);
-    out.push(b'\n');
+    let mut out = Vec::new();
+    let assignment = canvas_name(assignment);
+    push_line(&mut out, ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", &assignment]);
+    push_line(&mut out, ["Points Possible", "", "", "", "", &in_points(most)]);
     for line in lines {
-        push_text(&mut out, if line.name.is_empty() { line.id } else { line.name }.as_bytes());
-        let ids = match line.canvas {
+        let name = if line.name.is_empty() { line.id } else { line.name };
+        let [number, sis, login] = match line.canvas {
             Some([sis, login, number]) => [number.as_str(), sis, login],
             None => ["", line.id, line.id],
         };
-        for id in ids {
-            out.push(b',');
-            push_text(&mut out, id.as_bytes());
-        }
-        out.extend_from_slice(b",,");
-        if let Some(points) = line.points {
-            push_points(&mut out, points);
-        }
-        out.push(b'\n');
+        let points = line.points.map_or_else(String::new, in_points);
+        push_line(&mut out, [name, number, sis, login, "", &points]);
     }
     out
 }
@@ -72,21 +64,15 @@ fn canvas_name(name: &str) -> String {
 pub fn moodle(item: &str, first: Option<&str>, lines: &[GradebookLine]) -> Vec<u8> {
     let emails = !lines.is_empty() && lines.iter().all(|l| l.id.contains('@'));
     let first = first.unwrap_or(if emails { "Email address" } else { "ID number" });
-    let mut out = format!("{first},Name,").into_bytes();
-    push_text(&mut out, item.as_bytes());
-    out.push(b',');
-    push_text(&mut out, format!("{item} (Feedback)").as_bytes());
-    out.push(b'\n');
+    let mut out = Vec::new();
+    push_line(&mut out, [first, "Name", item, &format!("{item} (Feedback)")]);
     for line in lines {
+        let points = line.points.map_or_else(|| "-".to_owned(), in_points);
         push_text(&mut out, line.id.as_bytes());
         out.push(b',');
         push_text(&mut out, line.name.as_bytes());
-        out.push(b',');
-        match line.points {
-            Some(points) => push_points(&mut out, points),
-            None => out.push(b'-'),
-        }
-        out.push(b',');
+        // A dash is no formula here: nothing stands before it.
+        out.extend_from_slice(format!(",{points},").as_bytes());
         push_text(&mut out, line.feedback.as_bytes());
         out.push(b'\n');
     }

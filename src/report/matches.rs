@@ -1,5 +1,5 @@
 //! Wrong answers that are the right ones of a classmate, as the instructor is told of them; never for students.
-use crate::csv_field::push_text;
+use crate::csv_field::push_line;
 use crate::matches;
 use crate::num::shown;
 use crate::words::Words;
@@ -75,13 +75,7 @@ impl ClassMatches {
                 &shown::figures(pair.expected, 2),
                 &pair.explained,
             ];
-            for (i, field) in fields.iter().enumerate() {
-                if i > 0 {
-                    out.push(b',');
-                }
-                push_text(&mut out, field.as_bytes());
-            }
-            out.push(b'\n');
+            push_line(&mut out, fields);
         }
         out
     }

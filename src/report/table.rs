@@ -1,5 +1,5 @@
 //! Tables of the class report: as data for the page, and as CSV with the numbers unrounded.
-use crate::csv_field::push_text;
+use crate::csv_field::push_line;
 use crate::num::shown;
 use crate::words::Words;
 use serde::Serialize;
@@ -70,8 +70,7 @@ pub fn percent(share: f64) -> String {
 
 /// Points with at most two decimals.
 pub fn points(value: f64) -> String {
-    let text = fixed(value, 2);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    shown::without_zeros(&fixed(value, 2))
 }
 
 /// Six significant figures, as scripts read them.
@@ -143,18 +142,9 @@ impl Table {
     /// The table as CSV; cells that a spreadsheet would run have an apostrophe in front.
     pub fn csv(&self) -> Vec<u8> {
         let mut out = Vec::new();
-        let mut line = |fields: &mut dyn Iterator<Item = &str>| {
-            for (i, field) in fields.enumerate() {
-                if i > 0 {
-                    out.push(b',');
-                }
-                push_text(&mut out, field.as_bytes());
-            }
-            out.push(b'\n');
-        };
-        line(&mut self.columns.split(' '));
+        push_line(&mut out, self.columns.split(' '));
         for row in &self.rows {
-            line(&mut row.iter().map(|c| c.raw.as_str()));
+            push_line(&mut out, row.iter().map(|c| &c.raw));
         }
         out
     }

@@ -30,10 +30,7 @@ pub fn tolerance(table: &KeyTable, part: usize) -> String {
         }
     }
     // Where an absolute tolerance is the wider one, the share is no round number.
-    let shown = |share: f64| match shown::significant(share * 100.0, 2) {
-        text if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        text => text,
-    };
+    let shown = |share: f64| shown::without_zeros(&shown::significant(share * 100.0, 2));
     match range {
         None => "-".to_owned(),
         Some((least, most)) if shown(least) == shown(most) => format!("{} %", shown(least)),
@@ -60,7 +57,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
         (gained, lost) => format!("+{gained} -{lost}"),
     };
     let mut rows = vec![vec!["part".to_owned(), "tolerance now".to_owned()]];
-    rows[0].extend(trials.iter().map(|t| format!("{} %", terminal::per_cent(t.share))));
+    rows[0].extend(trials.iter().map(|t| format!("{} %", shown::per_cent(t.share, 3))));
     for (i, column) in now.columns.iter().enumerate() {
         let mut row = vec![column.label(), tolerance(now, i)];
         if row[1] == "-" {
@@ -93,7 +90,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
         let total = trial.what.total();
         text.push_str(&format!(
             "  warning: at {} % {} of a known wrong method would be right:\n",
-            terminal::per_cent(trial.share),
+            shown::per_cent(trial.share, 3),
             terminal::count(total.methods, "answer")
         ));
         let mut list: Vec<(&String, &u64)> = trial.what.methods.iter().collect();

@@ -48,7 +48,7 @@ pub struct StoredGrading {
     /// Its size in bytes.
     pub submissions_bytes: u64,
     /// They are the download of a quiz: the set in the basis has the variants that it asked.
-    #[serde(default, skip_serializing_if = "is_no")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub quiz: bool,
     /// Who the students are on Canvas, where the quiz was taken there: SIS id, login, Canvas's own number.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -90,11 +90,6 @@ const fn yes() -> bool {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
 const fn is_yes(said: &bool) -> bool {
     *said
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
-const fn is_no(said: &bool) -> bool {
-    !*said
 }
 
 impl StoredGrading {

@@ -10,62 +10,46 @@ use crate::sheet::self_check::Tools;
 use crate::sheet::texts::Texts;
 use crate::sheet::{html, key_table, pdf, tex};
 
-/// A format in which sheets and solutions are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Format {
-    /// Markdown, with its figures as SVG files
-    Md,
-    /// A page that needs nothing else
-    Html,
-    /// LaTeX, figures in TikZ
-    Tex,
-    /// PDF, where the program was built with `--features pdf`
-    Pdf,
+worded! {
+    /// A format in which sheets and solutions are written.
+    #[derive(PartialOrd, Ord)]
+    Format {
+        /// Markdown, with its figures as SVG files
+        Md "md",
+        /// A page that needs nothing else
+        Html "html",
+        /// LaTeX, figures in TikZ
+        Tex "tex",
+        /// PDF, where the program was built with `--features pdf`
+        Pdf "pdf",
+    }
 }
 
 impl Format {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Md, Self::Html, Self::Tex, Self::Pdf];
-
     /// A format by its name, as people type it.
     ///
     /// # Errors
     /// There is none of this name.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let name = text.trim().to_ascii_lowercase();
-        let found = Self::ALL.into_iter().find(|f| f.ending() == name);
-        found.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
-    }
-
-    /// The ending of its files.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            Self::Md => "md",
-            Self::Html => "html",
-            Self::Tex => "tex",
-            Self::Pdf => "pdf",
-        }
+        let format = Self::of_word(&text.trim().to_ascii_lowercase());
+        format.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
     }
 }
 
 /// What was asked for, or the default: Markdown and a page, and PDF where it is built in. Each once, in a fixed order.
 pub fn formats(asked: Option<&[Format]>) -> Vec<Format> {
-    match asked {
-        Some(asked) => Format::ALL.into_iter().filter(|f| asked.contains(f)).collect(),
-        None => Format::ALL
-            .into_iter()
-            .filter(|f| match f {
-                Format::Md | Format::Html => true,
-                Format::Tex => false,
-                Format::Pdf => pdf::BUILT_IN,
-            })
-            .collect(),
-    }
+    let wanted = |format: &Format| match (asked, format) {
+        (Some(asked), format) => asked.contains(format),
+        (None, Format::Md | Format::Html) => true,
+        (None, Format::Tex) => false,
+        (None, Format::Pdf) => pdf::BUILT_IN,
+    };
+    Format::ALL.iter().copied().filter(wanted).collect()
 }
 
 /// The formats of a stored set.
 pub fn stored(endings: &[String]) -> Vec<Format> {
-    Format::ALL.into_iter().filter(|f| endings.iter().any(|e| e == f.ending())).collect()
+    Format::ALL.iter().copied().filter(|f| endings.iter().any(|e| e == f.as_str())).collect()
 }
 
 /// Writes documents in some formats.
@@ -130,7 +114,7 @@ impl<'o> DocumentWriter<'o> {
             false => Vec::new(),
         };
         for format in self.formats {
-            let name = format!("{}.{}", self.name, format.ending());
+            let name = format!("{}.{}", self.name, format.as_str());
             let bytes = match format {
                 Format::Md => {
                     for (name, screen) in &screens {

@@ -103,13 +103,6 @@ impl<'b> Writer<'b> {
     }
 }
 
-fn field<'n>(node: &'n Node, name: &str) -> Option<&'n Node> {
-    match &node.value {
-        node::Value::Map(fields) => fields.iter().find(|(k, _)| k.text() == Some(name)).map(|(_, v)| v),
-        _ => None,
-    }
-}
-
 fn to_json(node: &Node) -> Value {
     match &node.value {
         node::Value::Empty => Value::Null,
@@ -176,11 +169,11 @@ impl PublicProblem {
     fn new(bank: &Bank, tree: &Node, problem: &Problem, case: &Case) -> Self {
         let common = ["reveal", "tolerance", "units"];
         let common =
-            common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(field(tree, name)?))));
-        let hints = field(tree, "grading").and_then(|g| field(g, "hints")).map(to_json);
+            common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(tree.field(name)?))));
+        let hints = tree.field("grading").and_then(|g| g.field("hints")).map(to_json);
         let hints = hints.map(|level| ("grading".to_owned(), json!({"hints": level})));
-        let whole = field(tree, "problems").and_then(|p| field(p, &problem.id));
-        let of = |name: &str, id: &str| whole.and_then(|p| field(p, name)).and_then(|list| field(list, id));
+        let whole = tree.field("problems").and_then(|p| p.field(&problem.id));
+        let of = |name: &str, id: &str| whole.and_then(|p| p.field(name)).and_then(|list| list.field(id));
         let mut data = Map::new();
         for datum in &problem.data {
             if let Some(Value::Object(mut fields)) = of("data", &datum.symbol).map(to_json) {
@@ -207,8 +200,8 @@ impl PublicProblem {
                 mistakes.insert(mistake.id.clone(), Value::Object(fields));
             }
         }
-        let own = |case: &Case| of("cases", &case.written).and_then(|c| field(c, "scene"));
-        let scene = own(case).or_else(|| whole.and_then(|p| field(p, "scene")));
+        let own = |case: &Case| of("cases", &case.written).and_then(|c| c.field("scene"));
+        let scene = own(case).or_else(|| whole.and_then(|p| p.field("scene")));
         let asked = PublicQuestions {
             title: problem.title.clone(),
             data,
@@ -217,7 +210,7 @@ impl PublicProblem {
             mistakes,
         };
         Self {
-            bank: field(tree, "bank").map_or(Value::Null, to_json),
+            bank: tree.field("bank").map_or(Value::Null, to_json),
             title: bank.title.clone(),
             common: common.chain(hints).collect(),
             problems: BTreeMap::from([(problem.id.clone(), asked)]),

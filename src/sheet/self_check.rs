@@ -30,36 +30,26 @@ static PACKED: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(PROGRA
 /// The script by its hash, so that no other runs.
 static HASH: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(Sha256::digest(SCRIPT.as_bytes())));
 
-/// Where the program of a page lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Hosting {
-    /// In each sheet, which is then one file that needs nothing else
-    #[default]
-    Single,
-    /// Beside the sheets, once for all, for a web server
-    Site,
+worded! {
+    /// Where the program of a page lies.
+    #[derive(Default, Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    Hosting {
+        /// In each sheet, which is then one file that needs nothing else
+        #[default]
+        Single "single",
+        /// Beside the sheets, once for all, for a web server
+        Site "site",
+    }
 }
 
 impl Hosting {
-    /// Both of them.
-    const ALL: [Self; 2] = [Self::Single, Self::Site];
-
     /// By its name, as people type it.
     ///
     /// # Errors
     /// There is none of this name.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|h| h.name() == text.trim());
-        found.ok_or_else(|| "a page is single or site".to_owned())
-    }
-
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Single => "single",
-            Self::Site => "site",
-        }
+        Self::of_word(text.trim()).ok_or_else(|| "a page is single or site".to_owned())
     }
 }
 

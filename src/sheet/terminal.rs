@@ -34,12 +34,6 @@ pub fn percent(share: f64) -> String {
     format!("{} %", shown::decimals(share * 100.0, 0))
 }
 
-/// A share in per cent, without zeros at the end.
-pub fn per_cent(share: f64) -> String {
-    let text = shown::decimals(share * 100.0, 3);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 /// `1 sheet`, `2 sheets`
 pub fn count(n: impl TryInto<u64>, one: &str) -> String {
     let n = n.try_into().unwrap_or(u64::MAX);

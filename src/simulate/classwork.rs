@@ -182,7 +182,7 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
                 row.part,
                 &row.handed.attempt.to_string(),
                 &answer,
-                t.kind.name(),
+                t.kind.as_str(),
                 &t.method,
                 &figures,
                 &t.from,

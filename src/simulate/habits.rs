@@ -39,10 +39,6 @@ impl<T: Copy> Mix<T> {
         let last = self.0.iter().rev().find(|(_, w)| *w > 0.0);
         last.or(self.0.last()).map(|(t, _)| *t).expect("a mix has something in it")
     }
-    /// All of it.
-    pub fn all(&self) -> &[(T, f64)] {
-        &self.0
-    }
 }
 
 /// In which unit a number is written.
@@ -191,8 +187,8 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     let answers = fields.need("answers", "{right: 70, wrong method: 30}");
     let answers = answers.and_then(|n| {
         mix(n, "kinds of answers", faults, &|name| {
-            TrueKind::DECLARED.iter().copied().find(|k| k.name() == name).ok_or_else(|| {
-                let known = TrueKind::DECLARED.iter().map(|k| k.name());
+            TrueKind::DECLARED.iter().copied().find(|k| k.as_str() == name).ok_or_else(|| {
+                let known = TrueKind::DECLARED.iter().map(|k| k.as_str());
                 let near = spell::did_you_mean(name, known.clone());
                 near.unwrap_or_else(|| format!("the kinds are {}", known.collect::<Vec<_>>().join(", ")))
             })
@@ -423,7 +419,7 @@ mod tests {
     fn the_example_says_every_field() {
         let habits = Habits::usual();
         assert!(habits.copying.is_some() && habits.times.is_some() && habits.absent > 0.0);
-        assert_eq!(habits.answers.all().len(), TrueKind::DECLARED.len());
+        assert_eq!(habits.answers.0.len(), TrueKind::DECLARED.len());
         assert!(habits.any_method > 0.0 && !habits.methods.is_empty());
     }
 

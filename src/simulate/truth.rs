@@ -1,32 +1,36 @@
 //! What was really done in each simulated row, and which verdict it should get.
 
-macro_rules! kinds {
-    ($($variant:ident $name:literal;)*) => {
-        /// What was done.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum TrueKind { $(#[doc = $name] $variant,)* }
-        impl TrueKind {
-            /// All.
-            pub const ALL: &'static [TrueKind] = &[$(TrueKind::$variant,)*];
-            /// In words.
-            pub const fn name(self) -> &'static str { match self { $(TrueKind::$variant => $name,)* } }
-        }
-    };
-}
-kinds! {
-    Right "right";
-    RoundedOnTheWay "rounded on the way";
-    WrongMethod "wrong method";
-    WrongSign "wrong sign";
-    UnitSlip "unit slip";
-    WrongUnit "wrong unit";
-    PowerOfTen "power of ten";
-    TypingError "typing error";
-    OtherPart "other part";
-    Blank "blank";
-    Garbage "garbage";
-    Followed "followed";
-    Copied "copied";
+worded! {
+    /// What was done.
+    #[derive(PartialOrd, Ord, Hash)]
+    TrueKind {
+        /// The right answer.
+        Right "right",
+        /// The right way, rounded on it.
+        RoundedOnTheWay "rounded on the way",
+        /// A known wrong method.
+        WrongMethod "wrong method",
+        /// The right size with the other sign.
+        WrongSign "wrong sign",
+        /// The right number in another unit than is said.
+        UnitSlip "unit slip",
+        /// A unit of another kind.
+        WrongUnit "wrong unit",
+        /// Off by a power of ten.
+        PowerOfTen "power of ten",
+        /// A slip of the hand.
+        TypingError "typing error",
+        /// The answer to another part.
+        OtherPart "other part",
+        /// Nothing.
+        Blank "blank",
+        /// Nothing that can be read.
+        Garbage "garbage",
+        /// What follows from an own wrong answer.
+        Followed "followed",
+        /// The answer of somebody else.
+        Copied "copied",
+    }
 }
 
 impl TrueKind {

@@ -23,31 +23,19 @@ use crate::words::Words;
 /// Finds the words of a wrong method by its id.
 pub type FindWords<'a, 'w> = &'a dyn Fn(&str) -> Option<MethodWords<'w>>;
 
-/// What a hint does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HintKind {
-    /// It names a slip: a unit, a power of ten, a sign.
-    Slip,
-    /// It asks a question.
-    Nudge,
-    /// It puts a limiting case.
-    Limit,
-    /// It says where to look in the figure.
-    Where,
-    /// It says what to do.
-    Do,
-}
-
-impl HintKind {
-    /// As a word for machines.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            HintKind::Slip => "slip",
-            HintKind::Nudge => "nudge",
-            HintKind::Limit => "limit",
-            HintKind::Where => "where",
-            HintKind::Do => "do",
-        }
+worded! {
+    /// What a hint does.
+    HintKind {
+        /// It names a slip: a unit, a power of ten, a sign.
+        Slip "slip",
+        /// It asks a question.
+        Nudge "nudge",
+        /// It puts a limiting case.
+        Limit "limit",
+        /// It says where to look in the figure.
+        Where "where",
+        /// It says what to do.
+        Do "do",
     }
 }
 

@@ -11,7 +11,7 @@ pub mod spell;
 mod table;
 
 pub use parse::{UnitFault, names};
-pub use quantity::{QuantityFault, WrittenQuantity, parse_decimal, parse_quantity};
+pub use quantity::{QuantityFault, WrittenQuantity, parse_quantity};
 
 /// Exponents of mass, length, time and angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

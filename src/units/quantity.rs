@@ -45,7 +45,6 @@ struct LeadingDecimal {
     negative: bool,
     digits: Option<u128>,
     exponent: i32,
-    decimals: u32,
     /// Bytes of the text.
     length: usize,
 }
@@ -85,24 +84,7 @@ fn leading_decimal(text: &str) -> Option<LeadingDecimal> {
         }
     }
     let length = text.len() - body.len() + at;
-    Some(LeadingDecimal {
-        negative,
-        digits,
-        exponent: exponent - i32::try_from(decimals).ok()?,
-        decimals,
-        length,
-    })
-}
-
-/// A plain decimal such as `0.30` as an integer and its decimals: (30, 2). No exponent, at most 15 digits.
-pub fn parse_decimal(text: &str) -> Option<(i64, u8)> {
-    let d = leading_decimal(text)?;
-    let decimals = u8::try_from(d.decimals).ok()?;
-    if d.length != text.len() || text.contains(['e', 'E']) {
-        return None;
-    }
-    let digits = i64::try_from(d.digits?).ok().filter(|d| *d < 1_000_000_000_000_000)?;
-    Some((if d.negative { -digits } else { digits }, decimals))
+    Some(LeadingDecimal { negative, digits, exponent: exponent - i32::try_from(decimals).ok()?, length })
 }
 
 /// Reads `40kg`, `200 mm`, `9.81 m/s^2`, `-3e2 N`; a plain number takes the unit `plain`.
@@ -262,7 +244,6 @@ mod tests {
             let one = Unit::one();
             for t in [text.as_str(), unitlike.as_str()] {
                 let _ = parse_quantity(t, &one);
-                let _ = parse_decimal(t);
                 if let Ok((unit, _)) = Unit::parse_any_case(t) {
                     let again = Unit::parse(unit.ascii()).expect("ascii() is read back");
                     prop_assert_eq!(again.dimension(), unit.dimension());

@@ -261,12 +261,16 @@ fn compare(problem: &Problem, answers: &[u8], truth: &[u8], score: &mut Score) {
         assert_eq!(graded.get(line).unwrap(), l);
         let verdict = graded.get(verdict).unwrap();
         let named: Vec<&str> = graded.get(methods).unwrap().split_whitespace().collect();
-        let kind = *Kind::ALL.iter().find(|k| k.name() == kind).unwrap();
+        let kind = *Kind::ALL.iter().find(|k| k.as_str() == kind).unwrap();
         let at = || {
             let reason = graded.get(reason).unwrap();
-            format!("{} {part} of {student}: `{answer}` ({}) is {verdict}: {reason}", problem.id, kind.name())
+            format!(
+                "{} {part} of {student}: `{answer}` ({}) is {verdict}: {reason}",
+                problem.id,
+                kind.as_str()
+            )
         };
-        score.verdicts.entry(kind.name()).or_default().add(verdict == says);
+        score.verdicts.entry(kind.as_str()).or_default().add(verdict == says);
         if verdict != says {
             score.faults.push(format!("{}, not {says}", at()));
         }
@@ -285,7 +289,7 @@ fn compare(problem: &Problem, answers: &[u8], truth: &[u8], score: &mut Score) {
         {
             let said =
                 format!("{} {}", graded.get(column("slip")).unwrap(), graded.get(column("credit")).unwrap());
-            score.slips.entry(kind.name()).or_default().add(said.contains(sign));
+            score.slips.entry(kind.as_str()).or_default().add(said.contains(sign));
         }
         for id in &named {
             score.precise.entry((*id).to_owned()).or_default().add(*id == method);

@@ -857,8 +857,8 @@ fn the_demo_runs_twice_and_spares_what_it_did_not_make() {
     let (truth, answers) = (rows("demo/truth.csv"), rows("demo/grades/answers.csv"));
     assert_eq!(truth.len(), answers.len());
     for kind in TrueKind::ALL {
-        let of_kind = truth.iter().filter(|row| row["kind"] == kind.name()).count();
-        assert!(of_kind >= 5, "{}: {of_kind}", kind.name());
+        let of_kind = truth.iter().filter(|row| row["kind"] == kind.as_str()).count();
+        assert!(of_kind >= 5, "{}: {of_kind}", kind.as_str());
     }
     for (truth, graded) in truth.iter().zip(&answers) {
         let verdict = &graded["verdict"];

@@ -6,8 +6,6 @@ mod marks_and_weakest;
 mod mistakes;
 mod tables;
 
-pub use tables::NAMES as TABLES;
-
 use crate::finding::Finding;
 use crate::matches::FLAGGED;
 use crate::misconception::catalogue::Catalogue;
