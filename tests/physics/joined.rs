@@ -688,7 +688,7 @@ forces: [spring: {on: rod.B, to: [0 m, 1 m], stiffness: 30 N/m, natural length: 
 start: {rod: {angle: 0 deg}}
 end: {angle: {of: rod, reaches: 90 deg}}
 ";
-    all_near(&told(sprung, &["omega"]), &[(30.0 * 2.0 / (4.0 / 3.0) as f64).sqrt()], 1e-12);
+    all_near(&told(sprung, &["omega"]), &[(30.0_f64 * 2.0 / (4.0 / 3.0)).sqrt()], 1e-12);
     let mixed = rod.replace("bodies: {rod:", "bodies: {b: {mass: 1 kg, moves: in the plane}, rod:");
     let text = format!(
         "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {{}}\n    scene:\n{}    questions: {{q: {{quantity: kinetic_energy, ask: none}}}}\n",

@@ -360,7 +360,7 @@ impl<'m> Judge<'m> {
             next += count(hold);
             next - count(hold)
         };
-        self.m.holds.iter().map(|hold| first(hold)).collect()
+        self.m.holds.iter().map(first).collect()
     }
     /// Senses of sliding, turned about where the normal force of a guide is negative that can pull: the only ones that fit.
     fn rubbing(&self, q: &[f64], v: &[f64], slides: &[f64]) -> Option<Vec<f64>> {
