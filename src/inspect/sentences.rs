@@ -201,6 +201,11 @@ fn reaches(scene: &Scene, c: &Check) -> String {
                 "the end is reached: {required} {unit} asked, the motion goes as far as {available} {unit}"
             )
         }
+        (false, _) if endless && pinned && c.required >= 0.0 => {
+            format!(
+                "the end is not reached: {required} {unit} asked; a motion is followed up to its turning point or the loss of a contact, for two turns at most"
+            )
+        }
         (false, _) if endless || (pinned && c.required < 0.0) => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }

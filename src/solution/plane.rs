@@ -1346,7 +1346,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 Rest::Stretch(_) => &rest + &angles[which] - &angles[START],
             };
             let is = angle * pi / half;
-            wound.push(self.named_by([r"\beta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
+            wound.push(self.named_by([r"\vartheta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
         }
         if let [first, last] = &wound[..] {
             self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
@@ -1633,7 +1633,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let couple = |p: &Pull| p.along.iter().all(Sum::is_zero);
             let of_spring = |p: &Pull| p.size.expr().uses().iter().any(|s| self.springs.contains(s));
             // About a pin the spring's moment stands by itself.
-            let apart = |p: &Pull| self.pivot.is_some() && of_spring(p);
+            let apart = |p: &Pull| self.pivot.is_some() && of_spring(p) && !couple(p);
             let left = [moments(&couple), moments(&|p| apart(p)), moments(&|p| !couple(p) && !apart(p))];
             let left = positive_first(left);
             match &self.pivot {
@@ -1949,7 +1949,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::Drive, _) => self.driver.ok_or_else(none)?,
             (Q::Moment, Owner::Strut(s)) => {
                 let moment = *self.springs.get(s).ok_or_else(none)?;
-                self.page.find(&["M", "M_t"], "N m", ZERO - moment)
+                let several = self.scene.struts.len() > 1;
+                let name =
+                    if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
+                self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment)
             }
             (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
             (Q::KineticEnergy, _) => {

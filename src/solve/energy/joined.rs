@@ -99,6 +99,22 @@ struct Balance<T> {
 fn least<T: Real>(one: T, other: &T) -> T {
     if other.below(one) { *other } else { one }
 }
+/// Where a parabola through three places has its bottom, if the one in the middle is the lowest by magnitude and it lies well below
+/// that.
+fn dip<T: Real>(around: &[(T, T)]) -> Option<T> {
+    let [(a, high), (b, low), (c, far)] = around else { return None };
+    let [high, low, far] = [high, low, far].map(|x| x.abs());
+    let (left, right) = ((high - low) / (*b - *a), (far - low) / (*c - *b));
+    let bend = (left + right) / (*c - *a);
+    if left.sign() <= 0.0 || right.sign() < 0.0 {
+        return None;
+    }
+    // Slope at the middle, from the parabola.
+    let slope = (right * (*b - *a) - left * (*c - *b)) / (*c - *a);
+    let fall = slope.square() / bend.scale2(2);
+    let at = *b - slope / bend.scale2(1);
+    (low.scale2(-4).below(fall) && !(at - *b).is_zero()).then_some(at)
+}
 fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
@@ -770,23 +786,46 @@ impl<'a, T: Real> Account<'a, T> {
 
     // -- where it ends --------------------------------------------------------------------------------------------------
 
-    /// The first place before `far` at which `value`, which sets off above 0 (or `rising` below it), no longer is there.
+    /// The first place before `far` at which `value`, which sets off above 0 (or `rising` below it), no longer is there, however
+    /// shortly.
     fn first(
         &self,
         far: T,
         rising: bool,
         value: &dyn Fn(T) -> Result<T, Refusal>,
     ) -> Result<Option<T>, Refusal> {
+        let gone = |now: T| now.sign() == 0.0 || (now.sign() > 0.0) == rising;
         ball::unwatched(|| {
-            let mut before = T::zero();
-            while before.below(far) {
+            let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
+            while let Some((before, _)) = seen.last().copied()
+                && before.below(far)
+            {
                 let next = before + T::of(STEP);
                 let next = if next.below(far) { next } else { far };
                 let now = value(next)?;
-                if now.sign() == 0.0 || (now.sign() > 0.0) == rising {
+                if gone(now) {
                     return Ok(Some(root::between_values(before, next, rising, value)?));
                 }
-                before = next;
+                seen.push((next, now));
+                // Between two looks it may have been gone and back.
+                let mut around = seen.clone();
+                while let Some(at) = dip(&around) {
+                    let now = value(at)?;
+                    if gone(now) {
+                        return Ok(Some(root::between_values(around[0].0, at, rising, value)?));
+                    }
+                    let middle = around[1];
+                    let deeper = now.size() < middle.1.size();
+                    around[if deeper == at.below(middle.0) { 2 } else { 0 }] = middle;
+                    if deeper {
+                        around[1] = (at, now);
+                    } else {
+                        break;
+                    }
+                }
+                if seen.len() == 3 {
+                    seen.remove(0);
+                }
             }
             Ok(None)
         })
@@ -794,36 +833,37 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Does what only pushes push up to this way, and is it not what the end waits for? Errors: friction that turns about.
     fn stays_in_touch(&self, far: T, from: (&Poses<T>, T)) -> Result<bool, Refusal> {
-        let joints = self.scene.joints.iter().enumerate();
-        let watched = joints.filter(|(j, joint)| {
-            joint.kind.rubs().is_some() || joint.kind.only_pushes() && self.scene.end != End::Leaves(*j)
-        });
-        let watched: SmallVec<[(usize, &Joint); 4]> = watched.collect();
         // An enclosure is of a motion that both roads have followed.
-        let mut at = if watched.is_empty() || T::ENCLOSES { far } else { T::zero() };
-        ball::unwatched(|| {
-            while at.below(far) {
-                let next = at + T::of(STEP);
-                at = if next.below(far) { next } else { far };
-                let poses = self.poses(at)?;
-                let square = self.half_square(at, from)?.scale2(1);
-                let motion = self.rates(&poses).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
-                if self.sliding(&poses, &motion) != self.slides {
-                    return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
-                }
-                for (j, joint) in &watched {
-                    let Some(force) = self.normal(&poses, square, *j)? else { continue };
-                    let side = if joint.kind.only_pushes() { 1.0 } else { self.rubs[*j] * self.slides[*j] };
-                    let presses = force.signed(side).sign() > 0.0;
-                    match joint.kind.only_pushes() {
-                        true if !presses && self.scene.end != End::Leaves(*j) => return Ok(false),
-                        false if !presses => return Err(Refusal::Unsupported(Unsupported::FrictionTurns)),
-                        _ => {}
-                    }
-                }
+        if T::ENCLOSES {
+            return Ok(true);
+        }
+        let turns = || Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+        for (j, joint) in self.scene.joints.iter().enumerate() {
+            let pushes = joint.kind.only_pushes();
+            if !pushes && joint.kind.rubs().is_none() || self.scene.end == End::Leaves(j) {
+                continue;
             }
-            Ok(true)
-        })
+            let side = if pushes { 1.0 } else { self.rubs[j] * self.slides[j] };
+            let force = |way: T| {
+                let square = self.half_square(way, from)?.scale2(1);
+                let force = self.normal(&self.poses(way)?, square, j)?;
+                Ok(force.map_or_else(|| T::of(1.0), |force| force.signed(side)))
+            };
+            if self.first(far, false, &force)?.is_some() {
+                return if pushes { Ok(false) } else { turns() };
+            }
+        }
+        let mut at = if self.scene.joints.iter().any(|j| j.kind.rubs().is_some()) { T::zero() } else { far };
+        while at.below(far) {
+            let next = at + T::of(STEP);
+            at = if next.below(far) { next } else { far };
+            let poses = self.poses(at)?;
+            let motion = self.rates(&poses).iter().map(|r| r.map(|x| x.signed(self.sense))).collect();
+            if self.sliding(&poses, &motion) != self.slides {
+                return turns();
+            }
+        }
+        Ok(true)
     }
 
     /// Time over a way: in an angle whose cosine is the place.

@@ -940,7 +940,8 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
             }
             if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
-                self.say(Quantity::PinForce, of, (x.square() + y.square()).root());
+                let force = (x.square() + y.square()).root();
+                self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
             }
         }
         for (s, strut) in scene.struts.iter().enumerate() {
