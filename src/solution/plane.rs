@@ -2016,7 +2016,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::IO => return Ok(Some(about)),
             Q::PinRadial => return Ok(Some(r)),
             Q::PinTangential => return Ok(Some(s)),
-            Q::SpringForce => return Ok(self.springs.first().copied()),
+            Q::SpringForce => {
+                let spring = if let Owner::Strut(s) = label.of { s } else { 0 };
+                return Ok(self.springs.get(spring).copied());
+            }
             Q::PinX | Q::PinY if !pivot.radial => {
                 return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
             }

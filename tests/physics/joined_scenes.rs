@@ -356,7 +356,7 @@ impl<'m> Judge<'m> {
             _ => 1,
         };
         let mut next = 0;
-        let mut first = |hold| {
+        let first = |hold| {
             next += count(hold);
             next - count(hold)
         };
