@@ -396,6 +396,7 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::PinnedInCompany => {
             "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
         }
+        Unsupported::Overwound => "a torsion spring may be wound by less than half a turn",
         Unsupported::FrictionTurns => {
             "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses"
         }

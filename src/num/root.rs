@@ -5,7 +5,8 @@ use smallvec::SmallVec;
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
 
-/// The places from 0 to `far` at which a value changes its sign, looked for in steps; none beyond where there is no value.
+/// The places from 0 to `far` at which a value changes its sign, looked for in steps and in the dips between them; none beyond where
+/// there is no value.
 ///
 /// Errors: those of the value, save at its steps.
 pub fn changes<T: Real, E>(
@@ -13,9 +14,11 @@ pub fn changes<T: Real, E>(
     value: &dyn Fn(T) -> Result<T, E>,
 ) -> Result<SmallVec<[T; 4]>, E> {
     let mut found = SmallVec::new();
-    let Ok(mut last) = value(T::zero()) else { return Ok(found) };
-    let mut before = T::zero();
-    while before.below(far) {
+    let Ok(first) = value(T::zero()) else { return Ok(found) };
+    let mut seen: SmallVec<[(T, T); 3]> = SmallVec::from_slice(&[(T::zero(), first)]);
+    while let Some((before, last)) = seen.last().copied()
+        && before.below(far)
+    {
         let next = before + step;
         let next = if next.below(far) { next } else { far };
         let Ok(now) = value(next) else { break };
@@ -24,9 +27,58 @@ pub fn changes<T: Real, E>(
         } else if now.is_zero() {
             found.push(next);
         }
-        (before, last) = (next, now);
+        seen.push((next, now));
+        if let Some([left, at, right]) = dipped(&seen, value)? {
+            let below = last.sign() > 0.0;
+            found.push(between_values(left, at, !below, value)?);
+            found.push(between_values(at, right, below, value)?);
+        }
+        if seen.len() == 3 {
+            seen.remove(0);
+        }
     }
     Ok(found)
+}
+
+/// Of three looks at a value that has one sign at all of them: a place between two of them where it has not, in the middle.
+///
+/// Errors: those of the value.
+pub fn dipped<T: Real, E>(seen: &[(T, T)], value: &dyn Fn(T) -> Result<T, E>) -> Result<Option<[T; 3]>, E> {
+    let mut around: SmallVec<[(T, T); 3]> = SmallVec::from_slice(seen);
+    while let Some(at) = dip(&around) {
+        let now = value(at)?;
+        if now.sign() != around[1].1.sign() {
+            return Ok(Some([around[0].0, at, around[2].0]));
+        }
+        let middle = around[1];
+        let deeper = now.size() < middle.1.size();
+        around[if deeper == at.below(middle.0) { 2 } else { 0 }] = middle;
+        if !deeper {
+            break;
+        }
+        around[1] = (at, now);
+    }
+    Ok(None)
+}
+
+/// Where a parabola through three places of one sign has its bottom, if the one in the middle is the lowest by magnitude and it lies
+/// well below that.
+fn dip<T: Real>(around: &[(T, T)]) -> Option<T> {
+    let [(a, high), (b, low), (c, far)] = around else { return None };
+    if high.sign() != low.sign() || far.sign() != low.sign() {
+        return None;
+    }
+    let [high, low, far] = [high, low, far].map(|x| x.abs());
+    let (left, right) = ((high - low) / (*b - *a), (far - low) / (*c - *b));
+    let bend = (left + right) / (*c - *a);
+    if left.sign() <= 0.0 || right.sign() < 0.0 {
+        return None;
+    }
+    // Slope at the middle, from the parabola.
+    let slope = (right * (*b - *a) - left * (*c - *b)) / (*c - *a);
+    let fall = slope.square() / bend.scale2(2);
+    let at = *b - slope / bend.scale2(1);
+    (low.scale2(-4).below(fall) && !(at - *b).is_zero()).then_some(at)
 }
 
 /// The root of a function without a known slope: by the secant of the last two values, never out of its bracket.

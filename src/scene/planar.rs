@@ -4,7 +4,7 @@
 //! Places are told in a frame fixed in space, x to the right and y up. A body has an axis with its mass centre on it, and its points are
 //! told by their distances from the origin of the axis, along it and to its left. The angle of the axis counts from one of four directions, in either sense; a turn is
 //! positive as that angle grows.
-use crate::scene::{Num, Quantity};
+use crate::scene::{Num, Quantity, Rest, Scene};
 
 /// How a body lies in the plane and which of its points have names.
 #[derive(Debug, Clone, PartialEq)]
@@ -244,6 +244,18 @@ pub struct Strut {
     pub rest: crate::scene::Rest,
     /// Whether it pulls and pushes.
     pub acts: Acts,
+}
+
+impl Scene {
+    /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
+    pub fn is_overwound(&self, data: &[f64]) -> bool {
+        let wound = |strut: &Strut| match (strut.rest, self.planar(strut.at.body)?.start_deg) {
+            (Rest::Stretch(by), _) => Some(self.value(by, data)),
+            (Rest::Length(at), Some(start)) => Some(self.value(start, data) - self.value(at, data)),
+            _ => None,
+        };
+        self.struts.iter().filter(|s| s.twists()).filter_map(wound).any(|angle| angle.abs() >= 180.0)
+    }
 }
 
 /// Does a spring pull and push? One that does but one of them is met on the way, and let go of.

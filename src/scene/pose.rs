@@ -154,9 +154,13 @@ pub fn foot<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<Output = X>>(
     [through[0] + along[0] * way, through[1] + along[1] * way]
 }
 
-/// How far an axis has turned from a direction, in the sense in which the angle of its body counts: half a turn at most.
+/// How far an axis has turned from a direction, in the sense in which the angle of its body counts: less than half a turn.
 pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
     let (along, across) = (dot(from, axis), from[0] * axis[1] - from[1] * axis[0]);
+    // At half a turn it is open which way it has turned.
+    if along.sign() < 0.0 && across.size() < LEVEL {
+        return T::of(f64::NAN);
+    }
     trig::angle(across, along).signed(sense(planar))
 }
 
@@ -294,6 +298,14 @@ pub struct Touch<T> {
     pub radius: T,
     /// Curvature of the way of its centre, positive where it bends away from the normal.
     pub bend: T,
+}
+
+/// Sum of all weights and of what springs exert that are stretched by the size of everything, N: what forces are small beside.
+pub fn pulls<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
+    let size = size(scene, n);
+    let weights: f64 = n.bodies.iter().map(|b| (b.mass * n.gravity).size()).sum();
+    let spring = |s: &Strut| n.massive(s.stiffness_n_m).size() * if s.twists() { 1.0 / size } else { size };
+    weights + scene.struts.iter().map(spring).sum::<f64>()
 }
 
 /// Sum of the distances of all points from the origins of their axes, and of radii, m: what lengths and speeds are small beside.

@@ -387,6 +387,9 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
     let refuse = |what| Err(Refusal::Unsupported(what));
     if scene.lead().is_some() {
+        if scene.is_overwound(data) {
+            return refuse(Unsupported::Overwound);
+        }
         let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
         return if joined { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
     }

@@ -547,6 +547,8 @@ pub enum Unsupported {
     PinnedInCompany,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
+    /// A torsion spring that is wound by half a turn or more at the start.
+    Overwound,
 }
 
 /// What one road says of one quantity.

@@ -99,22 +99,6 @@ struct Balance<T> {
 fn least<T: Real>(one: T, other: &T) -> T {
     if other.below(one) { *other } else { one }
 }
-/// Where a parabola through three places has its bottom, if the one in the middle is the lowest by magnitude and it lies well below
-/// that.
-fn dip<T: Real>(around: &[(T, T)]) -> Option<T> {
-    let [(a, high), (b, low), (c, far)] = around else { return None };
-    let [high, low, far] = [high, low, far].map(|x| x.abs());
-    let (left, right) = ((high - low) / (*b - *a), (far - low) / (*c - *b));
-    let bend = (left + right) / (*c - *a);
-    if left.sign() <= 0.0 || right.sign() < 0.0 {
-        return None;
-    }
-    // Slope at the middle, from the parabola.
-    let slope = (right * (*b - *a) - left * (*c - *b)) / (*c - *a);
-    let fall = slope.square() / bend.scale2(2);
-    let at = *b - slope / bend.scale2(1);
-    (low.scale2(-4).below(fall) && !(at - *b).is_zero()).then_some(at)
-}
 fn dot<T: Real>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
@@ -808,20 +792,8 @@ impl<'a, T: Real> Account<'a, T> {
                 }
                 seen.push((next, now));
                 // Between two looks it may have been gone and back.
-                let mut around = seen.clone();
-                while let Some(at) = dip(&around) {
-                    let now = value(at)?;
-                    if gone(now) {
-                        return Ok(Some(root::between_values(around[0].0, at, rising, value)?));
-                    }
-                    let middle = around[1];
-                    let deeper = now.size() < middle.1.size();
-                    around[if deeper == at.below(middle.0) { 2 } else { 0 }] = middle;
-                    if deeper {
-                        around[1] = (at, now);
-                    } else {
-                        break;
-                    }
+                if let Some([left, at, _]) = root::dipped(&seen, value)? {
+                    return Ok(Some(root::between_values(left, at, rising, value)?));
                 }
                 if seen.len() == 3 {
                     seen.remove(0);
@@ -1219,7 +1191,10 @@ impl<'a, T: Real> Account<'a, T> {
         let stiffness = match found {
             Some(way) => {
                 let poses = self.poses(way)?;
-                -self.softens(&poses) / self.inertia(&poses)
+                let stiff = -self.softens(&poses);
+                // Where it is indifferent, rounding is left of it.
+                let nothing = 1e-9 * pose::pulls(self.scene, self.n) * pose::size(self.scene, self.n);
+                if T::of(nothing).below(stiff) { stiff / self.inertia(&poses) } else { T::zero() }
             }
             None => T::zero(),
         };

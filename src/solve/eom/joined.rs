@@ -38,6 +38,9 @@ const DEGREE: f64 = 32.0;
 /// A panel is no shorter than this share of the way: a singularity so far away is still seen.
 const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
 
+/// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
+const INDIFFERENT: f64 = 1e-9;
+
 /// A normal force below this share of all weights does not press.
 const PUSHES: f64 = 1e-9;
 
@@ -152,7 +155,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
             let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
             let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
             let (response, moment) = driven(&rubs)?;
-            let size = moment.size() + teller.pulls(&state) * mechanism.size();
+            let size = moment.size() + teller.pulls() * mechanism.size();
             teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
             teller.watch(&response, spin.square());
             let lead = mechanism.leading(&response);
@@ -793,10 +796,14 @@ impl<T: Real> Teller<'_, '_, T> {
             Some(way) => -plant!("eom: slope of the acceleration at equilibrium", slope(&drive, way)?),
             None => T::zero(),
         };
-        let (Some(way), true) = (found, stiffness.sign() > 0.0) else {
+        // Where it is indifferent, rounding is left of its stiffness.
+        let nothing = T::of(INDIFFERENT * self.pulls() * mechanism.size());
+        let inertia = mechanism.inertia(&mechanism.state(found.unwrap_or_else(T::zero), true)?);
+        let (Some(way), true) = (found, nothing.below(stiffness * inertia)) else {
             self.road.course = Some(Course::nowhere());
             return Ok(());
         };
+        self.gets_to(way)?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
         self.say(Quantity::OmegaSmall, of, frequency);
         self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
@@ -808,6 +815,26 @@ impl<T: Real> Teller<'_, '_, T> {
         }
         self.tell_forces(&state, &response, T::zero(), smooth);
         self.watch(&response, T::zero());
+        Ok(())
+    }
+
+    /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
+    fn gets_to(&self, way: T) -> Result<(), Refusal> {
+        let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));
+        let begin = mechanism.state(T::zero(), true)?;
+        let motion = Motion {
+            mechanism,
+            start: T::zero(),
+            sense: way.sign(),
+            from: Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) },
+            near: T::zero(),
+            slides: nothing.clone().collect(),
+            rubs: nothing.collect(),
+            meets: mechanism.meets(way.sign(), (way.abs(), T::of(STRIDE / 16.0))),
+            panels: Cell::new(PANELS),
+        };
+        let motion = motion.set_off(&begin)?;
+        motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
         Ok(())
     }
 
@@ -906,21 +933,19 @@ impl<T: Real> Teller<'_, '_, T> {
         let size = self.mechanism.size();
         let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
         let terms = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
-        self.tell_motion(state, rate, Some((response, self.pulls(state), terms)));
+        self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
         self.tell_forces(state, response, square, sliding);
         Ok(())
     }
 
     /// Forces that may cancel wherever a force or an acceleration vanishes.
-    fn pulls(&self, state: &State<T>) -> f64 {
-        let weights = self.n.bodies.iter().map(|b| (b.mass * self.n.gravity).size());
-        let springs = (0..self.scene.struts.len()).map(|s| self.mechanism.tension(state, s).size());
-        weights.chain(springs).sum()
+    fn pulls(&self) -> f64 {
+        pose::pulls(self.scene, self.n)
     }
 
     /// The forces of joints and springs at this square of the rate of the leading angle.
     fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
-        let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls(state));
+        let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
