@@ -1,6 +1,6 @@
 //! A root between two places, by Newton's method that is never let out of its bracket.
 use crate::num::Real;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
@@ -15,7 +15,7 @@ pub fn changes<T: Real, E>(
 ) -> Result<SmallVec<[T; 4]>, E> {
     let mut found = SmallVec::new();
     let Ok(first) = value(T::zero()) else { return Ok(found) };
-    let mut seen: SmallVec<[(T, T); 3]> = SmallVec::from_slice(&[(T::zero(), first)]);
+    let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), first)];
     while let Some((before, last)) = seen.last().copied()
         && before.below(far)
     {
@@ -44,7 +44,7 @@ pub fn changes<T: Real, E>(
 ///
 /// Errors: those of the value.
 pub fn dipped<T: Real, E>(seen: &[(T, T)], value: &dyn Fn(T) -> Result<T, E>) -> Result<Option<[T; 3]>, E> {
-    let mut around: SmallVec<[(T, T); 3]> = SmallVec::from_slice(seen);
+    let mut around: SmallVec<[(T, T); 3]> = seen.iter().copied().collect();
     while let Some(at) = dip(&around) {
         let now = value(at)?;
         if now.sign() != around[1].1.sign() {

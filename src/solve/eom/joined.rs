@@ -820,6 +820,9 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
     fn gets_to(&self, way: T) -> Result<(), Refusal> {
+        if way.size() < SHORTEST {
+            return Ok(());
+        }
         let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));
         let begin = mechanism.state(T::zero(), true)?;
         let motion = Motion {
