@@ -47,7 +47,7 @@ pub fn dipped<T: Real, E>(seen: &[(T, T)], value: &dyn Fn(T) -> Result<T, E>) ->
     let mut around: SmallVec<[(T, T); 3]> = seen.iter().copied().collect();
     while let Some(at) = dip(&around) {
         let now = value(at)?;
-        if now.sign() != around[1].1.sign() {
+        if now.sign() * around[1].1.sign() <= 0.0 {
             return Ok(Some([around[0].0, at, around[2].0]));
         }
         let middle = around[1];
@@ -65,7 +65,7 @@ pub fn dipped<T: Real, E>(seen: &[(T, T)], value: &dyn Fn(T) -> Result<T, E>) ->
 /// well below that.
 fn dip<T: Real>(around: &[(T, T)]) -> Option<T> {
     let [(a, high), (b, low), (c, far)] = around else { return None };
-    if high.sign() != low.sign() || far.sign() != low.sign() {
+    if high.sign() * low.sign() <= 0.0 || far.sign() * low.sign() <= 0.0 {
         return None;
     }
     let [high, low, far] = [high, low, far].map(|x| x.abs());
