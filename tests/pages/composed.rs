@@ -7,28 +7,19 @@ pub use crate::lot::Lot;
 use crate::support;
 use crate::tex;
 use rayon::prelude::*;
-use slipstick::bank::decimal::Decimal;
-use slipstick::bank::{Draw, Problem, load};
+use slipstick::bank::{Problem, load};
 use slipstick::problem::maker::{self, Variant};
 use slipstick::solution;
 use slipstick::template::Templates;
 use slipstick::words::Words;
 use std::collections::BTreeMap;
 
-fn values(problem: &Problem) -> Vec<Option<Decimal>> {
-    let given = |draw: &Option<Draw>| match draw {
-        Some(Draw::Always { value, decimals }) => Some(Decimal { value: *value, decimals: *decimals }),
-        _ => None,
-    };
-    problem.cases[0].draws.iter().map(given).collect()
-}
-
 /// A bank of one scene with a question for each quantity that it has; `None` where it is refused or would not be drawn.
 fn asked(text: &str) -> Option<(Problem, Variant, String)> {
     let solve = |text: &str| {
         let bank = load::scenes_only(text, "composed.yaml").ok()?;
         let problem = bank.problems.into_iter().next()?;
-        let variant = maker::from_values(&problem, 0, &values(&problem)).ok()?;
+        let variant = maker::from_values(&problem, 0, &support::constants(&problem)).ok()?;
         Some((problem, variant))
     };
     let (problem, variant) = solve(text)?;

@@ -423,13 +423,7 @@ fn a_cord_leaves_a_fixed_axle_as_the_bank_says() {
         let bank = drum(leaves);
         let problem = &bank.problems[0];
         // A scene that turns against what its end says is drawn all the same.
-        let draws = problem.cases[0].draws.iter().map(|d| match d {
-            Some(slipstick::bank::Draw::Always { value, decimals }) => {
-                Some(slipstick::bank::decimal::Decimal { value: *value, decimals: *decimals })
-            }
-            _ => None,
-        });
-        let values: Vec<_> = draws.collect();
+        let values = support::constants(problem);
         let variant = slipstick::problem::maker::from_values(problem, 0, &values).expect("solved");
         let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-6 && (a.1 - b.1).abs() < 1e-6;
         let way = |((ax, ay), (bx, by)): ((f64, f64), (f64, f64))| {

@@ -4,8 +4,7 @@
 //! equation again: a printed number stands for all numbers that round to it (data are exact), the right side is evaluated in
 //! intervals, and the printed result has to lie in what comes out. The line in symbols is held to the same with the
 //! values printed before; equations between quantities that are all known at the end have to hold with these.
-use slipstick::bank::decimal::Decimal;
-use slipstick::bank::{Draw, Problem, load};
+use slipstick::bank::{Problem, load};
 use slipstick::num::shown;
 use slipstick::problem::maker;
 use slipstick::problem::maker::{Maker, Variant};
@@ -278,15 +277,7 @@ fn scenes_of_textbooks() {
         let text = std::fs::read_to_string(&file).expect("text");
         let bank = load::scenes_only(&text, &file.display().to_string()).expect("a bank");
         for problem in &bank.problems {
-            let draws = problem.cases[0].draws.iter();
-            let values: Vec<Option<Decimal>> = draws
-                .map(|d| match d {
-                    Some(Draw::Always { value, decimals }) => {
-                        Some(Decimal { value: *value, decimals: *decimals })
-                    }
-                    _ => None,
-                })
-                .collect();
+            let values = support::constants(problem);
             // Some of these scenes are drawn and have no printed data; what is to be found is not printed anywhere.
             let unknown = problem.cases[0].scene.formulas.found.map(|f| f.unknown.datum);
             if values.iter().enumerate().any(|(i, v)| v.is_none() && Some(i) != unknown) {

@@ -10,7 +10,6 @@ use crate::composed::{nudged, scene, yaml};
 use crate::lagrange::{Owner, System, Told, Verdict};
 use crate::support;
 use rayon::prelude::*;
-use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
 use slipstick::scene as program;
 use slipstick::solve::agree::{prove, solve};
@@ -38,17 +37,7 @@ fn judge(seed: u64) -> Result<Outcome, String> {
     };
     let problem = &bank.problems[0];
     let case = &problem.cases[0];
-    let data: Vec<f64> = problem
-        .data
-        .iter()
-        .zip(&case.draws)
-        .map(|(d, draw)| match draw {
-            Some(slipstick::bank::Draw::Always { value, decimals }) => {
-                d.number(Decimal { value: *value, decimals: *decimals })
-            }
-            _ => panic!("every datum is given"),
-        })
-        .collect();
+    let data = support::data(problem);
     // Ties that hold more or less than others only because two data are equal by chance.
     let chance = System::new(&nudged(seed)).rank() != System::new(&s).rank();
     let mut solved = match solve(&case.scene, &data) {

@@ -6,7 +6,6 @@ use crate::joined_lot::{
 };
 use crate::support;
 use rayon::prelude::*;
-use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
 use slipstick::scene::{Owner, Quantity};
 use slipstick::solve::agree::{prove, solve};
@@ -735,17 +734,7 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
         }
     };
     let (problem, case) = (&bank.problems[0], &bank.problems[0].cases[0]);
-    let data: Vec<f64> = problem
-        .data
-        .iter()
-        .zip(&case.draws)
-        .map(|(d, draw)| match draw {
-            Some(slipstick::bank::Draw::Always { value, decimals }) => {
-                d.number(Decimal { value: *value, decimals: *decimals })
-            }
-            _ => panic!("every datum is given"),
-        })
-        .collect();
+    let data = support::data(problem);
     let verdict = Judge::new(m).verdict();
     let mut solved = match solve(&case.scene, &data) {
         Ok(solved) => solved,

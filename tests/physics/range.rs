@@ -3,8 +3,8 @@
 //!
 //! Both roads looked from release to the turning point whatever end was asked, for both had it from the same sentence, so their
 //! agreement could not tell; and the reference cases and the banks all ask for the greatest speed, where that is right.
-use crate::support::program::run_with;
-use slipstick::bank::{Draw, Problem, load};
+use crate::support::{self, program::run_with};
+use slipstick::bank::{Problem, load};
 use slipstick::cli::tell::Exit;
 use slipstick::scene::{Quantity, Span};
 use slipstick::solve::agree::solve;
@@ -233,17 +233,7 @@ impl Wheel {
 }
 
 fn solved(problem: &Problem) -> Option<Solved> {
-    let draws = problem.cases[0].draws.iter().enumerate();
-    let data: Vec<f64> = draws
-        .map(|(i, draw)| match draw {
-            Some(Draw::Always { value, decimals }) => {
-                let decimal = slipstick::bank::decimal::Decimal { value: *value, decimals: *decimals };
-                problem.data[i].number(decimal)
-            }
-            _ => unreachable!("everything is always the same"),
-        })
-        .collect();
-    solve(&problem.cases[0].scene, &data).ok()
+    solve(&problem.cases[0].scene, &support::data(problem)).ok()
 }
 
 fn problem(text: &str) -> Problem {

@@ -2,7 +2,8 @@
 pub mod program;
 pub mod xml;
 
-use slipstick::bank::{Bank, Problem, load};
+use slipstick::bank::decimal::Decimal;
+use slipstick::bank::{Bank, Draw, Problem, load};
 use slipstick::problem::maker::Maker;
 use slipstick::solve::ladder;
 
@@ -63,6 +64,23 @@ pub fn dear(problem: &Problem) -> u32 {
     let taken = ladder::solve(&problem.cases[drawn.case].scene, &drawn.data, &ladder::Wish::default());
     let evaluations = taken.map_or(1, |(_, taken)| taken.count.evaluations);
     u32::try_from(evaluations / 10).unwrap_or(u32::MAX).max(1)
+}
+
+/// The data of a problem that are always the same, as printed; `None` of one that is drawn or unknown.
+#[allow(dead_code, reason = "each program of tests takes what it needs")]
+pub fn constants(problem: &Problem) -> Vec<Option<Decimal>> {
+    let constant = |draw: &Option<Draw>| match draw {
+        Some(Draw::Always { value, decimals }) => Some(Decimal { value: *value, decimals: *decimals }),
+        _ => None,
+    };
+    problem.cases[0].draws.iter().map(constant).collect()
+}
+
+/// The numbers of a problem all of whose data are always the same.
+#[allow(dead_code, reason = "each program of tests takes what it needs")]
+pub fn data(problem: &Problem) -> Vec<f64> {
+    let numbers = problem.data.iter().zip(constants(problem));
+    numbers.map(|(datum, value)| datum.number(value.expect("every datum is always the same"))).collect()
 }
 
 /// How many draws a sweep makes: `SLIPSTICK_SEEDS`, 100 where it is not set, never more than `full`.
