@@ -468,7 +468,7 @@ fn every_family_at_any_size_is_solved_or_refused() {
 }
 
 #[test]
-#[ignore = "a minute in a release build, where .ci/run runs it"]
+#[ignore = "many minutes in a release build; `.ci/run --long` runs it"]
 fn every_family_at_any_size_many_times() {
     println!("{:?}", storm_of_families(2_000, 8));
 }
