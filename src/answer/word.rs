@@ -152,8 +152,10 @@ pub(crate) fn phrase(text: &str) -> Option<Result<AnswerWord, WhyUnreadable>> {
     // `no slip` says yes, `no, slipping` no.
     let lower = lower.replace(" - ", ", ");
     for clause in lower.split(['(', ')', ',', '.', ';', ':', '!', '"']) {
-        let mut tokens =
-            clause.split(|c: char| c.is_whitespace() || "-'".contains(c)).filter(|t| !t.is_empty()).peekable();
+        let mut tokens = clause
+            .split(|c: char| c.is_whitespace() || "-'".contains(c))
+            .filter(|t| !t.is_empty())
+            .peekable();
         while let Some(token) = tokens.next() {
             let without = one_of("no without ohne kein", token)
                 && tokens.next_if(|next| one_of("slip slipping rutschen gleiten schlupf", next)).is_some();

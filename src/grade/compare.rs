@@ -221,7 +221,9 @@ fn compare_number<'w>(
     if number.notes.contains(&ReadingNote::About) {
         notes.push(Cow::Borrowed(say.get("feedback.about")));
     }
-    let passed_over = number.word.filter(|_| key.words.is_none());
+    // Of a number that is positive down the sheet asks no direction; a word that contradicts it counts all the same.
+    let idle = key.words.is_none() || (key.magnitude && verdict != Verdict::WrongDirection);
+    let passed_over = number.word.filter(|_| idle);
     if passed_over.is_some_and(AnswerWord::turns) {
         notes.push(Cow::Borrowed(say.get("feedback.turning")));
     }

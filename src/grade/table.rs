@@ -376,8 +376,15 @@ impl KeyTable {
         points.all(|other| other.to_bits() == first.to_bits()).then_some(first)
     }
     fn quick_key(&mut self, column: usize, entry: Option<&KeyEntry>) -> QuickKey {
-        let mut asked =
-            AskedColumn { times: 1.0, over: 1.0, points: 0.0, magnitude: false, cyclic: false, bare: false, unit: WORD };
+        let mut asked = AskedColumn {
+            times: 1.0,
+            over: 1.0,
+            points: 0.0,
+            magnitude: false,
+            cyclic: false,
+            bare: false,
+            unit: WORD,
+        };
         let (mut value, mut half_width) = (0.0, 0.0);
         if let Some(entry) = entry {
             asked.points = entry.points;

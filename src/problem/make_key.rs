@@ -217,7 +217,9 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         return None;
     }
     Some(match (label.quantity, joint) {
-        (Q::A | Q::ARolling | Q::Displacement | Q::Impulse, None) => body.map_or(forward, |b| ahead(scene, b)),
+        (Q::A | Q::ARolling | Q::Displacement | Q::Impulse, None) => {
+            body.map_or(forward, |b| ahead(scene, b))
+        }
         (Q::Friction | Q::FrictionIfRolled, None) => {
             // Positive up the incline, whatever forward is.
             let down = body.and_then(|b| b.line).is_some_and(|line| !line.forward_up);
@@ -225,17 +227,18 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
             let WordSigns { up, forward, right, .. } = along;
             if down { WordSigns { up: -up, forward: -forward, right: -right, ..nothing } } else { along }
         }
-        (Q::Friction, Some(kind)) => match kind {
-            JointKind::Guide { direction_deg: Num::Fixed(d), .. }
-            | JointKind::Contact { surface: Surface::Line { direction_deg: Num::Fixed(d), .. }, .. }
-                if d % 180.0 == 0.0 =>
-            {
-                WordSigns { right: 1, ..forward }
+        (Q::Friction, Some(kind)) => {
+            match kind {
+                JointKind::Guide { direction_deg: Num::Fixed(d), .. }
+                | JointKind::Contact {
+                    surface: Surface::Line { direction_deg: Num::Fixed(d), .. }, ..
+                } if d % 180.0 == 0.0 => WordSigns { right: 1, ..forward },
+                _ => WordSigns { up: 1, ..forward },
             }
-            _ => WordSigns { up: 1, ..forward },
-        },
+        }
         // To the left of the guide.
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(d), .. })) => match d.rem_euclid(360.0) {
+        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(d), .. })) => match d.rem_euclid(360.0)
+        {
             90.0 => WordSigns { right: -1, ..nothing },
             270.0 => right,
             d if (90.0..270.0).contains(&d) => WordSigns { up: -1, ..nothing },
