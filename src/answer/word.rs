@@ -86,6 +86,16 @@ const WORDS: [(AnswerWord, &str); 11] = [
 /// What is read as `stays` though it has more than one word.
 const NO_MOTION: [&str; 5] =
     ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"];
+/// What is read as `yes` where it is asked whether a body rolls; with a comma behind `no` the same says that it slips.
+const ROLLS: [&str; 7] = [
+    "no slipping",
+    "no slip",
+    "without slipping",
+    "kein schlupf",
+    "kein rutschen",
+    "ohne rutschen",
+    "ohne schlupf",
+];
 
 /// What people write of a direction in more than one word, as far as [`phrase`] reads it.
 #[cfg(feature = "program")]
@@ -149,37 +159,25 @@ pub(crate) fn phrase(text: &str) -> Option<Result<AnswerWord, WhyUnreadable>> {
     let mut against = false; // the other way than clockwise
     let lower = text.to_lowercase();
     let lower = NO_MOTION.iter().fold(lower, |t, said| t.replace(said, "stays"));
-    // `no slip` says yes, `no, slipping` no.
-    let lower = lower.replace(" - ", ", ");
-    for clause in lower.split(['(', ')', ',', '.', ';', ':', '!', '"']) {
-        let mut tokens = clause
-            .split(|c: char| c.is_whitespace() || "-'".contains(c))
-            .filter(|t| !t.is_empty())
-            .peekable();
-        while let Some(token) = tokens.next() {
-            let without = one_of("no without ohne kein", token)
-                && tokens.next_if(|next| one_of("slip slipping rutschen gleiten schlupf", next)).is_some();
-            if without {
-                two |= rolls == Some(false);
-                rolls = Some(true);
-            }
-            let known = WORDS.iter().find(|(_, all)| one_of(all, token)).map(|(word, _)| *word);
-            if let Some(word) = if without { Some(AnswerWord::Yes) } else { known } {
-                two |= found.is_some_and(|f| f != word);
-                found = Some(word);
-            } else if one_of("roll rolls rolling rolled rollt rollen rollte", token) {
-                two |= rolls == Some(false);
-                rolls = Some(true);
-            } else if one_of("slip slips slipping slides rutscht gleitet gleiten", token) {
-                two |= rolls == Some(true);
-                rolls = Some(false);
-            } else if ["not", "nicht"].contains(&token) {
-                denied = true;
-            } else if one_of("counter anti gegen entgegen", token) {
-                against = true;
-            } else if !one_of(FILLERS, token) {
-                return None;
-            }
+    let lower = ROLLS.iter().fold(lower, |t, said| t.replace(said, "yes"));
+    let plain =
+        lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
+    for token in plain {
+        if let Some((word, _)) = WORDS.iter().find(|(_, all)| one_of(all, token)) {
+            two |= found.is_some_and(|f| f != *word);
+            found = Some(*word);
+        } else if one_of("roll rolls rolling rolled rollt rollen rollte", token) {
+            two |= rolls == Some(false);
+            rolls = Some(true);
+        } else if one_of("slip slips slipping slides rutscht gleitet gleiten", token) {
+            two |= rolls == Some(true);
+            rolls = Some(false);
+        } else if ["not", "nicht"].contains(&token) {
+            denied = true;
+        } else if one_of("counter anti gegen entgegen", token) {
+            against = true;
+        } else if !one_of(FILLERS, token) {
+            return None;
         }
     }
     let word = match (found?, against) {

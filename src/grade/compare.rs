@@ -112,7 +112,11 @@ const TURNS: f64 = 100.0;
 impl Key {
     /// The number that means the same and lies next to the key.
     fn near(&self, x: f64) -> f64 {
-        if self.cyclic && x.abs() < TURNS * TAU { x - TAU * ((x - self.value) / TAU).round() } else { x }
+        if self.cyclic && x.abs() < TURNS * TAU {
+            x - TAU * ((x - self.value) / TAU).round_ties_even()
+        } else {
+            x
+        }
     }
     /// What the number `x`, SI, is for the key.
     fn verdict(&self, x: f64) -> Verdict {
@@ -140,8 +144,12 @@ const fn sign_of(word: AnswerWord, signs: WordSigns) -> i8 {
 
 /// That a word does not fit, and which do.
 fn odd_way<'w>(word: AnswerWord, signs: WordSigns, say: &Feedback<'w>) -> Cow<'w, str> {
-    let fit = AnswerWord::DIRECTIONS.into_iter().filter(|w| sign_of(*w, signs) != 0);
-    let fit: Vec<&str> = fit.map(AnswerWord::as_str).collect();
+    let mut fit = Vec::new();
+    for way in &AnswerWord::DIRECTIONS {
+        if sign_of(*way, signs) != 0 {
+            fit.push(way.as_str());
+        }
+    }
     let pieces = [("word", say.word(word.as_str())), ("words", &*say.offered(&fit))];
     say.fill(if fit.is_empty() { "feedback.no_way" } else { "feedback.odd_way" }, &pieces)
 }

@@ -216,34 +216,24 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
     if scene.is_magnitude(label) || label.quantity == Q::Tension {
         return None;
     }
+    let rubs = matches!(label.quantity, Q::Friction | Q::FrictionIfRolled);
     Some(match (label.quantity, joint) {
-        (Q::A | Q::ARolling | Q::Displacement | Q::Impulse, None) => {
-            body.map_or(forward, |b| ahead(scene, b))
+        (Q::A | Q::ARolling | Q::Displacement | Q::Impulse | Q::Friction | Q::FrictionIfRolled, None) => {
+            body.map_or(forward, |b| along(scene, b, rubs))
         }
-        (Q::Friction | Q::FrictionIfRolled, None) => {
-            // Positive up the incline, whatever forward is.
-            let down = body.and_then(|b| b.line).is_some_and(|line| !line.forward_up);
-            let along = body.map_or(forward, |b| ahead(scene, b));
-            let WordSigns { up, forward, right, .. } = along;
-            if down { WordSigns { up: -up, forward: -forward, right: -right, ..nothing } } else { along }
-        }
-        (Q::Friction, Some(kind)) => {
-            match kind {
-                JointKind::Guide { direction_deg: Num::Fixed(d), .. }
-                | JointKind::Contact {
-                    surface: Surface::Line { direction_deg: Num::Fixed(d), .. }, ..
-                } if d % 180.0 == 0.0 => WordSigns { right: 1, ..forward },
-                _ => WordSigns { up: 1, ..forward },
-            }
-        }
+        (
+            Q::Friction,
+            Some(
+                JointKind::Guide { direction_deg: Num::Fixed(0.0), .. }
+                | JointKind::Contact { surface: Surface::Line { direction_deg: Num::Fixed(0.0), .. }, .. },
+            ),
+        ) => WordSigns { right: 1, ..forward },
+        (Q::Friction, Some(_)) => WordSigns { up: 1, ..forward },
         // To the left of the guide.
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(d), .. })) => match d.rem_euclid(360.0)
-        {
-            90.0 => WordSigns { right: -1, ..nothing },
-            270.0 => right,
-            d if (90.0..270.0).contains(&d) => WordSigns { up: -1, ..nothing },
-            _ => up,
-        },
+        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(0.0), .. })) => up,
+        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(90.0), .. })) => {
+            WordSigns { right: -1, ..nothing }
+        }
         (Q::VX | Q::AX | Q::ImpulseX | Q::PinX | Q::XG, _) => right,
         (Q::VY | Q::AY | Q::ImpulseY | Q::PinY | Q::YG | Q::Rise, _) => up,
         (Q::PinAngle, _) => WordSigns { up: 1, counter_clockwise: 1, ..nothing },
@@ -260,13 +250,15 @@ const fn sign(positive: bool) -> i8 {
     if positive { 1 } else { -1 }
 }
 
-/// What words say of the sign of what is positive forward along the line of a body.
-fn ahead(scene: &Scene, body: &Body) -> WordSigns {
-    let forward = WordSigns { forward: 1, ..WordSigns::default() };
+/// What words say of the sign of what acts along the line of a body: positive up the incline if it rubs, else forward.
+fn along(scene: &Scene, body: &Body, rubs: bool) -> WordSigns {
+    let ahead = sign(body.line.is_none_or(|line| line.forward_up));
+    let (up, forward) = if rubs { (1, ahead) } else { (ahead, 1) };
+    let nothing = WordSigns { forward, ..WordSigns::default() };
     match body.line {
-        Some(line) if line.slope != Slope::Level => WordSigns { up: sign(line.forward_up), ..forward },
-        Some(line) if rises_to_the_right(scene) => WordSigns { right: sign(line.forward_up), ..forward },
-        _ => forward,
+        Some(line) if line.slope != Slope::Level => WordSigns { up, ..nothing },
+        Some(_) if rises_to_the_right(scene) => WordSigns { right: up, ..nothing },
+        _ => nothing,
     }
 }
 
@@ -283,8 +275,13 @@ fn turn(scene: &Scene, body: &Body) -> i8 {
 
 /// Does what bodies move on rise to the right, as it is drawn? Of two surfaces one may rise to the left.
 fn rises_to_the_right(scene: &Scene) -> bool {
-    let mut slopes = scene.bodies.iter().filter_map(|b| b.line).filter(|l| l.surface).map(|l| l.slope);
-    slopes.next().is_none_or(|first| slopes.all(|slope| slope == first))
+    let mut known = None;
+    for line in scene.bodies.iter().filter_map(|b| b.line) {
+        if line.surface && known.replace(line.slope).is_some_and(|slope| slope != line.slope) {
+            return false;
+        }
+    }
+    true
 }
 
 /// The list of words of which one answers a question in words, on the sheet of this scene.
