@@ -2,6 +2,7 @@
 use crate::num::formula::Formula;
 use crate::num::{Real, trig};
 use crate::scene::{Label, Num, Owner, Quantity, Scene, Span, Tie};
+use std::borrow::Cow;
 
 /// A datum in a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,15 +137,17 @@ impl Formulas {
 impl Scene {
     /// A number of the scene in doubles, as the scene takes it; NaN where there is no such datum.
     pub fn value(&self, number: Num, data: &[f64]) -> f64 {
-        let unknown = self.formulas.found.filter(|f| Num::Datum(f.unknown.datum) == number);
-        match number {
+        let mut data = Cow::Borrowed(data);
+        if let Some(found) = self.formulas.found
+            && let Some(unknown) = data.to_mut().get_mut(found.unknown.datum)
+        {
             // Anything of its range stands for what is to be found.
-            Num::Datum(_) if unknown.is_some() => {
-                unknown.map_or(f64::NAN, |f| f64::midpoint(f.range[0], f.range[1]))
-            }
+            *unknown = f64::midpoint(found.range[0], found.range[1]);
+        }
+        match number {
             Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
             Num::Fixed(x) => x,
-            Num::Derived(i) => self.formulas.numbers.get(i).map_or(f64::NAN, |n| n.value(data)),
+            Num::Derived(i) => self.formulas.numbers.get(i).map_or(f64::NAN, |n| n.value(&data)),
         }
     }
     /// Whose quantity this is; of what a formula asks of another scene, the body there.

@@ -34,6 +34,10 @@ pub struct Numbers<'a, T> {
 }
 
 impl<'a, T: Real> Numbers<'a, T> {
+    /// The same numbers of the same scene in doubles.
+    pub fn in_doubles(&self, scene: &Scene) -> Numbers<'a, f64> {
+        Numbers::new(scene, self.data)
+    }
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
         let derived = scene.formulas.numbers.iter().map(|number| number.value(data)).collect();

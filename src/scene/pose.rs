@@ -8,7 +8,7 @@
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
-use crate::num::{Jet, Real, trig};
+use crate::num::{Jet, Real, U, trig};
 use crate::scene::{
     Branch, Coordinate, Degree, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
     Surface,
@@ -104,6 +104,13 @@ fn across<T: Real, X: Followed<T>>(direction: [T; 2], axis: [X; 2], at: [T; 2]) 
 /// Do two lines never meet?
 fn parallel<T: Real>(one: [T; 2], other: [T; 2]) -> bool {
     (one[0] * other[1] - one[1] * other[0]).size() < LEVEL
+}
+/// What is left of the square over the long side of a right triangle; nothing where the triangle has folded up, as far as the
+/// rounding of printed lengths lets it be seen: there it could open to either side, and it has no rate.
+fn open<T: Real, X: Followed<T>>(long: X, leg: X) -> X {
+    let left = long - leg;
+    let folded = left.here().size() <= 8.0 * U * long.here().size();
+    if folded { X::still(T::zero()) } else { left }
 }
 /// A vector a quarter turn to the left.
 fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
@@ -562,7 +569,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
                 let (reach, normal) = (reach(apart), left(guide.unit));
                 let across = component(less(fixed(guide.through), place), normal).by(T::of(1.0) / reach);
-                let ahead = (X::still(T::of(1.0)) - across * across).square_root();
+                let ahead = open(X::still(T::of(1.0)), across * across).square_root();
                 let ahead = ahead.by(T::of(*branch).signed(reach.sign()));
                 let along = plus(along_unit(normal, across), along_unit(guide.unit, ahead));
                 Pose::through(axis_of(along, apart), held.at, place)
@@ -574,7 +581,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let square = dot(apart, apart);
                 let ahead = (square + X::still(first.square() - second.square())) / square;
                 let ahead = ahead.by(T::of(0.5));
-                let across = (X::still(first.square()) / square - ahead * ahead).square_root();
+                let across = open(X::still(first.square()) / square, ahead * ahead).square_root();
                 let joint = plus(scaled(apart, ahead), scaled(left(apart), across.by(T::of(*branch))));
                 let one = axis_of(times(joint, T::of(1.0) / first), *own);
                 let two = axis_of(times(less(joint, apart), T::of(1.0) / second), *other_own);

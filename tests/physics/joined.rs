@@ -1051,3 +1051,40 @@ end: at once
     let b = (98.1 * 2.0 + 60.0 * 4.0) / 3.0;
     all_near(&told(beam, &["A.pin_y", "B.normal"]), &[158.1 - b, b], 1e-13);
 }
+
+/// Four bars whose sides add up in pairs can lie in one line and go on from there in two ways: they have no rates there.
+#[test]
+fn bars_in_one_line_have_no_answer() {
+    let bars = "
+bodies:
+  crank: {mass: 1 kg, shape: {rod: R m}, moves: in the plane, angle: from right, points: {O: 0 m, A: its end}}
+  rod: {mass: 1 kg, shape: {rod: L m}, moves: in the plane}
+  rocker: {mass: 1 kg, shape: {rod: S m}, moves: in the plane}
+joints: {O: {pins: crank.O}, A: {hinges: [crank.A, rod.A]}, B: {hinges: [rod.B, rocker.B]}, C: {pins: rocker.A, at: [0.5 m, 0 m]}}
+start: {crank: {angle: START deg, spin: 2 rad/s}}
+end: END
+";
+    let solve = |[r, l, s]: [&str; 3], start: &str, end: &str| {
+        let text = bars.replace("R m", &format!("{r} m")).replace("L m", &format!("{l} m"));
+        let text = text.replace("S m", &format!("{s} m")).replace("START", start).replace("END", end);
+        let bank = constants(&text);
+        let solved = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
+        solved.map(|solved| value(&bank.problems[0].cases[0].scene, &solved, "rocker.omega"))
+    };
+    let even = ["0.3", "0.5", "0.3"];
+    for sides in
+        [even, ["0.2", "0.5", "0.2"], ["0.1", "0.5", "0.1"], ["0.2", "0.4", "0.3"], ["0.4", "0.5", "0.4"]]
+    {
+        for angle in ["0", "180"] {
+            // The links of 0.2, 0.4, 0.3 lie in one line at 180 degrees alone.
+            if sides[2] != sides[0] && angle == "0" {
+                continue;
+            }
+            assert!(solve(sides, angle, "at once").is_err(), "{sides:?} {angle}");
+        }
+    }
+    assert!(solve(even, "-30", "{angle: {of: crank, reaches: 0 deg}}").is_err());
+    // Beside the line it turns with the crank.
+    near(solve(even, "0.01", "at once").expect("off the line"), 2.0, 1e-9);
+    near(solve(even, "30", "at once").expect("off the line"), 2.0, 1e-12);
+}

@@ -7,14 +7,18 @@
 //! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
 use crate::num::dd::pow2;
 use crate::num::gauss::{self, PerNode, Unsettled, long};
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
 use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
+use crate::solve::eom::STEPS;
+use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::planar::{Mechanism, Response, State};
+use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::SmallVec;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -129,12 +133,19 @@ enum Why {
     Leaves(usize),
 }
 
-/// What the equations of motion say of what is asked in a scene of joined bodies.
+/// What the equations of motion say of what is asked in a scene of joined bodies; with the state at its end from the steps of a
+/// rung, if one is given, and what they cost.
 ///
-/// Errors: equations that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
+/// Errors: equations that do not determine the motion, a quadrature that does not settle, a run that does not reach its end.
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    asked: Scope,
+    by: Option<Rung>,
+) -> Result<(Road<T>, Count), Refusal> {
     let mechanism = Mechanism::new(scene, n)?;
-    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, road: Road::new(asked) };
+    let count = Count::default();
+    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, count, road: Road::new(asked) };
     let mut spin = mechanism.start_rate()?;
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
@@ -143,7 +154,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
             let jumps = mechanism.struck(&state)?;
             teller.tell_blow(&jumps);
             teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
-            return Ok(teller.road);
+            return Ok((teller.road, count));
         }
         if let Some(alpha) = scene.driven() {
             // From rest it sets off as it is driven.
@@ -160,7 +171,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
             teller.watch(&response, spin.square());
             let lead = mechanism.leading(&response);
             teller.tell(&state, &response, (spin, lead), &rubs)?;
-            return Ok(teller.road);
+            return Ok((teller.road, count));
         }
         let smooth = mechanism.respond(&state, &nothing)?;
         // What starts from rest slides as it would without friction, if friction lets it.
@@ -177,16 +188,16 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         let response = mechanism.respond(&state, &rubs)?;
         if spin.is_zero() && from_rest(&response) != slides {
             teller.road.course = Some(Course::at_rest());
-            return Ok(teller.road);
+            return Ok((teller.road, count));
         }
         teller.watch(&response, spin.square());
         let lead = mechanism.leading(&response);
         teller.tell(&state, &response, (spin, lead), &rubs)?;
-        return Ok(teller.road);
+        return Ok((teller.road, count));
     }
     if scene.end == End::Equilibrium {
         teller.tell_equilibrium(&nothing)?;
-        return Ok(teller.road);
+        return Ok((teller.road, count));
     }
     let state = mechanism.state(T::zero(), true)?;
     if scene.is_struck() {
@@ -220,10 +231,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     let sets_off = a.balance(b * spin.square()).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
-        return Ok(teller.road);
+        return Ok((teller.road, count));
     }
     motion.set_off(&state)?.to_its_end(&mut teller)?;
-    Ok(teller.road)
+    Ok((teller.road, teller.count))
 }
 
 /// The angle up to which a motion is followed.
@@ -598,6 +609,57 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
     }
 
+    /// The state at the end by the steps of a rung in time, in doubles: what the angle is, or the half square of the rate that ends
+    /// the motion, is given.
+    fn stepped(&self, far: T, level: Option<T>, rung: Rung) -> Result<(Stop<T>, Count), Refusal> {
+        let scene = self.mechanism.scene;
+        let n = self.mechanism.n.in_doubles(scene);
+        let mechanism = Mechanism::new(scene, &n)?;
+        let state = RefCell::new(mechanism.state(self.start.f64(), true)?);
+        let respond = |way: f64| {
+            let mut state = state.borrow_mut();
+            mechanism.next(self.start.f64() + self.sense * way, &mut state).ok()?;
+            mechanism.respond(&state, &self.rubs).ok()
+        };
+        let law = |_: usize, way: f64, u: f64| {
+            let leading = respond(way).map(|response| mechanism.leading(&response));
+            leading.map_or(f64::NAN, |(a, b)| self.sense * (a + b * u * u))
+        };
+        let presses = |way: f64, u: f64| match scene.end {
+            End::Leaves(joint) => {
+                let parts = respond(way).and_then(|response| mechanism.push(&response, joint));
+                parts.map_or(f64::NAN, |(constant, share)| constant + share * u * u)
+            }
+            _ => f64::NAN,
+        };
+        let u0 = self.from.half_square.scale2(1).root().f64();
+        let (event, why) = match (scene.end, level) {
+            (End::Time(_, t), _) => (Event::Time(n.get(t)), Why::Far),
+            (End::Leaves(joint), _) => (Event::Release, Why::Leaves(joint)),
+            (End::TurningPoint(_), _) => (Event::Fall(0.0), Why::Rest),
+            (_, Some(level)) => {
+                let u = level.scale2(1).root().f64();
+                (if u0 < u { Event::Rise(u) } else { Event::Fall(u) }, Why::Speed)
+            }
+            _ => (Event::Place(far.f64()), Why::Far),
+        };
+        let expected = if let Event::Place(way) = event { way } else { STRIDE };
+        let force = law(0, 0.0, u0).abs().max(law(0, 0.5 * expected, u0).abs());
+        let pace = [(2.0 * expected / force).sqrt(), expected / u0];
+        let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
+        let pace = match event {
+            Event::Time(t) => t,
+            _ if pace.is_finite() => pace,
+            _ => 1.0,
+        };
+        let route = Route { law, presses: &presses, switch: None, u0, pace, time: &|| f64::INFINITY };
+        let run = route.states(&[(event, expected)], rung);
+        let (states, count) = run.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
+        let [x, u, time] = states.first().map_or([f64::NAN; 3], |end| [end.s, end.u, end.time]).map(T::of);
+        let half_square = if why == Why::Rest { T::zero() } else { u.square().scale2(-1) };
+        Ok((Stop { way: x, half_square, why, time: Some(time) }, count))
+    }
+
     /// Time over a way that ends at rest or not.
     fn time(&self, way: T, rest: bool) -> Result<T, Refusal> {
         if way.is_zero() {
@@ -662,14 +724,19 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
         let mut least = nothing.clone();
         let backward = far.sign() < 0.0;
-        let mut stop = if backward {
+        let by = teller.by.filter(|_| STEPS && !backward);
+        let mut stop = if let Some(rung) = by {
+            let (stop, count) = self.stepped(far, level, rung)?;
+            teller.count = count;
+            stop
+        } else if backward {
             Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None }
         } else {
             // Whether the time is asked changes no other answer, not even by its rounding.
             self.stop(far, level, matches!(scene.end, End::Time(..)), &mut least)?
         };
         let mut time = stop.time;
-        if let End::Time(_, t) = scene.end {
+        if let (End::Time(_, t), None) = (scene.end, by) {
             let t = n.get(t);
             let most = match time {
                 Some(time) => time,
@@ -757,6 +824,8 @@ struct Teller<'t, 'a, T: Real> {
     n: &'t Numbers<'a, T>,
     mechanism: &'t Mechanism<'a, T>,
     asked: Scope,
+    by: Option<Rung>,
+    count: Count,
     road: Road<T>,
 }
 

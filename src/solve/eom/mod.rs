@@ -24,7 +24,7 @@ use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
 use crate::solve::found;
 use crate::solve::found::Forward;
-use crate::solve::method::Rung;
+use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
@@ -68,7 +68,7 @@ impl<T: Real> Forward<T> for Here<'_> {
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
-        return joined::road(scene, &n, asked);
+        return Ok(joined::road_by(scene, &n, asked, None)?.0);
     }
     if let Some((body, pin)) = scene.pinned() {
         return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
@@ -122,10 +122,14 @@ fn alone_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
-    if scene.lead().is_some() {
-        return Err(Refusal::NoMethod { method: rung.method() });
-    }
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        // Its formula wants accelerations that do not hang on the speed.
+        return match rung.method() {
+            Method::Verlet => Err(Refusal::NoMethod { method: Method::Verlet }),
+            _ => joined::road_by(scene, &n, Scope::ALL, Some(rung)),
+        };
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }

@@ -221,7 +221,9 @@ pub fn road_by<T: Real>(
             impulse = impulse.balance(push);
         }
         say(Quantity::Distance, own, plant!("eom: path of the centre", gone), size(gone));
-        say(Quantity::Impulse, own, plant!("eom: impulse on a thrown body", impulse), size(impulse));
+        // A difference of two momenta.
+        let momentum = size(numbers.mass * v0) + size(impulse);
+        say(Quantity::Impulse, own, plant!("eom: impulse on a thrown body", impulse), momentum);
         let spin = plant!("eom: angular momentum of a thrown body", numbers.inertia) * state.w.abs();
         say(Quantity::AngularMomentum, own, spin, size(spin));
         if let Some(moment) = couple_on(scene, n, body) {
