@@ -1,7 +1,9 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Span, Tie};
+use crate::scene::{
+    Coordinate, Degree, End, Far, GivenForce, Label, Law, Made, Num, Owner, Quantity, Span, Tie,
+};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
@@ -209,6 +211,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made != Made::Cord)) {
             return beyond(Beyond::Mesh);
         }
+        if draft.scene.law().is_some_and(|law| law != Law::EVEN) {
+            return beyond(Beyond::GrowingForce);
+        }
         let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),
@@ -266,7 +271,7 @@ impl<'d, 'a> Account<'d, 'a> {
             else {
                 continue;
             };
-            let (t, per) = (self.number(t, "t", "s"), self.number(growth.per_second, "c", "N/s"));
+            let (t, per) = (self.number(t, "t", "s"), self.number(growth.rate, "c", "N/s"));
             let name =
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
             let name = marked(&name, "1");
