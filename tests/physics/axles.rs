@@ -1,13 +1,13 @@
 //! The force of a fixed axle. The third witness is the momentum of everything together: axle, weights and surfaces give what the centres
 //! that move have gained, and no tension comes in.
 use crate::support;
-use slipstick::bank::{Bank, load};
+use slipstick::bank::{Bank, checks, load};
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::Solved;
 
 fn bank(scene: &str) -> Bank {
     let text = format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n{scene}\n    questions: {{drum.pin_force: {{ask: R, unit: N}}}}\n    statement: x\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n{scene}\n    questions: {{R: {{quantity: drum.pin_force, ask: R, unit: N}}}}\n    statement: x\n"
     );
     load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"))
 }
@@ -22,7 +22,8 @@ fn solved(scene: &str) -> (Bank, Solved) {
 
 fn value((bank, solved): &(Bank, Solved), name: &str) -> f64 {
     let scene = &bank.problems[0].cases[0].scene;
-    let entry = solved.entries.iter().find(|e| scene.name_of(e.label) == name);
+    let label = checks::label(scene, name).expect(name);
+    let entry = solved.entries.iter().find(|e| e.label == label);
     let entry = entry.unwrap_or_else(|| panic!("no {name}"));
     assert!(entry.energy.is_some(), "{name} on both roads");
     entry.value()
@@ -146,7 +147,7 @@ fn an_axle_bears_what_moves_on_it() {
 fn an_axle_whose_force_is_not_told_is_refused() {
     let told = |scene: &str| {
         let text = format!(
-            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n{scene}\n    questions: {{drum.pin_force: {{ask: R, unit: N}}}}\n    statement: x\n"
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n{scene}\n    questions: {{R: {{quantity: drum.pin_force, ask: R, unit: N}}}}\n    statement: x\n"
         );
         load::scenes_only(&text, "test")
             .expect_err("a finding")
