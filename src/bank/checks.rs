@@ -703,7 +703,7 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
         }
         add(of, joint.kind.forces());
         match joint.kind {
-            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce]),
+            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce, Q::PinAngle]),
             JointKind::Guide { mu_k: Some(_), .. } => add(of, &[Q::Friction]),
             _ => {}
         }

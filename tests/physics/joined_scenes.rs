@@ -483,7 +483,15 @@ struct Springs {
 
 impl End {
     fn of(places: Vec<f64>, velocities: Vec<f64>, senses: Vec<f64>, time: f64) -> Self {
-        Self { places, velocities, senses, time, impulses: None, frequency: f64::NAN, springs: Springs::default() }
+        Self {
+            places,
+            velocities,
+            senses,
+            time,
+            impulses: None,
+            frequency: f64::NAN,
+            springs: Springs::default(),
+        }
     }
 }
 
@@ -541,9 +549,8 @@ impl Judge<'_> {
                 Load::Spring(.., acts) => {
                     acts == 0.0 || self.spring(q, load).is_some_and(|(tension, _)| tension != 0.0)
                 }
-                Load::Torsion(_, stiffness, _) => {
-                    let wound = self.torsion(q, load).unwrap_or(0.0).abs() / stiffness;
-                    springs.wound = springs.wound.max(wound);
+                Load::Torsion(b, _, relaxed) => {
+                    springs.wound = springs.wound.max((q[3 * b + 2] - relaxed).abs());
                     true
                 }
                 _ => continue,
@@ -789,8 +796,7 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
         Err(refusal @ (Refusal::Disagree { .. } | Refusal::Inadmissible(_))) => {
             return Err(format!("{refusal:?}"));
         }
-        Err(Refusal::Unsupported(Unsupported::Overwound))
-            if matches!(&verdict, Verdict::Ends(end) if end.springs.wound < 3.1) =>
+        Err(Refusal::Unsupported(Unsupported::Overwound)) if matches!(&verdict, Verdict::Ends(end) if end.springs.wound < 3.1) =>
         {
             return Err("no torsion spring comes near half a turn".into());
         }
@@ -875,6 +881,18 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             ("pin_x" | "normal" | "tension", Owner::Joint(j)) => (forces[first[j]], pulls),
             ("pin_y", Owner::Joint(j)) => (forces[first[j] + 1], pulls),
             ("pin_force", Owner::Joint(j)) => (length([forces[first[j]], forces[first[j] + 1]]), pulls),
+            ("pin_angle", Owner::Joint(j)) => {
+                let [x, y] = [forces[first[j]], forces[first[j] + 1]];
+                // Where it hardly acts its direction hangs on the last digits, and half a turn is both of its ends.
+                let (want, got) = (libm::atan2(y, x), e.value());
+                let near = (1e-7 * pulls / length([x, y])).min(4.0);
+                let off = (got - want).abs();
+                let off = off.min((off - 2.0 * std::f64::consts::PI).abs());
+                if off > near + 1e-9 {
+                    faults.push(format!("{name} of {:?}: {got:e}, {want:e} by the judge", e.label.of));
+                }
+                continue;
+            }
             ("friction", Owner::Joint(j)) => match m.holds[j] {
                 Hold::Guide(_, _, direction, _, Some(mu)) => {
                     let u = unit(radians(direction));

@@ -20,14 +20,17 @@ const LATER: &[Quantity] = &[
     Quantity::PinAngle,
 ];
 
-/// The force of a fixed axle came last: tests/physics/axles.rs knows it from the momentum of everything.
-const LAST: &[Quantity] = &[Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle];
+/// The force of a fixed axle came last, and the direction of that of a joint; they are judged by tests/physics/axles.rs and
+/// tests/physics/joined_scenes.rs.
+fn came_last(scene: &Scene, quantity: Quantity) -> bool {
+    let pin = matches!(quantity, Quantity::PinX | Quantity::PinY | Quantity::PinForce | Quantity::PinAngle);
+    pin && scene.pinned().is_none() && (scene.lead().is_none() || quantity == Quantity::PinAngle)
+}
 
 /// Is it one of them? Small oscillations of bodies on lines came after those of pinned bodies.
 fn came_later(scene: &Scene, quantity: Quantity) -> bool {
     let oscillation = matches!(quantity, Quantity::PeriodSmall | Quantity::OmegaSmall);
-    let axle = LAST.contains(&quantity) && scene.pinned().is_none() && scene.lead().is_none();
-    LATER.contains(&quantity) || oscillation && scene.pinned().is_none() || axle
+    LATER.contains(&quantity) || oscillation && scene.pinned().is_none() || came_last(scene, quantity)
 }
 
 /// Problem, digest of the drawn data, digest of the answers, of those of later quantities.
@@ -96,7 +99,7 @@ fn draws_and_answers_are_pinned_to_the_bit() {
                 let mut entries: Vec<_> = variant.solved.entries.iter().collect();
                 entries.sort_by_key(|e| e.label);
                 for e in entries {
-                    if scene.lead().is_none() && scene.pinned().is_none() && LAST.contains(&e.label.quantity) {
+                    if came_last(scene, e.label.quantity) {
                         continue;
                     }
                     let late = came_later(scene, e.label.quantity);

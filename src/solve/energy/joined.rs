@@ -1358,7 +1358,13 @@ impl<'a, T: Real> Account<'a, T> {
                 self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));
             }
             if let ([(x, _), (y, _), ..], [_, Quantity::PinY, ..]) = (forces.as_slice(), quantities) {
-                self.say(road, Quantity::PinForce, of, (x.square() + y.square()).root());
+                let pulls = pose::pulls(scene, self.n);
+                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
+                let force = (x.square() + y.square()).root();
+                self.say(road, Quantity::PinForce, of, force);
+                if !force.is_zero() {
+                    self.say(road, Quantity::PinAngle, of, trig::angle(y, x));
+                }
             }
         }
         for (s, (strut, natural)) in scene.struts.iter().zip(&self.natural).enumerate() {

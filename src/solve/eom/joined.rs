@@ -1013,8 +1013,12 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
             }
             if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
+                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
+                if !force.is_zero() {
+                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
+                }
             }
         }
         for (s, strut) in scene.struts.iter().enumerate() {
