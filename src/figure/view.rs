@@ -162,6 +162,9 @@ impl<'a> SceneView<'a> {
             symbol => symbol,
         };
         let mut sum = written(growth.rate, unit[1]);
+        if self.symbol(growth.rate).is_empty() {
+            sum.extend(symbol::upright("\u{2009}"));
+        }
         sum.extend(power);
         // What begins at nothing is what it grows by.
         if num != Num::Fixed(0.0) {
@@ -177,6 +180,18 @@ impl<'a> SceneView<'a> {
             None => self.scene.growing_for().map_or(0.0, |x| self.of(x)),
         };
         (sum, self.of(num) + self.of(growth.rate) * growth.law.of(own, 1.0))
+    }
+
+    /// The law of a given force or couple that grows, in words of a picture, with the values of what it names.
+    pub fn growing(&self, of: GivenForce, num: Num) -> Option<String> {
+        let growth = self.scene.growth(of)?;
+        let unit = if matches!(of, GivenForce::Pull(_)) { "N" } else { "N·m" };
+        let named = [(num, unit.to_owned()), (growth.rate, growth.rate_unit().replace('*', "·"))];
+        let named = named.iter().filter(|(num, _)| !self.symbol(*num).is_empty());
+        let values: Vec<String> = named.map(|(num, unit)| self.text(*num, unit)).collect();
+        let law = symbol::plain(&self.load(of, num).0);
+        let text = if values.is_empty() { law } else { format!("{law} ({})", values.join(", ")) };
+        Some(text.replace(['\u{a0}', '\u{2009}'], " "))
     }
 
     /// Label of a given force or couple.

@@ -126,6 +126,10 @@ const fn names_of(quantity: Quantity) -> [&'static str; 2] {
         Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
         Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
         Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
+        Quantity::PinX => ["R_x", "X"],
+        Quantity::PinY => ["R_y", "Y"],
+        Quantity::PinForce => ["R_{A}", "R_{O}"],
+        Quantity::PinAngle => [r"\psi", r"\chi"],
         _ => ["Z", "Y"],
     }
 }
@@ -1154,8 +1158,44 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label.quantity),
             Quantity::DTurn => self.turning(),
+            Quantity::PinX | Quantity::PinY | Quantity::PinForce | Quantity::PinAngle => {
+                self.axle(label.quantity, body)
+            }
             other => beyond(Beyond::Quantity(other)),
         }
+    }
+
+    /// The force of a fixed axle: what weight and cords leave of a sum of nothing.
+    fn axle(&mut self, quantity: Quantity, body: usize) -> Result<Expr, DerivationStop> {
+        let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
+        if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
+            let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
+            let force = root(square(x) + square(y));
+            return Ok(match quantity {
+                Quantity::PinForce => force,
+                _ => in_sense(arc_cosine(x / force), self.symbols.value(y)),
+            });
+        }
+        let upright = quantity == Quantity::PinY;
+        let mut terms = Vec::new();
+        if upright {
+            terms.push(self.m.parts[body].mass.expr() * &self.m.g);
+        }
+        for (tie, aim) in pulls {
+            let share = self.m.component(self.page.draft, aim, upright);
+            if share.is_zero() {
+                continue;
+            }
+            let given = matches!(&self.scene.ties[tie], Tie::Cord(c) if matches!(c.to, Far::Pull(_)));
+            let own =
+                self.m.actions.iter().find(|a| a.source == ForceSource::Tie(tie)).map(|a| a.force.clone());
+            let force = match own.filter(|_| given) {
+                Some(force) => force,
+                None => self.get(of_tie(Quantity::Tension, tie))?.into(),
+            };
+            terms.push(force.by(&share.opposite()));
+        }
+        Ok(positive_first(terms))
     }
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
