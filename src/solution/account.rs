@@ -126,9 +126,9 @@ const fn names_of(quantity: Quantity) -> [&'static str; 2] {
         Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
         Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
         Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
-        Quantity::PinX => ["R_x", "X"],
-        Quantity::PinY => ["R_y", "Y"],
-        Quantity::PinForce => ["R_{A}", "R_{O}"],
+        Quantity::PinX => ["O_x", "R_x"],
+        Quantity::PinY => ["O_y", "R_y"],
+        Quantity::PinForce => ["O", "F_O"],
         Quantity::PinAngle => [r"\psi", r"\chi"],
         _ => ["Z", "Y"],
     }
