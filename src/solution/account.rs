@@ -1193,7 +1193,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 Some(force) => force,
                 None => self.get(of_tie(Quantity::Tension, tie))?.into(),
             };
-            terms.push(force.by(&share.opposite()));
+            terms.push(force.by(share.opposite()));
         }
         Ok(positive_first(terms))
     }

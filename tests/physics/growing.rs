@@ -193,8 +193,8 @@ fn what_begins_at_nothing() {
       start: at rest
       end: {end}
     questions: {{omega: {{ask: w, unit: rad/s}}}}\n    statement: x\n",
-            if forces.starts_with('P') { &forces[1..] } else { "" },
-            if forces.starts_with('M') { &forces[1..] } else { "" },
+            forces.strip_prefix('P').unwrap_or_default(),
+            forces.strip_prefix('M').unwrap_or_default(),
         );
         let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
         let solved =
