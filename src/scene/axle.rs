@@ -61,8 +61,12 @@ impl Scene {
             matches!(self.bodies[end.body].line.map(|line| line.slope), Some(Slope::Degrees(_)))
         };
         match other.filter(sloped) {
-            // From one end to the other; what goes round a corner on the way has no direction of its own.
-            Some(end) => (own.forward != end.forward).then_some(Aim::Along(end.body, !end.forward)),
+            // From one end to the other; what goes round a corner on the way has no direction of its own, and of what counts positive
+            // down a slope a picture may show either side.
+            Some(end) => {
+                let up = self.bodies[end.body].line.is_some_and(|line| line.forward_up);
+                (up && own.forward != end.forward).then_some(Aim::Along(end.body, !end.forward))
+            }
             None => Some(Aim::Level(own.forward)),
         }
     }

@@ -774,7 +774,7 @@ impl<'s> System<'s> {
             // Velocities as they are, accelerations and forces; nothing of what comes later.
             let at_once =
                 ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
-            told.values.retain(|v| at_once.contains(&v.0));
+            told.values.retain(|v| at_once.contains(&v.0) || v.0.starts_with("pin_"));
             told.values.extend(velocities);
         }
         Verdict::Told(told)
@@ -1106,7 +1106,8 @@ impl<'s> System<'s> {
                 shared |= pull.is_none();
                 let mut along = leaves(s, &self.frames, end).1;
                 if let Some(other) = other.filter(on_slope).filter(|_| along.1.abs() < 1e-12) {
-                    told &= onward(end) != onward(other);
+                    // Forward is to the right: of what counts positive down a picture may show either side.
+                    told &= onward(end) != onward(other) && self.frames[other.body].forward.0 > 0.0;
                     along = times(-1.0, leaves(s, &self.frames, other).1);
                 }
                 (x, y) = (x - pull.unwrap_or(0.0) * along.0, y - pull.unwrap_or(0.0) * along.1);
