@@ -4,7 +4,7 @@ use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables, asked};
 use crate::finding::{Finding, told};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, JointKind, Label, Num, Owner, Quantity,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, JointKind, Label, Num, Owner, Quantity,
     RotaryInertia, Scene, Spot, Tie,
 };
 use crate::units::spell;
@@ -92,16 +92,32 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     };
     let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
     let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
-    let timed = simple && matches!(scene.end, End::Time(..));
     // What moves in the plane has a message of its own, with its joints.
     let planar = scene.bodies.iter().any(|b| b.planar.is_some());
-    if !scene.growths.is_empty() && !timed && !planar {
-        faults.hint(
-            node,
-            "a force grows with time, and the scene is not one whose acceleration then grows evenly",
-            "one freedom, contacts that roll, no spring, no pin, and `end: {time: {of: wheel, is: t1}}`",
-        );
-        return;
+    if let (Some(law), false) = (scene.law(), planar) {
+        let (ends, with, end) = match law.with {
+            Grows::Time => (matches!(scene.end, End::Time(..)), "time", "`end: {time: {of: wheel, is: t1}}`"),
+            Grows::Place => (
+                matches!(scene.end, End::Travel(..) | End::Position(..)),
+                "place",
+                "an end after a way or a turn, such as `end: {travel: {of: wheel, by: d}}`",
+            ),
+        };
+        if !(simple && ends) {
+            faults.hint(
+                node,
+                told!(
+                    "a force grows with {with}, and the scene is not one whose acceleration then grows alike"
+                ),
+                told!("one freedom, contacts that roll, no spring, no pin, and {end}"),
+            );
+            return;
+        }
+        if scene.growths.iter().any(|g| g.law != law) {
+            let hint = "write the same `with:` for all of them";
+            faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);
+            return;
+        }
     }
     if let Some((b, _)) = scene.pinned() {
         let name = &scene.bodies[b].name;
@@ -205,7 +221,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     }
     if !scene.growths.is_empty() {
         let hint = "remove `growing by`, or let the bodies move on lines";
-        faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);
+        faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow", hint);
     }
     if scene.start_speeds().count() > 1 {
         let hint = "give one speed or spin: the joints give the others";
@@ -227,12 +243,9 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         let hint = "only an instant is asked of what is driven: give its angle and spin then, and write `end: at once`";
         faults.hint(part(node, "start"), message, hint);
     }
-    if let (End::Equilibrium, Some(strut)) =
-        (scene.end, scene.struts.iter().find(|s| s.acts != crate::scene::Acts::Both))
-    {
-        let message =
-            told!("`{}` only pushes or pulls: beside where it is met nothing oscillates evenly", strut.name);
-        faults.hint(part(node, "forces"), message, "remove `only`, or ask for a motion");
+    if scene.end == End::Equilibrium && scene.start_speeds().next().is_some() {
+        let hint = "give the angle alone: from it the equilibrium is looked for, and nothing moves there";
+        faults.hint(part(node, "start"), "at rest in equilibrium nothing has a speed or a spin", hint);
     }
     if scene.end == End::Equilibrium && scene.is_struck() {
         faults.hint(
@@ -467,7 +480,11 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
         return why(quantity).to_owned();
     }
     let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
-    told!("with `end: at once` only what holds at the start is asked: {}", names.join(", "))
+    let (end, what) = match scene.end {
+        End::Equilibrium => ("equilibrium", "at rest there"),
+        _ => ("at once", "at the start"),
+    };
+    told!("with `end: {end}` only what holds {what} is asked: {}", names.join(", "))
 }
 
 /// What a quantity needs, for hints.
@@ -496,7 +513,7 @@ const fn why(quantity: Quantity) -> &'static str {
         }
         Q::XG | Q::YG | Q::IG => "it needs a body of particles",
         Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => {
-            "it needs a pinned body"
+            "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told"
         }
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
@@ -510,7 +527,9 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
-        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
+        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => {
+            "it needs a motion, the time one without a force that grows with place"
+        }
         Q::Value => "it needs a question with `value:`",
     }
 }
@@ -572,8 +591,11 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             add(of, if rates { &[Q::A] } else { &[] });
             add(of, if line.surface && rates { &[Q::Normal] } else { &[] });
         }
+        if rates && scene.axle_pulls(b).is_some() {
+            add(of, &[Q::PinX, Q::PinY, Q::PinForce, Q::PinAngle]);
+        }
     }
-    add(Owner::Scene, if moves { &[Q::T] } else { &[] });
+    add(Owner::Scene, if moves && !scene.grows_with_place() { &[Q::T] } else { &[] });
     if moves && scene.spring().is_none() && scene.thrown().is_none() {
         add(Owner::Scene, &[Q::Work]);
     }
@@ -681,7 +703,7 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
         }
         add(of, joint.kind.forces());
         match joint.kind {
-            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce]),
+            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce, Q::PinAngle]),
             JointKind::Guide { mu_k: Some(_), .. } => add(of, &[Q::Friction]),
             _ => {}
         }

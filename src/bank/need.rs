@@ -41,8 +41,6 @@ impl Need {
     pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
     pub const IMPULSE: Self = need("an impulse", "N*s", NOT_NEGATIVE, "5 N*s");
     pub const MOMENT: Self = need("a moment", "N*m", NOT_NEGATIVE, "75 N*m");
-    pub const FORCE_GROWTH: Self = need("the growth of a force", "N/s", NOT_NEGATIVE, "2 N/s");
-    pub const MOMENT_GROWTH: Self = need("the growth of a moment", "N*m/s", NOT_NEGATIVE, "2 N*m/s");
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
     pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
@@ -61,6 +59,11 @@ impl Need {
 }
 
 impl Need {
+    /// The rate at which a force or a moment grows, in this unit.
+    pub const fn growth(unit: &'static str, of_couple: bool) -> Self {
+        let words = if of_couple { "the growth of a moment" } else { "the growth of a force" };
+        need(words, unit, NOT_NEGATIVE, "c")
+    }
     /// Does the scene take it in degrees?
     pub fn in_degrees(self) -> bool {
         self.unit == "deg"

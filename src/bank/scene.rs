@@ -8,8 +8,8 @@ use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    GivenForce, Growth, Heading, Joint, Line, Made, Mass, Num, Part, Particle, Pin, PinSpring, Push,
-    RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
+    GivenForce, Grows, Growth, Heading, Joint, Law, Line, Made, Mass, Num, Part, Particle, Pin, PinSpring,
+    Push, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -52,9 +52,6 @@ pub struct SceneRead {
     pub scene: Option<Scene>,
     /// Every use of a datum.
     pub uses: Vec<DatumUse>,
-    /// Cords, by name, that leave a fixed axle upward (`true`) or downward. To mechanics `front down` is what `top forward` is:
-    /// only a picture needs to know.
-    pub upright: Vec<(String, bool)>,
     /// Contacts that do not say whether they roll or slip: index of the tie, and the kinetic coefficient.
     pub touches: Vec<(usize, Num)>,
     /// Numbers that are `any`.
@@ -71,7 +68,7 @@ struct SceneReader<'a> {
     uses: RefCell<Vec<DatumUse>>,
     /// Numbers that are worked out from data.
     derived: RefCell<Vec<Derived>>,
-    /// Given forces that grow with time.
+    /// Given forces that grow.
     growths: RefCell<Vec<Growth>>,
     /// Those that are `any`.
     any: RefCell<Vec<AnyNumber>>,
@@ -79,10 +76,6 @@ struct SceneReader<'a> {
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
     angled: Cell<bool>,
-    /// Does the end of a cord that was read last leave a fixed axle upward, or downward?
-    upward: Cell<Option<bool>>,
-    /// As in [`SceneRead`].
-    upright: RefCell<Vec<(String, bool)>>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
@@ -105,14 +98,11 @@ pub fn read(
         any: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
-        upward: Cell::new(None),
-        upright: RefCell::new(Vec::new()),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
     SceneRead {
         scene,
         uses: reader.uses.into_inner(),
-        upright: reader.upright.into_inner(),
         touches: reader.touches.into_inner(),
         any: reader.any.into_inner(),
     }
@@ -968,10 +958,58 @@ impl SceneReader<'_> {
         Some(Tie::Slip { body: body?, radius_m: radius?, mu_s: mu_s?, mu_k: mu_k? })
     }
 
-    /// A given force that grows with time.
-    fn grows(&self, node: Option<&Node>, of: GivenForce, need: Need) {
-        let growth = node.and_then(|n| self.number(n, need)).map(|per_second| Growth { of, per_second });
-        self.growths.borrow_mut().extend(growth);
+    /// A given force that grows: `growing by: c`, evenly with time, or `growing by: {rate: c, with: t^2}`.
+    fn grows(&self, node: Option<&Node>, of: GivenForce) {
+        let Some(node) = node else { return };
+        let mut law = Law::EVEN;
+        let mut rate = Some(node.clone());
+        if matches!(node.value, Value::Map(_)) {
+            let Some(mut fields) = Fields::open(node, "a growth (rate, with)", self.faults) else { return };
+            rate = fields.need("rate", "c").cloned();
+            let with = fields.need("with", "t^2").and_then(|n| self.law(n, of));
+            fields.close();
+            let Some(with) = with else { return };
+            law = with;
+        }
+        let mut growth = Growth { of, law, rate: Num::Fixed(0.0), unit: Num::Fixed(1.0) };
+        let need = Need::growth(growth.rate_unit(), matches!(of, GivenForce::Couple(_)));
+        if let Some(number) = rate.and_then(|n| self.number(&n, need)) {
+            growth.rate = number;
+            self.growths.borrow_mut().push(growth);
+        }
+    }
+
+    /// The power of time or place with which a force grows: `t^2`, `sqrt(t)`, of a pull `x`, of a couple `phi`.
+    fn law(&self, node: &Node, of: GivenForce) -> Option<Law> {
+        let place = if matches!(of, GivenForce::Pull(_)) { "x" } else { "phi" };
+        let text = node.text().unwrap_or("").replace(' ', "");
+        let powers = |name: &str| {
+            [
+                format!("sqrt({name})"),
+                name.to_owned(),
+                format!("{name}^1.5"),
+                format!("{name}^2"),
+                format!("{name}^3"),
+            ]
+        };
+        let halves =
+            |name: &str| powers(name).iter().position(|word| *word == text).map(|i| [1, 2, 3, 4, 6][i]);
+        let law = |with, name| halves(name).map(|halves| Law { with, halves });
+        let found = law(Grows::Time, "t").or_else(|| law(Grows::Place, place));
+        if found.is_none() {
+            let words: Vec<String> = ["t", place].iter().flat_map(|name| powers(name)).collect();
+            let what = if place == "x" {
+                "x is the way of its point along it"
+            } else {
+                "phi is the turn of its body"
+            };
+            self.faults.hint(
+                node,
+                told!("expected what it grows with, found {}", node.kind()),
+                told!("one of {}; {what} since the start", words.join(", ")),
+            );
+        }
+        found
     }
 
     /// Two wheels that turn each other, by teeth or a belt: rims by body and radius.
@@ -1006,7 +1044,12 @@ impl SceneReader<'_> {
             return None;
         }
         // What the rim of the one gains, that of the other loses: teeth turn the other way, a belt the same way.
-        let end = |body, radius, forward| CordEnd { body, attach: Attach::Wound(radius, Side::Top), forward };
+        let end = |body, radius, forward| CordEnd {
+            body,
+            attach: Attach::Wound(radius, Side::Top),
+            forward,
+            upright: None,
+        };
         let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
         let name = if like == 0 { word.to_owned() } else { format!("{word}{}", like + 1) };
@@ -1029,9 +1072,6 @@ impl SceneReader<'_> {
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}")
             .and_then(|n| self.cord_end(n, bodies));
-        if let Some(up) = self.upward.take() {
-            self.upright.borrow_mut().push((name.clone(), up));
-        }
         let ends = [fields.get("pulled with"), fields.get("to"), fields.get("spring"), fields.get("held")];
         if ends.iter().flatten().count() != 1 {
             f.hint(
@@ -1046,7 +1086,7 @@ impl SceneReader<'_> {
         if let (Some(n), None) = (growing, pulled) {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
-        self.grows(growing, GivenForce::Pull(tie), Need::FORCE_GROWTH);
+        self.grows(growing, GivenForce::Pull(tie));
         let far = if let Some(n) = pulled {
             self.number(n, Need::FORCE).map(Far::Pull)
         } else if let Some(n) = to {
@@ -1114,7 +1154,14 @@ impl SceneReader<'_> {
                     return None;
                 }
                 let (side, forward) = self.leaves_wound(leaves?, body)?;
-                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward })
+                let said = leaves.and_then(Node::text).and_then(|text| text.trim().rsplit_once(' '));
+                let upright = said.and_then(|(_, word)| match word {
+                    "up" => Some(true),
+                    "down" => Some(false),
+                    _ => None,
+                });
+                let upright = upright.filter(|_| body.line.is_none());
+                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward, upright })
             }
             (None, Some(n)) => {
                 self.word(
@@ -1141,7 +1188,7 @@ impl SceneReader<'_> {
                         &[("forward", true), ("back", false), up, down],
                     )
                 }?;
-                Some(CordEnd { body: index, attach: Attach::Centre, forward })
+                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None })
             }
             _ => {
                 f.hint(
@@ -1183,14 +1230,6 @@ impl SceneReader<'_> {
                 // The side for which a positive turn goes with unwinding while it moves down.
                 words.push(("up", (if line.forward_up { Top } else { Bottom }, line.forward_up)));
             }
-        }
-        if body.line.is_none() {
-            let said = node.text().unwrap_or("");
-            self.upward.set(match said.rsplit_once(' ') {
-                Some((_, "up")) => Some(true),
-                Some((_, "down")) => Some(false),
-                _ => None,
-            });
         }
         self.word(node, "where the wound cord leaves", &words)
     }
@@ -1236,7 +1275,7 @@ impl SceneReader<'_> {
             let forward = fields.get("sense").map_or(Some(true), |n| {
                 self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
             });
-            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()), Need::MOMENT_GROWTH);
+            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()));
             fields.close();
             if let Some(b) = body
                 && !bodies[b].turns

@@ -506,7 +506,7 @@ impl Builder<'_> {
     fn ending(&mut self, tie: usize, cord: &Cord) -> CordRun {
         let end = cord.from;
         let placed = self.bodies[end.body].clone().expect("a placed body");
-        let towards = self.leaves(&placed, end).unwrap_or_else(|| match self.view.upward(&cord.name) {
+        let towards = self.leaves(&placed, end).unwrap_or_else(|| match end.upright {
             Some(true) => Vec2::UP,
             Some(false) => Vec2::DOWN,
             None if end.forward => placed.forward,

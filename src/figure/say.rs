@@ -5,8 +5,8 @@ use crate::figure::{names, parts};
 use crate::picture::symbol;
 use crate::picture::vector::{Direction, Vec2};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, Made, Mass, Num, Rest, RotaryInertia, Shape,
-    Side, Slope, Start, Tie, Zero,
+    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Rest,
+    RotaryInertia, Shape, Side, Slope, Start, Tie, Zero,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -196,7 +196,10 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         let drawn = towards.filter(|_| p.on.is_none() && (body.line.is_some() || free));
         let place = place(view, cord.from, drawn);
         out.push(match cord.to {
-            Far::Pull(n) => say("pull", &[("place", &place), ("force", &text(view, n, "N"))]),
+            Far::Pull(n) => {
+                let force = view.growing(GivenForce::Pull(i), n).unwrap_or_else(|| text(view, n, "N"));
+                say("pull", &[("place", &place), ("force", &force)])
+            }
             Far::Fixed => say("fixed", &[("place", &place)]),
             Far::Spring { stiffness_n_m, stretch_m, .. } => say(
                 "spring",
@@ -242,10 +245,11 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
 
 /// The sentences about the couples on a body.
 pub fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
-    for couple in view.scene.couples.iter().filter(|c| c.body == index) {
+    for (i, couple) in view.scene.couples.iter().enumerate().filter(|(_, c)| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let name = if forward { "figure.scene.couple" } else { "figure.scene.couple_back" };
-        let moment = view.size_text(couple.moment_n_m, "N·m").replace('\u{a0}', " ");
+        let size = || view.size_text(couple.moment_n_m, "N·m").replace('\u{a0}', " ");
+        let moment = view.growing(GivenForce::Couple(i), couple.moment_n_m).unwrap_or_else(size);
         out.push(view.words.say(name, &[("moment", &moment)]));
     }
 }

@@ -147,7 +147,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
     }
     joint_rules(scene, &mut tell);
     for g in &scene.growths {
-        tell(g.per_second, NotNegative);
+        tell(g.rate, NotNegative);
     }
     for s in &scene.start {
         match s {

@@ -122,10 +122,10 @@ quantities! {
     IO "I_O" "kg*m^2" Magnitude "moment of inertia about the pin";
     PinRadial "pin_radial" "N" Signed "force of the pin on the body along the line to the mass centre, positive toward the pin";
     PinTangential "pin_tangential" "N" Signed "force of the pin on the body across that line, positive with growing angle";
-    PinForce "pin_force" "N" Magnitude "force of the pin on the body, a magnitude";
-    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles; of joined bodies, to the right";
+    PinForce "pin_force" "N" Magnitude "force of the pin or axle on the body, a magnitude";
+    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles; of joined bodies and of a fixed axle, to the right";
     PinY "pin_y" "N" Signed "vertical part of the force of the pin on the body, positive up";
-    PinAngle "pin_angle" "rad" Signed "angle of the force of the pin on the body to the horizontal, positive up from the side of small positive angles";
+    PinAngle "pin_angle" "rad" Signed "angle of the force of the pin on the body to the horizontal, positive up from the side of small positive angles; of joined bodies and of a fixed axle, from the right";
     SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
     OmegaMax "omega_max" "rad/s" Magnitude "greatest angular speed of the motion";
     Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";

@@ -1,7 +1,7 @@
 //! What an instructor writes as a formula: numbers of a scene that are worked out from data, and what is asked of its solution.
 use crate::num::formula::Formula;
 use crate::num::{Real, trig};
-use crate::scene::{Label, Num, Owner, Quantity, Scene, Span, Tie};
+use crate::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Span, Tie};
 use std::borrow::Cow;
 
 /// A datum in a formula.
@@ -179,6 +179,13 @@ impl Scene {
                 (AsIf::Rolls, Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. }) => {
                     Tie::Roll { body, radius_m, mu_s: None }
                 }
+                (AsIf::Smooth, Tie::Roll { body, .. })
+                    if !self.start.is_empty() && self.spins_freely(body) =>
+                {
+                    // Nothing changes its spin, and nothing else hangs on that.
+                    other.bodies[body].turns = false;
+                    Tie::Slide { body, mu_s: None, mu_k: smooth }
+                }
                 (AsIf::Smooth, Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. }) => {
                     Tie::Slip { body, radius_m, mu_s: smooth, mu_k: smooth }
                 }
@@ -191,6 +198,15 @@ impl Scene {
         other.formulas.others.clear();
         other.formulas.found = None;
         touches.then_some(other)
+    }
+    /// Would a body that rolls keep its spin on a smooth surface, whatever else happens, and is its start told without that?
+    fn spins_freely(&self, body: usize) -> bool {
+        let acts = |t: &Tie| t.actions().filter(|a| a.body == body && a.arm.is_some()).count();
+        let told = |c: &Coordinate| c.body == body && c.degree == Degree::Turn;
+        self.ties.iter().map(acts).sum::<usize>() == 1
+            && self.couples.iter().all(|c| c.body != body)
+            && !self.start_speeds().any(|(c, _)| told(&c))
+            && !matches!(self.end, End::Travel(c, _) | End::Speed(c, _) | End::Position(c, _) if told(&c))
     }
     /// The data on which a number of the scene hangs.
     pub fn data_of(&self, number: Num) -> impl Iterator<Item = usize> {

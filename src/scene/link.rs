@@ -80,6 +80,9 @@ pub struct CordEnd {
     pub attach: Attach,
     /// Does the cord leave forward?
     pub forward: bool,
+    /// Does it leave a fixed axle upward, or downward? To the motion `front down` is what `top forward` is: only the force of the axle
+    /// and pictures tell them apart.
+    pub upright: Option<bool>,
 }
 
 /// How a cord holds a body.

@@ -1,7 +1,9 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Span, Tie};
+use crate::scene::{
+    Coordinate, Degree, End, Far, GivenForce, Label, Law, Made, Num, Owner, Quantity, Span, Tie,
+};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
@@ -124,6 +126,10 @@ const fn names_of(quantity: Quantity) -> [&'static str; 2] {
         Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
         Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
         Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
+        Quantity::PinX => ["O_x", "R_x"],
+        Quantity::PinY => ["O_y", "R_y"],
+        Quantity::PinForce => ["O", "F_O"],
+        Quantity::PinAngle => [r"\psi", r"\chi"],
         _ => ["Z", "Y"],
     }
 }
@@ -209,6 +215,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made != Made::Cord)) {
             return beyond(Beyond::Mesh);
         }
+        if draft.scene.law().is_some_and(|law| law != Law::EVEN) {
+            return beyond(Beyond::GrowingForce);
+        }
         let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),
@@ -266,7 +275,7 @@ impl<'d, 'a> Account<'d, 'a> {
             else {
                 continue;
             };
-            let (t, per) = (self.number(t, "t", "s"), self.number(growth.per_second, "c", "N/s"));
+            let (t, per) = (self.number(t, "t", "s"), self.number(growth.rate, "c", "N/s"));
             let name =
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
             let name = marked(&name, "1");
@@ -1149,8 +1158,44 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label.quantity),
             Quantity::DTurn => self.turning(),
+            Quantity::PinX | Quantity::PinY | Quantity::PinForce | Quantity::PinAngle => {
+                self.axle(label.quantity, body)
+            }
             other => beyond(Beyond::Quantity(other)),
         }
+    }
+
+    /// The force of a fixed axle: what weight and cords leave of a sum of nothing.
+    fn axle(&mut self, quantity: Quantity, body: usize) -> Result<Expr, DerivationStop> {
+        let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
+        if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
+            let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
+            let force = root(square(x) + square(y));
+            return Ok(match quantity {
+                Quantity::PinForce => force,
+                _ => in_sense(arc_cosine(x / force), self.symbols.value(y)),
+            });
+        }
+        let upright = quantity == Quantity::PinY;
+        let mut terms = Vec::new();
+        if upright {
+            terms.push(self.m.parts[body].mass.expr() * &self.m.g);
+        }
+        for (tie, aim) in pulls {
+            let share = self.m.component(self.page.draft, aim, upright);
+            if share.is_zero() {
+                continue;
+            }
+            let given = matches!(&self.scene.ties[tie], Tie::Cord(c) if matches!(c.to, Far::Pull(_)));
+            let own =
+                self.m.actions.iter().find(|a| a.source == ForceSource::Tie(tie)).map(|a| a.force.clone());
+            let force = match own.filter(|_| given) {
+                Some(force) => force,
+                None => self.get(of_tie(Quantity::Tension, tie))?.into(),
+            };
+            terms.push(force.by(share.opposite()));
+        }
+        Ok(positive_first(terms))
     }
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.

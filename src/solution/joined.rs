@@ -125,7 +125,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         let mut values: Vec<SymbolId> = Vec::new();
         for label in asked {
             // Components come before what they give.
-            let parts = if label.quantity == Q::PinForce { &[Q::PinX, Q::PinY][..] } else { &[] };
+            let parts = if matches!(label.quantity, Q::PinForce | Q::PinAngle) {
+                &[Q::PinX, Q::PinY][..]
+            } else {
+                &[]
+            };
             for quantity in parts.iter().copied().chain([label.quantity]) {
                 let symbol = self.t.get(Label { quantity, ..label })?;
                 self.t.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));

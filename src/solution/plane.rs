@@ -1941,7 +1941,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
             }
             (
-                Q::Normal | Q::Tension | Q::PinX | Q::PinY | Q::PinForce | Q::Moment | Q::Friction,
+                Q::Normal
+                | Q::Tension
+                | Q::PinX
+                | Q::PinY
+                | Q::PinForce
+                | Q::PinAngle
+                | Q::Moment
+                | Q::Friction,
                 Owner::Joint(j),
             ) => {
                 return self.of_joint(label.quantity, j).ok_or_else(none);
@@ -2179,6 +2186,12 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let [x, y, ..] = own[..] else { return None };
                 let name = tagged("R", &below(&self.scene.joints[joint]));
                 Some(self.page.find(&[&name], "N", root(square(x) + square(y))))
+            }
+            Quantity::PinAngle => {
+                let [x, y, ..] = own[..] else { return None };
+                let angle = arc_cosine(x / root(square(x) + square(y)));
+                let angle = in_sense(angle, self.symbols.value(y));
+                Some(self.page.find(&[&tagged(r"\psi", &below(&self.scene.joints[joint]))], "rad", angle))
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),

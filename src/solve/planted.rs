@@ -2,9 +2,9 @@
 use crate::num::plant;
 use crate::scene::{
     Acts, Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
-    GivenForce, Growth, Joint, JointKind, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place, Planar,
-    Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie,
-    Zero,
+    GivenForce, Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place,
+    Planar, Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface,
+    Tie, Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -39,7 +39,7 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
     let attach = wound.map_or(Attach::Centre, |r| {
         Attach::Wound(f(r.abs()), if r > 0.0 { Side::Top } else { Side::Bottom })
     });
-    CordEnd { body, attach, forward }
+    CordEnd { body, attach, forward, upright: None }
 }
 
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
@@ -330,8 +330,8 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             let mut scene = scene(vec![wheel()], vec![roll(0.2), pull], 1.0);
             scene.couples = vec![Couple { body: 0, moment_n_m: f(4.0), forward: false }];
             scene.growths = vec![
-                Growth { of: GivenForce::Pull(1), per_second: f(30.0) },
-                Growth { of: GivenForce::Couple(0), per_second: f(2.5) },
+                Growth { of: GivenForce::Pull(1), law: Law::EVEN, rate: f(30.0), unit: f(1.0) },
+                Growth { of: GivenForce::Couple(0), law: Law::EVEN, rate: f(2.5), unit: f(1.0) },
             ];
             scene.start.push(Start::Speed(along, f(0.8)));
             scene.end = End::Time(along, f(1.5));

@@ -31,7 +31,12 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             contact,
             Tie::Cord(Cord {
                 name: "cord".into(),
-                from: CordEnd { body: 0, attach: Attach::Wound(d(1), Side::Top), forward: true },
+                from: CordEnd {
+                    body: 0,
+                    attach: Attach::Wound(d(1), Side::Top),
+                    forward: true,
+                    upright: None,
+                },
                 to: Far::Pull(d(6)),
                 made: Made::Cord,
             }),

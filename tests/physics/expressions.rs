@@ -508,3 +508,61 @@ problems:
     let entry = solved.get(wide.problems[0].questions[0].label).expect("an answer");
     assert!((entry.value() - mass).abs() < 1e-14 * mass, "{entry:?} {mass}");
 }
+
+/// A ball is rolling when it comes to an incline: as if that were smooth it would keep its spin and lose `2 g d sin` of the square of
+/// its speed, not 10/7 of `g d sin`. What would need the spin that it keeps, or a cord on its rim, is refused.
+#[test]
+fn a_ball_that_rolls_onto_ice_keeps_its_spin() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: A ball
+    data:
+      v0: {name: speed at the foot, unit: m/s, draw: 6.0 to 9.0 step 0.1}
+      d:  {name: way up the incline, unit: m, draw: 0.5 to 2.0 step 0.1}
+    scene:
+      surfaces: {incline: {slope: 30 deg}}
+      bodies: {ball: {mass: 2 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along incline}}
+      ties: [rolls: {body: ball, on its: rim}]
+      start: {ball: {speed: v0}}
+      end: {travel: {of: ball, by: d}}
+    questions:
+      v:    {ask: the speed, unit: m/s}
+      ice:  {quantity: v, if: smooth, unit: m/s, ask: the speed on ice}
+      back: {quantity: a, if: smooth, unit: m/s^2, ask: the acceleration on ice}
+      soon: {quantity: t, if: smooth, unit: s, ask: the time on ice}
+    statement: s
+";
+    let bank = read(text).unwrap_or_else(|f| panic!("{f:#?}"));
+    for i in 0..20 {
+        let variant = drawn(&bank.problems[0], &format!("s{i}"));
+        let (v0, d, g) = (variant.data[0], variant.data[1], 9.81);
+        let told = |id: &str| {
+            let label = slipstick::bank::asked::label(&bank.problems[0].cases[0].scene, id).expect("asked");
+            let entry = variant.solved.get(label).expect("an answer");
+            assert!(entry.energy.is_some(), "{id} on both roads");
+            entry.value()
+        };
+        let v = (v0 * v0 - g * d).sqrt();
+        for (found, expected) in
+            [(told("ice"), v), (told("back"), -g / 2.0), (told("soon"), 2.0 * (v0 - v) / g)]
+        {
+            assert!((found - expected).abs() < 1e-13 * expected.abs().max(1.0), "{found} {expected}");
+        }
+    }
+    let refused = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        read(&text.replace(from, to))
+            .expect_err("a finding")
+            .iter()
+            .map(ToString::to_string)
+            .collect::<String>()
+    };
+    let energy =
+        refused("{quantity: v, if: smooth, unit: m/s,", "{quantity: kinetic_energy, if: smooth, unit: J,");
+    assert!(energy.contains("spin that a body keeps"), "{energy}");
+    let cord = "ties: [rolls: {body: ball, on its: rim}, cord: {from: {body: ball, wound on: rim, leaves: top forward}, pulled with: 3 N}]";
+    let wound = refused("ties: [rolls: {body: ball, on its: rim}]", cord);
+    assert!(wound.contains("as if it were smooth"), "{wound}");
+}

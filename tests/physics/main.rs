@@ -12,6 +12,7 @@
 mod support;
 
 mod at_once;
+mod axles;
 mod big;
 mod catalogue;
 mod composed;
@@ -20,6 +21,7 @@ mod expressions;
 mod extremes;
 mod growing;
 mod joined;
+mod joined_edges;
 mod joined_lot;
 mod joined_scenes;
 mod ladder;

@@ -32,7 +32,12 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
     let cord = |radius, to| {
         Tie::Cord(Cord {
             name: "cord".into(),
-            from: CordEnd { body: 0, attach: Attach::Wound(Num::Datum(radius), Side::Top), forward: true },
+            from: CordEnd {
+                body: 0,
+                attach: Attach::Wound(Num::Datum(radius), Side::Top),
+                forward: true,
+                upright: None,
+            },
             to,
             made: Made::Cord,
         })

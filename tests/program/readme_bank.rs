@@ -72,6 +72,7 @@ fn around(kind: &str, item: &str) -> String {
             ties = "        - slips: {body: wheel, on its: hub, mu_s: mu_s, mu_k: mu_k}\n".to_owned();
             start = "{wheel: {speed: v1, spin: 3 rad/s}}";
         }
+        "forces" => rest = format!("      forces:\n{}", indent(item, "        ")),
         "ends" => end = item.trim_start_matches("- ").to_owned(),
         "bounds" | "cases" => rest = format!("    {kind}:\n{}", indent(item, "      ")),
         _ => panic!("no fragment of kind {kind}"),
@@ -144,7 +145,7 @@ fn the_examples_of_readme_and_manual_are_banks() {
             let item = item.split("   #").next().unwrap_or(item).trim_end();
             let text = around(kind, item);
             let place = match kind {
-                "bodies" | "ties" => format!("scene.{kind}"),
+                "bodies" | "ties" | "forces" => format!("scene.{kind}"),
                 "ends" => "scene.end".to_owned(),
                 other => format!("p.{other}"),
             };

@@ -6,8 +6,11 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::scene::{Attach, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Numbers, Scene, Side, Tie};
-use crate::solve::energy::speeds::Mode;
+use crate::scene::{
+    Attach, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers, Scene, Side, Tie,
+};
+use crate::solve::energy::speeds::{self, Mode};
+use crate::solve::outcome::Grip;
 use smallvec::{SmallVec, smallvec};
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
@@ -77,24 +80,39 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
 
 /// How much a force or couple has grown at the end.
 pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T> {
-    scene.growth(of).map(|(rate, time)| plant!("energy: growth of a force", n.get(time)) * n.massive(rate))
+    let growth = scene.growth(of)?;
+    let extent = plant!("energy: growth of a force", n.get(scene.growing_for()?).abs());
+    let own = match growth.law.with {
+        Grows::Time => extent,
+        // What the ties let its point move while the ending coordinate does.
+        Grows::Place => {
+            let modes = speeds::modes(scene, n, Grip::Declared, &[]);
+            let mode = modes.first()?;
+            (works_along(scene, n, mode, of) / mode.of(scene.ending_coordinate()) * extent).abs()
+        }
+    };
+    Some(n.massive(growth.rate) * growth.law.of(own, n.get(growth.unit)))
 }
 
-/// Power in a mode of what the forces that grow with time have grown by at the end.
+/// Rate of the point of a given force along it in a mode; of a couple that of its body.
+fn works_along<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, of: GivenForce) -> T {
+    match of {
+        GivenForce::Pull(t) => match &scene.ties[t] {
+            Tie::Cord(cord) => mode.point(n, &cord.from),
+            _ => T::zero(),
+        },
+        GivenForce::Couple(i) => {
+            let couple = &scene.couples[i];
+            mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
+        }
+    }
+}
+
+/// Power in a mode of what the forces that grow have grown by at the end.
 pub fn grown_power<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>) -> T {
     scene.growths.iter().fold(T::zero(), |sum, growth| {
         let Some(force) = grown(scene, n, growth.of) else { return sum };
-        let rate = match growth.of {
-            GivenForce::Pull(t) => match &scene.ties[t] {
-                Tie::Cord(cord) => mode.point(n, &cord.from),
-                _ => T::zero(),
-            },
-            GivenForce::Couple(i) => {
-                let couple = &scene.couples[i];
-                mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
-            }
-        };
-        sum + force * rate
+        sum + force * works_along(scene, n, mode, growth.of)
     })
 }
 
@@ -123,7 +141,7 @@ impl<T> std::ops::Index<usize> for Reactions<T> {
 /// velocity cancels, and what is left holds for every virtual velocity of that body.
 ///
 /// `rate` are the accelerations of all coordinates; `varying` the tension of the spring, or the share of their growth that
-/// forces of time have.
+/// forces that grow have.
 pub fn reactions<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,

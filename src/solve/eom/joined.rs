@@ -11,7 +11,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
-use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
+use crate::scene::{Acts, End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
 use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::planar::{Mechanism, Response, State};
@@ -42,6 +42,9 @@ const DEGREE: f64 = 32.0;
 /// A panel is no shorter than this share of the way: a singularity so far away is still seen.
 const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
 
+/// So far does a motion go at most before a torsion spring is wound by half a turn.
+const SHORT: f64 = 1.0 - SHORTEST;
+
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
@@ -64,8 +67,8 @@ struct Motion<'m, 'a, T: Real> {
     slides: SmallVec<[f64; 4]>,
     /// The same times the side of the guide to which it presses, 1 or -1: see [`rubbing`].
     rubs: SmallVec<[f64; 4]>,
-    /// Leading angles at which springs are met or let go of, from the start of the scene.
-    meets: SmallVec<[T; 4]>,
+    /// Springs that are met or let go of, and the leading angles at which, from the start of the scene.
+    meets: SmallVec<[(usize, T); 4]>,
     /// Panels that may still be made.
     panels: Cell<u32>,
 }
@@ -223,7 +226,7 @@ pub fn road_by<T: Real>(
         near: T::zero(),
         slides,
         rubs,
-        meets: mechanism.meets(sense, (horizon(), T::of(STRIDE / 16.0))),
+        meets: mechanism.meets(sense, (horizon(), look())),
         panels: Cell::new(PANELS),
     };
     // Friction may hold what would set off without it.
@@ -241,13 +244,17 @@ pub fn road_by<T: Real>(
 fn horizon<T: Real>() -> T {
     T::constant(Dd::PI * Dd::new(2.0 * TURNS))
 }
+/// Step in which places on the way are looked for, radians.
+fn look<T: Real>() -> T {
+    T::of(STRIDE / 16.0)
+}
 
-/// The slope of a function, by differences over ever smaller spans from which the error is extrapolated.
-fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T) -> Result<T, Refusal> {
+/// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated.
+fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> Result<T, Refusal> {
     const SPANS: i32 = 7;
     let mut row: Vec<T> = Vec::new();
     for i in 0..SPANS {
-        let span = T::of(1.0).scale2(-4 - i);
+        let span = widest.scale2(-i);
         let mut next = vec![(value(at + span)? - value(at - span)?) / span.scale2(1)];
         for (k, coarse) in row.iter().enumerate() {
             let finer = next[k];
@@ -450,7 +457,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let least = width.size() * SHORTEST;
         while at.below(end) {
             let far = self.variable(self.way(at).0 + T::of(STRIDE));
-            let ahead = self.meets.iter().map(|angle| (*angle - self.start).signed(self.sense));
+            let ahead = self.meets.iter().map(|(_, angle)| (*angle - self.start).signed(self.sense));
             let meets =
                 ahead.filter(|way| way.sign() > 0.0).map(|way| self.variable(way)).filter(|x| at.below(*x));
             let next = meets.chain([at + width, far]).fold(end, |a, b| if b.below(a) { b } else { a });
@@ -470,6 +477,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             } else {
                 let panels = self.panels.get();
                 if panels == 0 || width.size() <= least {
+                    if self.mechanism.in_line(self.angle(self.way(next).0)) {
+                        return Err(Refusal::Unsupported(Unsupported::InLine));
+                    }
                     let value = panel.last.half_square.f64();
                     return Err(Unsettled { value, gap: f64::INFINITY }.into());
                 }
@@ -707,6 +717,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             End::Leaves(joint) => Some(joint),
             _ => None,
         };
+        let limit =
+            self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
+        far = limit.map_or(far, |limit| limit * T::of(SHORT));
         // What does not push at the start is not touched.
         let weights = self.weights();
         let (first, begin) = self.at(T::zero())?;
@@ -736,6 +749,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             self.stop(far, level, matches!(scene.end, End::Time(..)), &mut least)?
         };
         let mut time = stop.time;
+        let overwound =
+            || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overwound)) } else { Ok(()) };
+        if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
+            overwound()?;
+        }
         if let (End::Time(_, t), None) = (scene.end, by) {
             let t = n.get(t);
             let most = match time {
@@ -751,6 +769,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 stop = Stop { why: Why::Far, ..self.stop(way, None, false, &mut least)? };
                 time = Some(t);
             } else {
+                if stop.why == Why::Far {
+                    overwound()?;
+                }
                 (stop.why, time) = (Why::Rest, None);
             }
         }
@@ -787,6 +808,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if !reached {
             return Ok(());
         }
+        teller.tell_met(&self.meets, stop.way)?;
         let rest = stop.why == Why::Rest;
         if teller.asked.quantities.has(Quantity::T) {
             let time = match time {
@@ -852,7 +874,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let mut found = (sense == 0.0).then(T::zero);
         let (mut before, full) = (T::zero(), T::constant(Dd::PI.scale2(1)));
         while sense != 0.0 && found.is_none() && before.below(full) {
-            let next = before + T::of(STRIDE / 16.0);
+            let next = before + look();
             if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
                 let way = root::between_values(before, next, false, &|x| {
                     Ok::<_, Refusal>(drive(x.signed(sense))?.signed(sense))
@@ -862,7 +884,14 @@ impl<T: Real> Teller<'_, '_, T> {
             before = next;
         }
         let stiffness = match found {
-            Some(way) => -plant!("eom: slope of the acceleration at equilibrium", slope(&drive, way)?),
+            Some(way) => {
+                // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
+                let meets = [1.0, -1.0].into_iter().flat_map(|sense| mechanism.meets(sense, (full, look())));
+                let apart = meets.map(|(_, at)| (at - way).abs().scale2(-1));
+                let widest = apart.fold(look(), |one, other| if other.below(one) { other } else { one });
+                let slope = if widest.size() < SHORTEST { T::zero() } else { slope(&drive, way, widest)? };
+                -plant!("eom: slope of the acceleration at equilibrium", slope)
+            }
             None => T::zero(),
         };
         // Where it is indifferent, rounding is left of its stiffness.
@@ -873,6 +902,10 @@ impl<T: Real> Teller<'_, '_, T> {
             return Ok(());
         };
         self.gets_to(way)?;
+        if mechanism.overwinds(sense, (way.abs(), look())).is_some() {
+            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        }
+        self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
         self.say(Quantity::OmegaSmall, of, frequency);
         self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
@@ -902,11 +935,23 @@ impl<T: Real> Teller<'_, '_, T> {
             near: T::zero(),
             slides: nothing.clone().collect(),
             rubs: nothing.collect(),
-            meets: mechanism.meets(way.sign(), (way.abs(), T::of(STRIDE / 16.0))),
+            meets: mechanism.meets(way.sign(), (way.abs(), look())),
             panels: Cell::new(PANELS),
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
+        Ok(())
+    }
+
+    /// Is each spring that only pushes or pulls met on this way, if it does not act from the start?
+    fn tell_met(&mut self, meets: &[(usize, T)], way: T) -> Result<(), Refusal> {
+        let begin = self.mechanism.poses(T::zero(), true)?;
+        for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
+            let first =
+                meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
+            let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
+            self.road.held.push(Held::Met(s, met, way.f64()));
+        }
         Ok(())
     }
 
@@ -942,7 +987,7 @@ impl<T: Real> Teller<'_, '_, T> {
             if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
                     [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
-                self.road.held.push(Held::Touching(j, pull, all));
+                self.road.held.push(Held::Jolted(j, pull, all));
             }
         }
     }
@@ -1037,8 +1082,12 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
             }
             if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
+                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
+                if !force.is_zero() {
+                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
+                }
             }
         }
         for (s, strut) in scene.struts.iter().enumerate() {

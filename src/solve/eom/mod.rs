@@ -14,12 +14,12 @@ pub mod travel;
 use crate::num::dd::Dd;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Fast, Real};
+use crate::num::{Fast, Real, trig};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Heading, Label, Made, Numbers, Owner,
-    Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
+    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
 };
-use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, grown, respond};
+use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
 use crate::solve::found;
@@ -177,8 +177,8 @@ struct Walk<'a, T: Real> {
     spring: Option<Spring<T>>,
     /// Does a tension or a given force vary on the way?
     varies: bool,
-    /// Speeds of the ending coordinate at the start, after half the time and at the end, where forces grow with time.
-    speeds: Option<[T; 3]>,
+    /// Where forces grow: the way of the ending coordinate, averaged over that growth.
+    early: Option<T>,
     /// Stretch of the spring at equilibrium, friction of sliding left out.
     x_eq: Option<T>,
     /// For each contact that is said to slip: as if it rolled.
@@ -383,7 +383,7 @@ impl<'a, T: Real> Walk<'a, T> {
             n,
             end,
             varies: spring.is_some() || grows,
-            speeds: None,
+            early: None,
             spring,
             x_eq,
             rolled,
@@ -482,7 +482,7 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         self.contacts_if_rolled();
         if !self.scene.growths.is_empty() {
-            return Ok((self.grown(), Count::default()));
+            return Ok((self.grown(wrong_way), Count::default()));
         }
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
             self.road.course = Some(Course::at_rest());
@@ -589,14 +589,11 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say(Quantity::PeriodSmall, Owner::Body(self.end.body), turn / frequency);
     }
 
-    /// The motion under forces that grow evenly with time: the acceleration grows evenly too, and is integrated over time.
-    fn grown(mut self) -> Road<T> {
-        let zero = T::zero();
-        let whole = T::of(1.0);
-        let time = match self.scene.end {
-            End::Time(_, t) => self.n.get(t),
-            _ => zero,
-        };
+    /// The motion under forces that grow with a power of time or place: so does the acceleration, and is integrated over that.
+    fn grown(mut self, wrong_way: bool) -> Road<T> {
+        let (zero, whole) = (T::zero(), T::of(1.0));
+        let law = self.scene.law().unwrap_or(Law::EVEN);
+        let power = plant!("eom: power of a growth", law.power::<T>());
         let senses = [self.v0, self.acceleration(self.end, zero), self.acceleration(self.end, whole)];
         let sense = senses.iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
         if sense == 0.0 {
@@ -606,40 +603,59 @@ impl<'a, T: Real> Walk<'a, T> {
             self.grip(zero, whole);
             return self.road;
         }
+        let extent = self.scene.growing_for().map_or(zero, |x| self.n.get(x));
+        let extent = if matches!(self.scene.end, End::Position(..)) { extent.signed(sense) } else { extent };
         let [u0, f0, f1] = senses.map(|x| x.signed(sense));
         let growth = self.response.acceleration(self.end, VARYING).signed(sense);
-        let speed = |share: f64| {
-            let change = T::of(share) * time * f0.balance(growth * T::of(share / 2.0));
-            (change, u0.balance(change))
-        };
-        let ((_, middle), (change, u)) = (speed(0.5), speed(1.0));
+        // Over time the acceleration adds to the speed, over the way to half its square.
+        let from = if law.with == Grows::Time { u0 } else { u0.square().scale2(-1) };
+        let change = extent * f0.balance(growth / (power + whole));
+        let last = from.balance(change);
         // It must not stop on the way: where the acceleration changes its sign the speed is least, else at an end.
-        let turns = f0.sign() < 0.0 && f1.sign() > 0.0;
-        let least = if turns { u0 - (f0.square() * time / growth).scale2(-1) } else { u };
-        let reached = least.sign() > 0.0 && (u0.sign() > 0.0 || f0.not_negative());
-        let asked = Some(time);
-        let farthest = T::of(f64::INFINITY);
-        self.road.course = Some(Course { sense, drive: (zero, zero), asked, farthest, reached });
-        self.grip(zero, whole);
-        if reached {
-            let s = time * u0.balance(time * f0.balance(growth / T::of(3.0)).scale2(-1));
-            self.speeds = Some([u0, middle, u]);
-            self.arrived(&State { s, u, time }, sense, whole);
-            self.gained((change * (u + u0)).scale2(-1), change, (s, u), sense);
+        let least = if f0.sign() < 0.0 && f1.sign() > 0.0 {
+            let share = -f0 / growth;
+            let at =
+                if law == Law::EVEN { share } else { T::of(trig::power(share.f64(), 1.0 / power.f64())) };
+            from + extent * at * f0 * power / (power + whole)
         } else {
+            last
+        };
+        let reached = !wrong_way
+            && extent.not_negative()
+            && least.sign() > 0.0
+            && (u0.sign() > 0.0 || f0.not_negative());
+        let farthest = T::of(f64::INFINITY);
+        self.road.course =
+            Some(Course { sense, drive: (zero, zero), asked: Some(extent), farthest, reached });
+        self.grip(zero, whole);
+        if !reached {
             self.standing(whole);
+            return self.road;
         }
+        let two = power + T::of(2.0);
+        let (s, u, early, time) = if law.with == Grows::Time {
+            let bent = f0.scale2(-1).balance(growth / ((power + whole) * two));
+            let s = extent * u0.balance(extent * bent);
+            let part = f0 / two.scale2(1) + growth / ((power + whole).square() * two).scale2(1);
+            (s, last, power * extent * (u0 / (power + whole) + extent * part), extent)
+        } else {
+            (extent, last.scale2(1).root(), power * extent / (power + whole), zero)
+        };
+        self.early = Some(early);
+        self.arrived(&State { s, u, time }, sense, whole);
+        let (gain, change) = match law.with {
+            Grows::Time => ((change * (u + u0)).scale2(-1), change),
+            Grows::Place => (change, u.balance(-u0)),
+        };
+        self.gained(gain, change, (s, u), sense);
         self.road
     }
 
-    /// Work of a given force over this way of the ending coordinate, at which its point goes at `rate` times the speed of that.
+    /// Work of a given force over this way of the ending coordinate, at which its point goes at `rate` times the speed of that: its last
+    /// value over the whole way, less what it had not yet grown.
     fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> T {
-        match (self.speeds, growth, self.scene.end) {
-            (Some([u0, middle, u]), Some(growth), End::Time(_, time)) => {
-                // The power is a cubic in time, which Simpson's rule integrates exactly.
-                let (half, last) = (force + growth.scale2(-1), force + growth);
-                rate * self.n.get(time) * (force * u0 + (half * middle).scale2(2) + last * u) / T::of(6.0)
-            }
+        match (self.early, growth) {
+            (Some(early), Some(growth)) => rate * ((force + growth) * s - growth * early),
             _ => force * rate * s,
         }
     }
@@ -648,11 +664,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn couples(&self, body: usize, moment: T, rate: T, s: T) -> (T, T) {
         let acting = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body);
         let growth = acting.filter_map(|(i, c)| {
-            Some(grown(self.scene, &self.n, GivenForce::Couple(i))?.signed(if c.forward {
-                1.0
-            } else {
-                -1.0
-            }))
+            Some(self.response.grown(GivenForce::Couple(i))?.signed(if c.forward { 1.0 } else { -1.0 }))
         });
         let growth = growth.reduce(T::balance);
         (self.work(moment, growth, rate, s), growth.map_or(moment, |g| moment + g))
@@ -931,6 +943,10 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction of the contacts and tension of the cords at this tension of the spring.
     fn forces(&mut self, tension: T) {
+        use Quantity::{PinAngle, PinForce, PinX, PinY};
+        if self.asks(&[PinAngle, PinForce, PinX, PinY]) {
+            (0..self.scene.bodies.len()).for_each(|b| self.axle(b, tension));
+        }
         if !self.asks(&[Quantity::Friction, Quantity::Tension, Quantity::RimForce]) {
             return;
         }
@@ -963,13 +979,48 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
+    /// The force of a fixed axle: the forces on its body sum up to nothing.
+    fn axle(&mut self, body: usize, tension: T) {
+        let Some(pulls) = self.scene.axle_pulls(body) else { return };
+        let (of, quantities) =
+            (Owner::Body(body), [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle]);
+        let weight = plant!("eom: weight on an axle", self.n.bodies[body].mass * self.n.gravity);
+        let (mut x, mut y, mut size) = (T::zero(), weight, weight.size());
+        for (t, aim) in pulls {
+            let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
+            let pull = match cord.to {
+                Far::Pull(force) => {
+                    let growth = self.response.grown(GivenForce::Pull(t)).map(|growth| growth * tension);
+                    self.n.massive(force) + growth.unwrap_or_else(T::zero)
+                }
+                Far::Spring { .. } => tension,
+                _ if self.response.is_open(t) => {
+                    quantities.into_iter().for_each(|q| self.say_open(q, of));
+                    return;
+                }
+                _ => self.friction(t, tension),
+            };
+            let [right, up] = aim.unit(&self.n).map(|u| plant!("eom: pull on an axle", pull) * u);
+            (x, y, size) = (x - right, y - up, size + pull.size());
+        }
+        let [x, y] = [x, y].map(|f| f.cleared(size));
+        self.say_scaled(Quantity::PinX, of, x, size);
+        self.say_scaled(Quantity::PinY, of, y, size);
+        self.say_scaled(Quantity::PinForce, of, (x.square() + y.square()).root(), size);
+        if !(x.is_zero() && y.is_zero()) {
+            self.say(Quantity::PinAngle, of, trig::angle(y, x));
+        }
+    }
+
     /// Everything at the ending event.
     fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
         let (s, u) = (state.s, state.u);
         let mut energy = T::zero();
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         let (mut turning, mut whole) = (T::zero(), T::zero());
-        self.say(Quantity::T, Owner::Scene, state.time);
+        if !self.scene.grows_with_place() {
+            self.say(Quantity::T, Owner::Scene, state.time);
+        }
         self.accelerations(tension);
         self.forces(tension);
         self.bound_of_gyration();
@@ -1021,7 +1072,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if let Far::Pull(force) = c.to {
                         let p = self.n.massive(force);
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                        let growth = grown(self.scene, &self.n, GivenForce::Pull(t));
+                        let growth = self.response.grown(GivenForce::Pull(t));
                         let last = growth.map_or(p, |growth| p + growth);
                         self.say(Quantity::WorkPull, Owner::Tie(t), self.work(p, growth, rate, s));
                         self.say(Quantity::PowerPull, Owner::Tie(t), last * rate * u);
