@@ -13,6 +13,7 @@ mod support;
 
 mod at_once;
 mod big;
+mod carried;
 mod catalogue;
 mod composed;
 mod composed_scenes;
