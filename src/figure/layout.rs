@@ -452,16 +452,18 @@ impl Builder<'_> {
         let outer = below.iter().map(|p| p.reach(g.up)).fold(0.0, f64::max);
         let (apart, middle) = (2.0 * outer + 64.0, (below.len() - 1) as f64 / 2.0);
         let base = g.origin + g.up * (stand - g.origin).dot(&g.up);
+        let on_axles = wheels.iter().all(|(_, _, attach)| *attach == Attach::Centre);
+        let across = if on_axles { 0.4 * outer } else { 7.0 };
         let mut high: f64 = 0.0;
         for (i, (p, (_, _, attach))) in below.iter_mut().zip(&wheels).enumerate() {
             let axle = if p.on.is_some() { p.contact } else { outer + 24.0 };
             p.centre = base + g.up * (apart * (i as f64 - middle)) + g.out * axle;
             high = high.max(match attach {
-                Attach::Centre => axle,
-                Attach::Wound(radius, _) => axle + self.radius(*radius) + 7.0,
+                Attach::Centre => axle + across,
+                Attach::Wound(radius, _) => axle + self.radius(*radius) + across,
             });
         }
-        above.look = BodyLook::Block { along: apart * middle + outer + 22.0, across: 7.0 };
+        above.look = BodyLook::Block { along: apart * middle + outer + 22.0, across };
         (above.centre, above.contact) = (base + g.out * high, high);
         self.bodies[*load] = Some(above);
         for ((_, wheel, _), p) in wheels.into_iter().zip(below) {

@@ -167,9 +167,8 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         }
         _ => None,
     });
-    let rests = |t: &Tie| matches!(t, Tie::Cord(c) if c.made == Made::Rests && c.from.body == index);
     out.push(match (p.on.is_some(), contact, body.line.is_some()) {
-        (true, None, _) if view.scene.ties.iter().any(rests) => say("above", &[("body", &name)]),
+        (true, None, _) if view.scene.rests(index) => say("above", &[("body", &name)]),
         (true, Some(radius), _) => say("touches", &[("body", &name), ("radius", &text(view, radius, "m"))]),
         (true, None, _) => say("lies", &[("body", &name)]),
         (false, _, true) => say("hangs", &[("body", &name)]),

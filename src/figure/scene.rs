@@ -69,10 +69,11 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     }
     parts::supports(board, view, plan);
     let placed = |b: usize| plan.bodies.get(b).and_then(Option::as_ref);
-    for b in 0..view.scene.bodies.len() {
-        if let Some(p) = placed(b) {
-            parts::outline(board, p);
-        }
+    // What rests on axles stands behind its wheels.
+    let mut order: Vec<usize> = (0..view.scene.bodies.len()).collect();
+    order.sort_by_key(|b| !view.scene.rests(*b));
+    for p in order.into_iter().filter_map(placed) {
+        parts::outline(board, p);
     }
     for ground in plan.grounds.iter().filter(|g| g.rail) {
         parts::surface(board, view, ground);
@@ -112,7 +113,8 @@ fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
         let half = towards * 26.0;
         at.y -= half.y.abs() + 14.0;
         board.arrow(at - half, at + half, Role::Motion);
-        let spots = vec![(at + half, towards), (at, Vec2::RIGHT), (at, Vec2::DOWN)];
+        let beside = at + Vec2::RIGHT * (half.x.abs() + 8.0);
+        let spots = vec![(beside, Vec2::RIGHT), (at + Vec2::DOWN * (half.y.abs() + 8.0), Vec2::DOWN)];
         board.wish(view.size_label(num, unit), spots, Role::Motion);
         list.push(say::text(view, num, unit));
         at.y -= half.y.abs();
@@ -197,7 +199,8 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 let side = if p.on.is_some() { p.top } else { Vec2::RIGHT };
                 let at = |d: Vec2| (p.centre + d * p.reach(d), d);
                 let wide = symbol::width(&runs, TEXT);
-                if wide + 6.0 < 2.0 * p.reach(Vec2::RIGHT) && p.reach(Vec2::UP) > 11.0 {
+                let within = wide + 6.0 < 2.0 * p.reach(Vec2::RIGHT) && p.reach(Vec2::UP) > 11.0;
+                if within && !view.scene.rests(index) {
                     board.label(
                         vec![runs],
                         Role::Dot,

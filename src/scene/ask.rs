@@ -345,6 +345,11 @@ impl Scene {
     pub fn is_pendulum(&self) -> bool {
         self.couples.is_empty() && self.pinned().is_some_and(|(_, pin)| pin.spring.is_none())
     }
+    /// Does this body rest on wheels?
+    pub fn rests(&self, body: usize) -> bool {
+        let on_wheels = |c: &Cord| c.made == Made::Rests && c.from.body == body;
+        self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_wheels(c)))
+    }
     /// Is this told of the scene? Of what is carried what is seen from the ground, and what is the same from everywhere.
     pub fn tells(&self, label: Label) -> bool {
         use Quantity as Q;
