@@ -523,7 +523,7 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
             | Q::OmegaMax
             | Q::Period
     );
-    if scene.carried.is_some() && matches!(quantity, Q::Direction | Q::Distance | Q::Rise | Q::WorkPull) {
+    if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
         return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
     }
     if !scene.is_still() || of_particles || of_pins {

@@ -382,7 +382,6 @@ impl Scene {
             | Q::VMax
             | Q::DAtVMax
             | Q::DTurn
-            | Q::Direction
             | Q::KBound
             | Q::RotationalFraction => false,
             _ => true,

@@ -2,6 +2,8 @@
 //! and against the formulas of textbooks, written for this test.
 use crate::support;
 use slipstick::bank::{Bank, Problem, checks, load};
+use slipstick::problem::maker::Maker;
+use slipstick::scene::{Carrier, Formulas, Label, Mass, Num, Owner, Quantity, Scene, Slope};
 use slipstick::solve::agree;
 use slipstick::solve::outcome::Solved;
 
@@ -300,6 +302,194 @@ fn what_is_carried_moves_as_it_is_seen_from_the_ground() {
         }
     }
     assert!(compared.iter().all(|n| *n > 200), "{compared:?}");
+}
+
+/// Whatever stands in a lift feels a stronger or weaker gravity: every scene of the built-in banks in both.
+#[test]
+fn a_lift_is_another_gravity() {
+    let lift = 1.7;
+    let (mut compared, mut scenes) = (0, 0);
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let Ok(variant) = Maker::new(problem, 7, "lift").variant("1") else { continue };
+            let scene = &problem.cases[variant.case].scene;
+            // A mass by its weight is another one; a pin of its own and a measurement are not carried; where no weight acts
+            // there is none to be stronger.
+            let weighed = scene.bodies.iter().any(|b| matches!(b.mass, Mass::Weight(_)));
+            let other =
+                scene.pinned().is_some() || scene.formulas.found.is_some() || scene.drifts().is_some();
+            let particles = scene.bodies.iter().any(|b| !b.particles.is_empty());
+            if weighed || other || particles || scene.lies_level() {
+                continue;
+            }
+            let carrier = Carrier {
+                slope: Slope::Vertical,
+                speed_m_s: Num::Fixed(0.0),
+                acceleration_m_s2: Num::Fixed(lift),
+            };
+            let carried = Scene {
+                carried: Some(carrier),
+                formulas: Formulas { asked: Vec::new(), others: Vec::new(), ..scene.formulas.clone() },
+                ..scene.clone()
+            };
+            let heavy = Scene { carried: None, ..carried.clone() };
+            let mut data = variant.data.clone();
+            let g = data.len() - 1;
+            let own = agree::solve(&carried, &data);
+            data[g] += lift;
+            let (own, heavy_one) = match (own, agree::solve(&heavy, &data)) {
+                (Ok(own), Ok(heavy)) => (own, heavy),
+                (own, heavy) => {
+                    assert_eq!(own.is_ok(), heavy.is_ok(), "{}: {own:?} {heavy:?}", problem.id);
+                    continue;
+                }
+            };
+            scenes += 1;
+            assert_eq!(own.regime, heavy_one.regime, "{}", problem.id);
+            for entry in &own.entries {
+                let Label { quantity, of } = entry.label;
+                let along = match of {
+                    Owner::Body(b) => carried.bodies[b].line,
+                    _ => None,
+                };
+                let up = along.map_or(0.0, |line| {
+                    let steep: f64 = match line.slope {
+                        Slope::Level => 0.0,
+                        Slope::Vertical => 1.0,
+                        Slope::Degrees(n) => carried.value(n, &variant.data).to_radians().sin(),
+                    };
+                    if line.forward_up { steep } else { -steep }
+                });
+                let with = match quantity {
+                    Quantity::A | Quantity::ARolling => lift * up,
+                    Quantity::AY => lift,
+                    Quantity::V | Quantity::Displacement | Quantity::KineticEnergy | Quantity::Work => {
+                        continue;
+                    }
+                    _ => 0.0,
+                };
+                let there =
+                    heavy_one.get(entry.label).unwrap_or_else(|| panic!("{}: {:?}", problem.id, entry.label));
+                let expected = there.value() + with;
+                let size = expected.abs().max(there.scale).max(entry.scale);
+                let near = (entry.value() - expected).abs() <= 1e-9 * size * there.cond.clamp(1.0, 1e3);
+                assert!(near, "{} {:?}: {}, {expected}", problem.id, entry.label, entry.value());
+                compared += 1;
+            }
+        }
+    }
+    assert!(scenes > 15 && compared > 150, "{scenes} scenes, {compared} answers");
+}
+
+/// A scene of constants, with the questions of its only quantity.
+fn constants(data: &[(&str, &str, f64)], scene: &str, question: &str) -> Bank {
+    let data: Vec<String> = data
+        .iter()
+        .map(|(symbol, unit, value)| {
+            format!("{symbol}: {{name: {symbol}, unit: '{unit}', draw: always {value}}}")
+        })
+        .collect();
+    let data = data.join(", ");
+    bank(&format!(
+        "bank: b\ntitle: b\nproblems:\n  p:\n    title: p\n    data: {{{data}}}\n    scene:\n{scene}\n    questions: {{q: {{quantity: {question}, ask: q}}}}\n"
+    ))
+}
+
+/// What lies on the bed of a truck and is not held there: it slides with the acceleration that friction gives it.
+#[test]
+fn on_a_truck_that_starts_too_fast_everything_slides_back() {
+    let (truck, mu, way): (f64, f64, f64) = (6.0, 0.3, 2.0);
+    let data = [("m", "kg", 5.0), ("r", "m", 0.2), ("A", "m/s^2", truck), ("mu", "1", mu), ("d", "m", way)];
+    let time = f64::sqrt(2.0 * way / (truck - mu * G));
+    let alike = [("t", time), ("v", mu * G * time), ("a", mu * G), ("friction", 5.0 * mu * G)];
+    let disc = constants(
+        &data,
+        "      surfaces: {bed: level}
+      carried: {along: bed, acceleration: A}
+      bodies: {load: {mass: m, shape: {disc: r}, moves: along bed}}
+      ties: [slips: {body: load, on its: rim, mu_s: mu, mu_k: mu}]
+      start: at rest
+      end: {travel: {of: load, by: d}}",
+        "t",
+    );
+    // At 6 m/s^2 rolling takes a third of m A, which this friction gives: it is said to slip and does not.
+    let rolls = agree::solve(&disc.problems[0].cases[0].scene, &[5.0, 0.2, truck, mu, way, G]).unwrap();
+    assert!(!rolls.all_hold());
+    // At 12 m/s^2 it slips, and friction turns it along.
+    let (fast, alpha) = (12.0, mu * G * 0.2 / (0.5 * 0.04));
+    let longer = f64::sqrt(2.0 * way / (fast - mu * G));
+    let slips = [
+        ("t", longer),
+        ("omega", alpha * longer),
+        ("slip_distance", way - 0.2 * alpha * longer * longer / 2.0),
+        ("a", mu * G),
+        ("alpha", -alpha),
+        ("displacement", mu * G * longer * longer / 2.0),
+    ];
+    let solved = hold(&disc.problems[0], &[5.0, 0.2, fast, mu, way, G], &slips);
+    assert_eq!(solved.regime.word(), "slips_back");
+    let slab = constants(
+        &[data[0], data[2], data[3], data[4]],
+        "      surfaces: {bed: level}
+      carried: {along: bed, acceleration: A}
+      bodies: {load: {mass: m, moves: along bed}}
+      ties: [slides: {body: load, mu_s: mu, mu_k: mu}]
+      start: at rest
+      end: {travel: {of: load, by: d}}",
+        "t",
+    );
+    let solved = hold(&slab.problems[0], &[5.0, truck, mu, way, G], &alike);
+    assert_eq!(solved.regime.word(), "moves_back");
+    // Below mu g it stays, and friction takes it along.
+    let slow = hold(&slab.problems[0], &[5.0, 2.0, mu, way, G], &[("a", 2.0), ("friction", 10.0)]);
+    assert_eq!(slow.regime.word(), "balanced");
+}
+
+/// A truck that brakes: what lies on it slides forward until it meets the cab.
+#[test]
+fn on_a_truck_that_brakes_a_crate_slides_forward() {
+    let (speed, brake, mu, way): (f64, f64, f64, f64) = (20.0, 7.0, 0.4, 1.5);
+    let crate_bank = constants(
+        &[("m", "kg", 50.0), ("u", "m/s", speed), ("A", "m/s^2", brake), ("mu", "1", mu), ("d", "m", way)],
+        "      surfaces: {bed: level}
+      carried: {along: bed, speed: u, acceleration: -A}
+      bodies: {load: {mass: m, moves: along bed}}
+      ties: [slides: {body: load, mu_k: mu}]
+      start: {load: {speed: u}}
+      end: {travel: {of: load, by: d}}",
+        "t",
+    );
+    let time = f64::sqrt(2.0 * way / (brake - mu * G));
+    let v = speed - mu * G * time;
+    let expected = [
+        ("t", time),
+        ("v", v),
+        ("displacement", speed * time - mu * G * time * time / 2.0),
+        ("slip_distance", way),
+        ("work", 25.0 * (v * v - speed * speed)),
+    ];
+    hold(&crate_bank.problems[0], &[50.0, speed, brake, mu, way, G], &expected);
+}
+
+/// A slab slides down over rollers that turn about fixed axles, each with the half of its mass at its rim.
+#[test]
+fn rollers_on_fixed_axles_hold_a_slab_back() {
+    let slab = constants(
+        &[("M", "kg", 20.0), ("m", "kg", 6.0), ("r", "m", 0.1), ("theta", "deg", 20.0), ("d", "m", 0.4)],
+        "      surfaces: {ramp: {slope: theta}}
+      bodies:
+        slab: {mass: M, moves: along ramp, positive: down}
+        one: {mass: m, shape: {disc: r}, moves: about a fixed axle}
+        other: {mass: m, shape: {disc: r}, moves: about a fixed axle}
+      ties: [rests: {body: slab, on: [one.rim, other.rim]}]
+      start: at rest
+      end: {travel: {of: slab, by: d, heading: down}}",
+        "t",
+    );
+    let a = 20.0 * G * f64::to_radians(20.0).sin() / 26.0;
+    let expected =
+        [("slab.a", a), ("one.alpha", -a / 0.1), ("other.rim_force", 3.0 * a), ("t", f64::sqrt(0.8 / a))];
+    hold(&slab.problems[0], &[20.0, 6.0, 0.1, 20.0, 0.4, G], &expected);
 }
 
 /// What is asked of a scene that cannot be answered is refused by name.

@@ -771,7 +771,8 @@ impl<'a, T: Real> Walk<'a, T> {
             return;
         }
         for b in 0..self.scene.bodies.len() {
-            if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
+            let label = Label { quantity: Quantity::Normal, of: Owner::Body(b) };
+            if self.scene.bodies[b].line.is_some_and(|l| l.surface) && self.scene.tells(label) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
                 let force = self.n.publish(Quantity::Normal, normal).f64();
