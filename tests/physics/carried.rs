@@ -10,7 +10,7 @@ use slipstick::solve::outcome::Solved;
 const G: f64 = 9.81;
 
 fn scene_file(name: &str) -> Bank {
-    let path = format!("{}/tests/scenes/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/carried/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).expect("a scene file");
     bank(&text)
 }
@@ -495,9 +495,9 @@ fn rollers_on_fixed_axles_hold_a_slab_back() {
 /// What is asked of a scene that cannot be answered is refused by name.
 #[test]
 fn what_is_not_told_of_what_is_carried_is_refused() {
-    let crate_file = include_str!("../scenes/crate-set-on-a-sloping-belt.yaml");
-    let plank = include_str!("../scenes/plank-on-two-rollers.yaml");
-    let rod = include_str!("../scenes/pendulum-in-a-truck.yaml");
+    let crate_file = include_str!("../carried/crate-set-on-a-sloping-belt.yaml");
+    let plank = include_str!("../carried/plank-on-two-rollers.yaml");
+    let rod = include_str!("../carried/pendulum-in-a-truck.yaml");
     let pinned = rod.replace("moves: in the plane, angle", "pinned: at its end, angle");
     let pinned = pinned.replace("      joints: {O: {pins: rod.A}}\n", "").replace("equilibrium", "at once");
     let pinned = pinned.replace("phi: {", "alpha: {").replace("O.pin_force", "pin_force");

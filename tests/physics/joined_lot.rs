@@ -301,7 +301,7 @@ fn grid(lot: &mut Lot, low: f64, high: f64, decimals: i32) -> f64 {
 
 /// Now and then a truck or a lift carries it.
 fn carrier(seed: u64) -> V2 {
-    let by = grid(&mut Lot::new(seed ^ 0xca44_1ed), -6.0, 6.0, 1);
+    let by = grid(&mut Lot::new(seed ^ 0x0ca4_41ed), -6.0, 6.0, 1);
     match seed % 10 {
         3 => [by, 0.0],
         7 => [0.0, by],
