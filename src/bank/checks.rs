@@ -4,7 +4,7 @@ use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables, asked};
 use crate::finding::{Finding, told};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, JointKind, Label, Num, Owner, Quantity,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, JointKind, Label, Made, Num, Owner, Quantity,
     RotaryInertia, Scene, Spot, Tie,
 };
 use crate::units::spell;
@@ -119,6 +119,8 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
             return;
         }
     }
+    carrier(scene, node, faults);
+    loads(scene, node, faults);
     if let Some((b, _)) = scene.pinned() {
         let name = &scene.bodies[b].name;
         if scene.bodies.len() > 1 {
@@ -195,6 +197,64 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
             "the ties leave one freedom, so one speed at the start gives all others",
             "give one speed or spin",
         );
+    }
+}
+
+/// Bodies that rest on wheels: how the wheels share the load is not known, so nothing is asked of it.
+fn loads(scene: &Scene, node: &Node, faults: &Faults) {
+    let resting = scene.ties.iter().filter_map(|t| match t {
+        Tie::Cord(c) if c.made == Made::Rests => Some((c.from.body, &c.to)),
+        _ => None,
+    });
+    for (load, on) in resting {
+        let Far::Body(CordEnd { body: wheel, .. }) = *on else { continue };
+        for tie in &scene.ties {
+            let (name, hint) = match tie {
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
+                    if *body == load =>
+                {
+                    (&scene.bodies[load].name, "it rests on wheels alone: take its tie with the surface away")
+                }
+                Tie::Roll { body, mu_s: Some(_), .. } | Tie::Slip { body, .. } if *body == wheel => {
+                    let hint = "how the wheels share the load is not known: write `rolls:` without `mu_s`";
+                    (&scene.bodies[wheel].name, hint)
+                }
+                _ => continue,
+            };
+            let message = told!(
+                "friction limits are not told of `{name}`, for `{}` rests on wheels",
+                scene.bodies[load].name
+            );
+            faults.hint(part(node, "ties"), message, hint);
+        }
+    }
+}
+
+/// A scene that is carried: what its words mean there.
+fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
+    let Some(carrier) = &scene.carried else { return };
+    let at = part(node, "carried");
+    let name = scene.bodies.first().map_or("crate", |b| b.name.as_str());
+    let fast = carrier.speed_m_s != Num::Fixed(0.0);
+    if scene.pinned().is_some() {
+        let hint = "write `moves: in the plane` and a joint `O: {pins: rod.A}`";
+        faults.hint(at, told!("`{name}` is pinned, and the scene is carried"), hint);
+    } else if scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        faults.hint(at, "a body of particles is not carried", "remove `carried`");
+    } else if fast && scene.lead().is_some() {
+        let hint = "remove `speed`: bodies in the plane start as they are seen from what carries them";
+        faults.hint(at, "of what carries joined bodies the acceleration alone counts", hint);
+    } else if fast && scene.start.is_empty() && scene.bodies.iter().any(|b| b.line.is_some_and(|l| l.surface))
+    {
+        faults.hint(
+            part(node, "start"),
+            "at rest on the ground, or on what carries the scene?",
+            told!("write `start: {{{name}: {{speed: 0 m/s}}}}` for what is set down, as seen from the ground, or give it the speed of what carries it"),
+        );
+    }
+    if matches!(scene.end, End::Speed(..)) && scene.lead().is_none() {
+        let hint = "write `stops slipping`, `time`, or `travel`, which counts on what carries the scene";
+        faults.hint(part(node, "end"), "a carried scene does not end at a speed", hint);
     }
 }
 
@@ -476,6 +536,9 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
             | Q::OmegaMax
             | Q::Period
     );
+    if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
+        return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
+    }
     if !scene.is_still() || of_particles || of_pins {
         return why(quantity).to_owned();
     }
@@ -502,7 +565,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
         Q::Heat => "it needs a tie `slips` or `slides`",
         Q::Tension => "it needs a cord whose pull is not given",
-        Q::RimForce => "it needs a tie `meshes` or `belt`",
+        Q::RimForce => "it needs a tie `meshes`, `belt` or `rests`",
         Q::CordTravel => "it needs a cord that is pulled or held by a spring",
         Q::WorkPull | Q::PowerPull => "it needs a cord with `pulled with`",
         Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`",
@@ -536,6 +599,13 @@ const fn why(quantity: Quantity) -> &'static str {
 
 /// All labels that the solvers can give for this structure.
 pub fn labels(scene: &Scene) -> Vec<Label> {
+    let mut list = of_kind(scene);
+    list.retain(|label| scene.tells(*label));
+    list
+}
+
+/// The same of a scene that nothing carries.
+fn of_kind(scene: &Scene) -> Vec<Label> {
     use Quantity as Q;
     let mut list = Vec::new();
     // Each once: several bodies may rub, and there is one heat.
@@ -635,6 +705,10 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             Tie::Slide { body, .. } => {
                 add(Owner::Body(*body), &[Q::Friction]);
                 add(Owner::Scene, if moves { &[Q::Heat] } else { &[] });
+                add(
+                    Owner::Body(*body),
+                    if moves && scene.carried.is_some() { &[Q::SlipDistance] } else { &[] },
+                );
             }
             Tie::Cord(c) => match c.to {
                 Far::Pull(_) if !moves => {}

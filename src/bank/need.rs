@@ -51,6 +51,7 @@ impl Need {
     pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
     pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");
     pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
+    pub const ACCELERATION: Self = need("an acceleration", "m/s^2", ANY, "2 m/s^2");
     pub const ANGULAR_ACCELERATION: Self = need("an angular acceleration", "rad/s^2", ANY, "3 rad/s^2");
     pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
     pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");

@@ -7,9 +7,9 @@ use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    GivenForce, Grows, Growth, Heading, Joint, Law, Line, Made, Mass, Num, Part, Particle, Pin, PinSpring,
-    Push, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
+    Arm, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas,
+    Given, GivenForce, Grows, Growth, Heading, Joint, Law, Line, Made, Mass, Num, Part, Particle, Pin,
+    PinSpring, Push, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -182,8 +182,11 @@ impl SceneReader<'_> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a scene (bodies, ties, start, end)", f)?;
         let surfaces = fields.get("surfaces").map_or_else(Vec::new, |n| self.surfaces(n));
+        let carried_node = fields.get("carried");
+        let carried = carried_node.and_then(|n| self.carrier(n, &surfaces));
         let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}");
-        let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces));
+        let along = carried_node.and_then(|n| n.field("along")).and_then(Node::text).map(str::trim);
+        let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces, along));
         if let Some(n) = bodies_node
             && bodies.is_empty()
             && matches!(&n.value, Value::Map(m) if m.is_empty())
@@ -220,6 +223,7 @@ impl SceneReader<'_> {
             pushes,
             struts,
             growths: self.growths.take(),
+            carried,
             start,
             end,
             heading,
@@ -456,7 +460,29 @@ impl SceneReader<'_> {
         list
     }
 
-    fn bodies(&self, node: &Node, surfaces: &[Surface]) -> Vec<Body> {
+    /// What carries the scene: along which line, its speed and its acceleration.
+    fn carrier(&self, node: &Node, surfaces: &[Surface]) -> Option<Carrier> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "what carries the scene (along, speed, acceleration)", f)?;
+        let along = fields.need("along", "horizontal");
+        let [speed, acceleration] = fields.each(["speed", "acceleration"]);
+        fields.close();
+        if speed.is_none() && acceleration.is_none() {
+            f.hint(node, "neither a speed nor an acceleration is given", "write `acceleration: a`");
+        }
+        let mut words: Vec<(&str, Slope)> = surfaces.iter().map(|s| (s.name, s.slope)).collect();
+        words.extend([("horizontal", Slope::Level), ("level", Slope::Level), ("vertical", Slope::Vertical)]);
+        let what = "along which line the scene is carried: a surface, `horizontal` or `vertical`";
+        let slope = along.and_then(|n| {
+            let own = surfaces.iter().find(|s| n.text().map(str::trim) == Some(s.name));
+            own.map(|s| s.slope).or_else(|| self.word(n, what, &words))
+        });
+        let number = |n: Option<&Node>, need| n.map_or(Some(Num::Fixed(0.0)), |n| self.number(n, need));
+        let (speed, acceleration) = (number(speed, Need::VELOCITY), number(acceleration, Need::ACCELERATION));
+        Some(Carrier { slope: slope?, speed_m_s: speed?, acceleration_m_s2: acceleration? })
+    }
+
+    fn bodies(&self, node: &Node, surfaces: &[Surface], carried_along: Option<&str>) -> Vec<Body> {
         let mut bodies = Vec::new();
         for (name, key, value) in named(node, "bodies by name", self.faults) {
             if !plain_name(name) {
@@ -471,7 +497,8 @@ impl SceneReader<'_> {
         let used = |surface: &Surface| {
             let Value::Map(entries) = &node.value else { return false };
             let moves = entries.iter().filter_map(|(_, body)| body.field("moves")?.text());
-            moves.filter_map(|text| text.trim().strip_prefix("along")).any(|on| on.trim() == surface.name)
+            let mut on = moves.filter_map(|text| text.trim().strip_prefix("along")).map(str::trim);
+            on.any(|on| on == surface.name) || carried_along == Some(surface.name)
         };
         for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
             self.faults.hint(
@@ -851,6 +878,22 @@ impl SceneReader<'_> {
             else {
                 continue;
             };
+            if word == "rests" {
+                for cord in self.rests(value, bodies) {
+                    let Far::Body(end) = cord.to else { continue };
+                    let on =
+                        |t: &Tie| matches!(t, Tie::Cord(c) if c.made == Made::Rests && c.name == cord.name);
+                    if ties.iter().any(on) {
+                        f.hint(
+                            item,
+                            told!("something rests on `{}` twice", bodies[end.body].name),
+                            "keep one of them",
+                        );
+                    }
+                    ties.push(Tie::Cord(cord));
+                }
+                continue;
+            }
             let tie = match word {
                 "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
                 "cord" => self.cord(value, bodies, ties.len()).map(Tie::Cord),
@@ -863,7 +906,7 @@ impl SceneReader<'_> {
                     self.unknown(
                         key,
                         "tie",
-                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt"],
+                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt", "rests"],
                     );
                     None
                 }
@@ -1054,6 +1097,56 @@ impl SceneReader<'_> {
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
         let name = if like == 0 { word.to_owned() } else { format!("{word}{}", like + 1) };
         Some(Cord { name, from, to: Far::Body(to), made })
+    }
+
+    /// A body that rests on wheels: on their rims, along which it does not slip, or on their axles.
+    fn rests(&self, node: &Node, bodies: &[Body]) -> Vec<Cord> {
+        let f = self.faults;
+        let Some(mut fields) = Fields::open(node, "a body that rests on wheels (body, on)", f) else {
+            return Vec::new();
+        };
+        let body = self.need_body(&mut fields, "body", bodies);
+        let on = fields.need("on", "[front.rim, rear.rim]");
+        fields.close();
+        let (Some(load), Some(on)) = (body, on) else { return Vec::new() };
+        let Some(line) = bodies[load].line.filter(|_| !bodies[load].turns) else {
+            let hint = "what rests on wheels only moves, `moves: along SURFACE`, without an inertia";
+            f.hint(node, told!("`{}` cannot rest on wheels", bodies[load].name), hint);
+            return Vec::new();
+        };
+        let wheels = match &on.value {
+            Value::List(items) => &items[..],
+            _ => std::slice::from_ref(on),
+        };
+        let end = |node: &Node| {
+            let (name, radius) = node.text().unwrap_or("").trim().split_once('.')?;
+            let (index, wheel) = bodies.iter().enumerate().find(|(_, b)| b.name == name)?;
+            let attach = match radius {
+                "centre" | "center" | "axle" => Attach::Centre,
+                _ => Attach::Wound(wheel.radii_m.iter().find(|(n, _)| n == radius)?.1, Side::Top),
+            };
+            // Beside each other along one line; a wheel on a fixed axle has none and turns what lies on it.
+            let beside = match (wheel.line, attach) {
+                (Some(own), _) => own.slope == line.slope,
+                (None, attach) => attach != Attach::Centre,
+            };
+            let wheels = wheel.turns && wheel.pin.is_none() && wheel.planar.is_none() && beside;
+            // What moves the load forward moves the wheel forward.
+            let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
+            wheels
+                .then_some((name.to_owned(), CordEnd { body: index, attach, forward: !same, upright: None }))
+        };
+        let mut list = Vec::new();
+        for wheel in wheels {
+            let Some((name, to)) = end(wheel) else {
+                let hint = "a wheel on the same surface or on a fixed axle, with one of its radii, or with `.centre` for its axle: `roller.rim`";
+                f.hint(wheel, told!("expected the rim or the axle of a wheel, found {}", wheel.kind()), hint);
+                continue;
+            };
+            let from = CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None };
+            list.push(Cord { name, from, to: Far::Body(to), made: Made::Rests });
+        }
+        list
     }
 
     fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
@@ -1529,6 +1622,12 @@ impl SceneReader<'_> {
             }
             return found.map(|joint| (End::Leaves(joint), None));
         }
+        if word == "stops slipping" {
+            let body = self.body_named(value, bodies)?;
+            let along = Coordinate { body, degree: Degree::Along };
+            let end = if bodies[body].turns { End::Rolling(along) } else { End::TurningPoint(along) };
+            return Some((end, None));
+        }
         if word == "rolling" {
             let body = self.body_named(value, bodies)?;
             return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
@@ -1549,6 +1648,7 @@ impl SceneReader<'_> {
                 "speed",
                 "turning point",
                 "rolling",
+                "stops slipping",
                 "angle",
                 "rise",
                 "descent",

@@ -155,8 +155,11 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .iter()
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
-    // A datum that has to be found first is not there to draw with.
+    // A datum that has to be found first is not there to draw with, how wheels share a load is not known, and what is carried
+    // accelerates across its line too.
     scene.formulas.found.is_none()
+        && scene.carried.is_none()
+        && !(0..scene.bodies.len()).any(|b| scene.rests(b))
         && scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
         && (found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
 }

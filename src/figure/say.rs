@@ -168,6 +168,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         _ => None,
     });
     out.push(match (p.on.is_some(), contact, body.line.is_some()) {
+        (true, None, _) if view.scene.rests(index) => say("above", &[("body", &name)]),
         (true, Some(radius), _) => say("touches", &[("body", &name), ("radius", &text(view, radius, "m"))]),
         (true, None, _) => say("lies", &[("body", &name)]),
         (false, _, true) => say("hangs", &[("body", &name)]),
@@ -215,6 +216,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                 let name = match cord.made {
                     Made::Teeth => "meshes",
                     Made::Belt => "belt",
+                    Made::Rests => "rests",
                     Made::Cord if guide => "over",
                     Made::Cord => "joins",
                 };

@@ -566,6 +566,7 @@ mod tests {
             pushes: vec![],
             struts: vec![],
             growths: vec![],
+            carried: None,
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,

@@ -159,6 +159,13 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
             }
         }
     }
+    if let Some(carrier) = &scene.carried {
+        tell(carrier.speed_m_s, Finite);
+        tell(carrier.acceleration_m_s2, Finite);
+        if let Slope::Degrees(angle) = carrier.slope {
+            tell(angle, Rule::Slope);
+        }
+    }
     match scene.end {
         End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {}
         End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),

@@ -2,7 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, JointKind, Num, Numbers, Pin, Planar, Scene, Spot, Surface, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, JointKind, Made, Num, Numbers, Pin, Planar, Scene, Spot,
+    Surface, Tie,
 };
 
 /// What a quantity belongs to.
@@ -87,7 +88,7 @@ quantities! {
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
     T "t" "s" Magnitude "time from the start to the end";
     Tension "tension" "N" Signed "tension of the cord at the end";
-    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims; of a belt the difference of its two tensions";
+    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims, or along the surface between a body and the wheel that it rests on; of a belt the difference of its two tensions";
     CordTravel "cord_travel" "m" Magnitude "distance that the pulled end of the cord moves";
     SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
     SlipSpeed "slip_speed" "m/s" Magnitude "speed at which the contact slips at the start, a magnitude";
@@ -311,7 +312,7 @@ impl Scene {
     /// The direction in which the leading body could drift, degrees, where it has but one smooth level guide and no force along
     /// it: from rest its mass centre then stays where it is in that direction.
     pub fn drifts(&self) -> Option<Num> {
-        let lead = self.lead()?;
+        let lead = self.lead().filter(|_| self.carried.is_none())?;
         let mut found = None;
         for joint in &self.joints {
             if joint.kind.spots().all(|s| s.body != lead) {
@@ -343,6 +344,48 @@ impl Scene {
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {
         self.couples.is_empty() && self.pinned().is_some_and(|(_, pin)| pin.spring.is_none())
+    }
+    /// Does this body rest on wheels?
+    pub fn rests(&self, body: usize) -> bool {
+        let on_wheels = |c: &Cord| c.made == Made::Rests && c.from.body == body;
+        self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_wheels(c)))
+    }
+    /// Is this told of the scene? Of what is carried what is seen from the ground, and what is the same from everywhere.
+    pub fn tells(&self, label: Label) -> bool {
+        use Quantity as Q;
+        let bears = |b: usize| {
+            let on_it = |c: &Cord| c.made == Made::Rests && matches!(c.to, Far::Body(end) if end.body == b);
+            self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_it(c)))
+        };
+        // How a load is shared by what bears it is not known.
+        if let (Q::Normal | Q::MuRequired, Owner::Body(b)) = (label.quantity, label.of)
+            && bears(b)
+        {
+            return false;
+        }
+        if self.carried.is_none() {
+            return true;
+        }
+        let plane = self.lead().is_some();
+        match label.quantity {
+            Q::Rise => matches!(self.end, End::Equilibrium),
+            Q::V | Q::VX | Q::VY | Q::AngularMomentum => !plane,
+            Q::KineticEnergy | Q::Work => {
+                let steady = self.spring().is_none() && self.growths.is_empty();
+                steady && !self.is_still() && self.bodies.iter().all(|b| b.line.is_some())
+            }
+            Q::Distance
+            | Q::Impulse
+            | Q::CordTravel
+            | Q::WorkPull
+            | Q::PowerPull
+            | Q::VMax
+            | Q::DAtVMax
+            | Q::DTurn
+            | Q::KBound
+            | Q::RotationalFraction => false,
+            _ => true,
+        }
     }
     /// The coordinate that the ending event watches; the line (or turn) of the first body if the scene is an instant.
     pub fn ending_coordinate(&self) -> Coordinate {

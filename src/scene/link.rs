@@ -61,6 +61,8 @@ pub enum Made {
     Teeth,
     /// A belt that runs around two wheels and does not slip.
     Belt,
+    /// Nothing: the first body rests on the second, on its rim without slip or on its axle.
+    Rests,
 }
 
 impl Cord {

@@ -254,6 +254,13 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
             }
         }
     }
+    if let Some(carrier) = &mut scene.carried {
+        tell(&mut carrier.speed_m_s, "m/s");
+        tell(&mut carrier.acceleration_m_s2, "m/s^2");
+        if let Slope::Degrees(angle) = &mut carrier.slope {
+            tell(angle, "1");
+        }
+    }
     match &mut scene.end {
         End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {}
         End::Travel(c, s) | End::Position(c, s) => tell(s, if c.degree == Degree::Along { "m" } else { "1" }),

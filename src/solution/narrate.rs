@@ -105,6 +105,9 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.carried.is_some() {
+        return Err(Beyond::Carried.into());
+    }
     if draft.scene.lead().is_some() {
         return tell(&mut Joined::new(draft)?);
     }

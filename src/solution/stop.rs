@@ -61,6 +61,7 @@ macro_rules! beyond {
     };
 }
 beyond! {
+    Carried "carried";
     GrowingForce "growing_force";
     Mechanism "mechanism";
     Mesh "mesh";

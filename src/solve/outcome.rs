@@ -734,6 +734,11 @@ impl<T: Real> Road<T> {
         let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
         Self { said, open: Vec::new(), course: None, held }
     }
+    /// The road without what is not told of the scene.
+    pub fn telling(mut self, scene: &Scene) -> Self {
+        self.said.retain(|said| scene.tells(said.label));
+        self
+    }
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {
         self.said.iter().find(|s| s.label == label)

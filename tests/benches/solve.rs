@@ -46,6 +46,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),

@@ -310,6 +310,7 @@ fn composed(dice: &mut Dice) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths,
+        carried: None,
         start,
         end: End::AtOnce,
         heading: None,
@@ -687,6 +688,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: Vec::new(),
+        carried: None,
         start: vec![Start::Lamina {
             body: 0,
             particle: 0,

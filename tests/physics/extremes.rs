@@ -215,6 +215,7 @@ fn scene(kind: Kind) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end: End::Travel(along, end),
         heading,

@@ -185,7 +185,18 @@ impl<'m> Judge<'m> {
                 row,
             });
         }
-        self.balance(&self.forces(q), &conditions)
+        // On the ground: what holds the bodies accelerates with what carries it.
+        let with = self.carried();
+        for c in &mut conditions {
+            c.right += c.row.iter().zip(&with).map(|(r, a)| r * a).sum::<f64>();
+        }
+        let (a, forces) = self.balance(&self.forces(q), &conditions)?;
+        Some((a.iter().zip(&with).map(|(a, with)| a - with).collect(), forces))
+    }
+    /// Acceleration of the carrier for each coordinate.
+    fn carried(&self) -> Vec<f64> {
+        let [x, y] = self.m.carried;
+        self.m.bodies.iter().flat_map(|_| [x, y, 0.0]).collect()
     }
     /// `M a = Q + sum of force x multiplier`, `row . a = right`; `None` where the conditions are not independent.
     fn balance(&self, forces: &[f64], conditions: &[Condition]) -> Option<Answer> {
@@ -264,7 +275,8 @@ impl<'m> Judge<'m> {
     /// What drives what leads, and the inertia over it, at rest: both for its angle, by the velocities that go with its rate.
     fn drive(&self, q: &[f64]) -> Option<(f64, f64)> {
         let v = self.start(q, 1.0)?;
-        let drive = self.forces(q).iter().zip(&v).map(|(f, v)| f * v).sum();
+        let mut drive: f64 = self.forces(q).iter().zip(&v).map(|(f, v)| f * v).sum();
+        drive -= self.inertias().zip(self.carried()).zip(&v).map(|((m, a), v)| m * a * v).sum::<f64>();
         Some((drive, self.inertias().zip(&v).map(|(m, v)| m * v * v).sum()))
     }
     /// Where it stands when the leading body has turned on by this much.
@@ -863,8 +875,8 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             }
             ("v_x", Owner::Body(b)) => (v[3 * b], fastest),
             ("v_y", Owner::Body(b)) => (v[3 * b + 1], fastest),
-            ("a_x", Owner::Body(b)) => (a[3 * b], steepest),
-            ("a_y", Owner::Body(b)) => (a[3 * b + 1], steepest),
+            ("a_x", Owner::Body(b)) => (a[3 * b] + m.carried[0], steepest),
+            ("a_y", Owner::Body(b)) => (a[3 * b + 1] + m.carried[1], steepest),
             ("omega", Owner::Body(b)) => (v[3 * b + 2].abs(), fastest),
             ("alpha", Owner::Body(b)) => (a[3 * b + 2] * m.bodies[b].sense, steepest),
             ("phi", Owner::Body(_)) => ((judge.leading(q, v).0 - judge.leading(&m.start, v).0).abs(), 1.0),
@@ -924,7 +936,8 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
         }
     }
     let has = |quantity: Quantity| solved.entries.iter().any(|e| e.label.quantity == quantity);
-    if ![Quantity::KineticEnergy, Quantity::AX, Quantity::Phi].into_iter().any(has) {
+    let told = [Quantity::KineticEnergy, Quantity::AX, Quantity::Phi, Quantity::Omega];
+    if m.carried == [0.0; 2] && !told.into_iter().any(has) {
         faults.push("nothing is published".into());
     }
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }

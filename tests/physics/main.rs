@@ -14,6 +14,7 @@ mod support;
 mod at_once;
 mod axles;
 mod big;
+mod carried;
 mod catalogue;
 mod composed;
 mod composed_scenes;

@@ -64,7 +64,10 @@ fn around(kind: &str, item: &str) -> String {
     match kind {
         "bodies" => bodies += &format!("        another_{item}\n"),
         "ties" => {
-            bodies += "        yoyo: {mass: m, radius of gyration: k, radii: {hub: r}, moves: vertically, positive: down}\n";
+            bodies += "        yoyo: {mass: m, radius of gyration: k, radii: {hub: r}, moves: vertically, positive: down}\n        \
+                       plank: {mass: m, moves: along incline}\n        \
+                       front: {mass: m, shape: {disc: R}, moves: along incline}\n        \
+                       rear: {mass: m, shape: {disc: R}, moves: along incline}\n";
             ties = indent(item, "        ");
         }
         "ends" if item.contains("rolling") => {
@@ -102,6 +105,7 @@ fn swinging(scene: &str) -> String {
         ("ks", "N/m"),
         ("l0", "m"),
         ("kt", "N*m/rad"),
+        ("a0", "m/s^2"),
         ("phi0", "deg"),
         ("w0", "rad/s"),
         ("phi1", "deg"),

@@ -7,7 +7,8 @@ use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::scene::{
-    Attach, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers, Scene, Side, Tie,
+    Attach, BodyNumbers, Carried, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers,
+    Scene, Side, Tie,
 };
 use crate::solve::energy::speeds::{self, Mode};
 use crate::solve::outcome::Grip;
@@ -28,7 +29,11 @@ pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
 
 /// Force that presses a body on its surface, by a virtual displacement out of it: `N dy - m g cos dy = 0`.
 pub fn normal<T: Real>(n: &Numbers<T>, body: usize) -> T {
-    plant!("energy: weight against the surface", n.bodies[body].mass * n.gravity) * n.bodies[body].level
+    let BodyNumbers { mass, level, carried, .. } = n.bodies[body];
+    let weight = plant!("energy: weight against the surface", mass * n.gravity) * level;
+    // Carried out of its surface it gains momentum.
+    let gained = |out: Carried<T>| plant!("energy: momentum out of the surface", mass * out.acceleration);
+    carried.map_or(weight, |[_, out]| weight.balance(gained(out)))
 }
 
 /// One number for each tie.
@@ -53,6 +58,11 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
         if !climb.is_zero() {
             let power = -plant!("energy: work of the weight", body.mass * n.gravity * climb);
             list.push(Power { tie: None, power });
+        }
+        if let Some([forward, _]) = body.carried {
+            // Of 1/2 m (V + v)^2 the part m V v grows with V, at the cost of the motion on the carrier.
+            let shared = plant!("energy: energy shared with the carrier", body.mass * mode.v[b]);
+            list.push(Power { tie: None, power: -(shared * forward.acceleration) });
         }
     }
     for c in &scene.couples {
@@ -183,6 +193,11 @@ pub fn reactions<T: Real>(
             };
             let mut surplus = weight + gain;
             let mut size = weight.size() + gain.size();
+            if let (Degree::Along, Some([forward, _])) = (degree, numbers.carried) {
+                let with = numbers.mass * forward.acceleration;
+                surplus = surplus - plant!("energy: momentum of one body with the carrier", with);
+                size += with.size();
+            }
             let row = rows.row();
             let mut act = |t: usize, lever: T, known: Option<T>| match known {
                 Some(force) => {

@@ -551,11 +551,14 @@ impl<'a, T: Real> Account<'a, T> {
             return pushed.collect();
         }
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let [_, up] = self.velocity(poses, motion, b, self.centres[b].0);
+            let velocity = self.velocity(poses, motion, b, self.centres[b].0);
             powers.push(-plant!(
                 "energy: power of the weight in the plane",
-                numbers.mass * self.n.gravity * up
+                numbers.mass * self.n.gravity * velocity[1]
             ));
+            // Of 1/2 m (V + v)^2 the part m V . v grows with V, at the cost of the motion on the carrier.
+            let shared = self.n.carried.map(|a| numbers.mass * dot(a, velocity));
+            powers.extend(shared.map(|x| -plant!("energy: power shared with the carrier", x)));
         }
         powers.extend(pushed);
         powers.extend(self.drive.get().map(|moment| moment * motion[self.lead][2]));
@@ -619,9 +622,15 @@ impl<'a, T: Real> Account<'a, T> {
             size += w.size();
         };
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let height = |at: &Poses<T>| at[b].origin[1].value + at[b].axis[1].value * self.centres[b].0;
-            let fallen = height(from) - height(to);
+            let place =
+                |at: &Poses<T>, i: usize| at[b].origin[i].value + at[b].axis[i].value * self.centres[b].0;
+            let back = |i: usize| place(from, i) - place(to, i);
+            let fallen = back(1);
             add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
+            if let Some(a) = self.n.carried {
+                let shared = dot(a, [back(0), fallen]);
+                add(plant!("energy: energy shared with the carrier in the plane", numbers.mass * shared));
+            }
         }
         for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
             let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
@@ -1181,8 +1190,12 @@ impl<'a, T: Real> Account<'a, T> {
         let first = |p: pose::Point<T>| p.map(|x| x.first);
         let mut sum = T::zero();
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let [_, up] = second(self.centre(poses, b));
-            sum = sum - plant!("energy: weight on the bend of a way", numbers.mass * self.n.gravity * up);
+            let bend = second(self.centre(poses, b));
+            sum =
+                sum - plant!("energy: weight on the bend of a way", numbers.mass * self.n.gravity * bend[1]);
+            if let Some(a) = self.n.carried {
+                sum = sum - plant!("energy: carrier on the bend of a way", numbers.mass * dot(a, bend));
+            }
         }
         for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
             let (at, u) = (self.point(poses, push.at), Self::push(poses, push, *direction));
@@ -1304,7 +1317,11 @@ impl<'a, T: Real> Account<'a, T> {
             self.say(road, Quantity::VX, of, vx);
             self.say(road, Quantity::VY, of, vy);
             if let Some((moves, _)) = rates {
-                let [ax, ay] = moves(b, centre);
+                let [mut ax, mut ay] = moves(b, centre);
+                if let Some(with) = self.n.carried {
+                    let [x, y] = with.map(|a| plant!("energy: rate of the carrier in the plane", a));
+                    (ax, ay) = (ax.balance(x), ay.balance(y));
+                }
                 self.say(road, Quantity::AX, of, ax);
                 self.say(road, Quantity::AY, of, ay);
             }

@@ -69,6 +69,11 @@ impl<T: Real> Forward<T> for Here<'_> {
 
 /// [`road`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(of_kind(scene, data, asked)?.telling(scene))
+}
+
+/// Everything that it finds, by the kind of the scene.
+fn of_kind<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
         return Ok(joined::road(scene, &n, asked)?.0);
@@ -122,7 +127,7 @@ pub fn road_by<T: Real>(
         };
     }
     let (road, count) = alone_by(scene, data, points)?;
-    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
+    Ok((road.telling(scene).answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -301,14 +306,14 @@ impl<'a, T: Real> Ledger<'a, T> {
         // Rate of the first mode at the start, from the first given speed that it has; the others have to agree.
         let rate0 = modes.first().map_or_else(T::zero, |m| {
             let leads = scene.start_speeds().find(|(c, _)| !m.of(*c).is_zero());
-            leads.map_or_else(T::zero, |(c, v)| n.get(v) / m.of(c))
+            leads.map_or_else(T::zero, |(c, v)| n.start(c, v) / m.of(c))
         });
         for (c, v) in scene.start_speeds() {
             let follows = modes.first().map_or_else(T::zero, |m| rate0 * m.of(c));
-            outcome::consistent(c, n.get(v), follows)?;
+            outcome::consistent(c, n.start(c, v), follows)?;
         }
         // What is given as 0 is no speed.
-        let started = scene.start_speeds().any(|(_, v)| !n.get(v).is_zero());
+        let started = scene.start_speeds().any(|(c, v)| !n.start(c, v).is_zero());
         let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
         let loose = modes.first().cloned();
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
@@ -704,7 +709,8 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// No power at the start, no speed, no energy, ever.
     fn resting(&mut self, tension: T) {
         let rate = self.rate(tension);
-        if self.started || rate.v.iter().chain(&rate.w).any(|x| !x.is_zero()) {
+        if self.started || self.scene.carried.is_some() || rate.v.iter().chain(&rate.w).any(|x| !x.is_zero())
+        {
             return;
         }
         for (b, body) in self.scene.bodies.iter().enumerate() {
@@ -721,7 +727,10 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn say_rates(&mut self, rate: &Mode<T>) {
         for (b, body) in self.scene.bodies.iter().enumerate() {
             if body.line.is_some() {
-                self.say(Quantity::A, Owner::Body(b), rate.v[b]);
+                let forward = self.n.bodies[b].carried.map(|[forward, _]| forward);
+                let with = forward.map(|f| plant!("energy: rate of the carrier", f.acceleration));
+                let seen = with.map_or(rate.v[b], |with| rate.v[b].balance(with));
+                self.say(Quantity::A, Owner::Body(b), seen);
             }
             if body.turns {
                 self.say(Quantity::Alpha, Owner::Body(b), rate.w[b]);
@@ -812,14 +821,24 @@ impl<'a, T: Real> Ledger<'a, T> {
         self.say_rates(&rate);
         self.say_forces(tension);
         self.bound_of_gyration();
-        self.say(Quantity::KineticEnergy, Owner::Scene, energy);
+        let seen = energy.balance(self.shared(u.signed(sense), there.time));
+        self.say(Quantity::KineticEnergy, Owner::Scene, seen);
+        if self.scene.carried.is_some() {
+            let before = (doubled * u0.square()).scale2(-1).balance(self.shared(u0.signed(sense), T::zero()));
+            self.say(Quantity::Work, Owner::Scene, seen.balance(-before));
+        }
         let mut spinning = T::zero();
         for (b, body) in self.scene.bodies.iter().enumerate() {
             let (v, w) = (self.mode.v[b], self.mode.w[b]);
             if body.line.is_some() {
-                self.say(Quantity::V, Owner::Body(b), v.abs() * u);
-                let moved = plant!("energy: way of the centre", v) * s;
-                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
+                let mut speed = (v * u).signed(sense);
+                let mut moved = (plant!("energy: way of the centre", v) * s).signed(sense);
+                if let Some([forward, _]) = self.n.bodies[b].carried {
+                    speed = speed.balance(plant!("energy: speed of the carrier", forward.after(there.time)));
+                    moved = moved.balance(forward.way(there.time));
+                }
+                self.say(Quantity::V, Owner::Body(b), speed.abs());
+                self.say(Quantity::Displacement, Owner::Body(b), moved);
                 self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
             }
             if body.turns {
@@ -845,7 +864,11 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 Tie::Slide { body, .. } => {
                     let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
-                    heat = Some(heat.unwrap_or_else(T::zero) + force * self.mode.v[*body].abs() * s);
+                    let path = self.mode.v[*body].abs() * s;
+                    heat = Some(heat.unwrap_or_else(T::zero) + force * path);
+                    if self.scene.carried.is_some() {
+                        self.say(Quantity::SlipDistance, Owner::Body(*body), path);
+                    }
                 }
                 Tie::Cord(c) => {
                     let rate = self.mode.point(&self.n, &c.from).signed(sense);
@@ -867,6 +890,19 @@ impl<'a, T: Real> Ledger<'a, T> {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
         self.say_totals(plant!("energy: work of all forces", work), (s, u), u0, sense);
+    }
+
+    /// Kinetic energy that is seen from the ground beside that of the motion on the carrier, at a rate of the mode and a time:
+    /// `m V v` and `1/2 m V^2` of each body.
+    fn shared(&self, rate: T, time: T) -> T {
+        let mut sum = T::zero();
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let Some(carried) = numbers.carried else { continue };
+            let [forward, out] = carried.map(|c| c.after(time));
+            sum = sum.balance(numbers.mass * forward * self.mode.v[b] * rate);
+            sum = sum.balance((numbers.mass * (forward.square() + out.square())).scale2(-1));
+        }
+        sum
     }
 
     /// The work of all forces, which the account knows, the momentum that they give and that which is there.
@@ -897,7 +933,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
             }
         }
-        if self.scene.spring().is_none() {
+        if self.scene.spring().is_none() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, work);
         }
     }

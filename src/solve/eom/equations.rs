@@ -11,6 +11,7 @@
 //! a - c alpha = 0                                    (rolls on c);   F = +- mu_k N  (slips or slides)
 //! sum e (a + s p alpha) = 0                          (a cord keeps its length)
 //! ```
+//! Where a belt or a lift carries the scene, `a` counts on it: `m (a + A)` stands on the left, `N - m g cos = m A_n`.
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, chapter 16 (equations of motion of a rigid body).
 use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
@@ -185,8 +186,17 @@ fn assembled<T: Real>(
             rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
             let weight = numbers.mass * n.gravity;
             rows.right(row, CONSTANT, -plant!("eom: weight along the line", weight * numbers.climb));
+            // What is carried accelerates with the carrier, besides what it does on it.
+            if let Some([forward, _]) = numbers.carried {
+                let taken = numbers.mass * forward.acceleration;
+                rows.right(row, CONSTANT, -plant!("eom: mass times acceleration of the carrier", taken));
+            }
             if scene.bodies[b].line.is_some_and(|l| l.surface) {
                 normal = plant!("eom: weight on the surface", weight * numbers.level);
+                if let Some([_, out]) = numbers.carried {
+                    let taken = plant!("eom: force that carries out of the surface", numbers.mass);
+                    normal = normal.balance(taken * out.acceleration);
+                }
             }
         }
         normals.push(normal);

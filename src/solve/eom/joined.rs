@@ -1009,7 +1009,11 @@ impl<T: Real> Teller<'_, '_, T> {
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
             if let Some((response, pulls, _)) = response {
-                let [ax, ay] = mechanism.acceleration(response, b, rate.square());
+                let mut seen = mechanism.acceleration(response, b, rate.square());
+                for (a, with) in seen.iter_mut().zip(self.n.carried.iter().flatten()) {
+                    *a = a.balance(plant!("eom: acceleration of the carrier in the plane", *with));
+                }
+                let [ax, ay] = seen;
                 let size = ax.size()
                     + ay.size()
                     + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };

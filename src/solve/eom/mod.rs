@@ -66,6 +66,11 @@ impl<T: Real> Forward<T> for Here<'_> {
 
 /// [`road_of`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(of_kind(scene, data, asked)?.telling(scene))
+}
+
+/// Everything that it finds, by the kind of the scene.
+fn of_kind<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
         return Ok(joined::road_by(scene, &n, asked, None)?.0);
@@ -112,7 +117,7 @@ pub fn road_by<T: Real>(
         return Err(Refusal::NoMethod { method: rung.method() });
     }
     let (road, count) = alone_by(scene, data, rung, asked)?;
-    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
+    Ok((road.telling(scene).answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -201,7 +206,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let end = scene.ending_coordinate();
         // What is given as 0 is no speed.
         let given = scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, v) if !n.get(*v).is_zero() => Some((*c, n.get(*v))),
+            Start::Speed(c, v) if !n.start(*c, *v).is_zero() => Some((*c, n.start(*c, *v))),
             _ => None,
         });
         let started = given.is_some();
@@ -249,7 +254,7 @@ impl<'a, T: Real> Walk<'a, T> {
             return Err(Refusal::Unsupported(Unsupported::StartHeld));
         }
         for (c, v) in scene.start_speeds() {
-            outcome::consistent(c, n.get(v), velocity(&response, c).unwrap_or_else(T::zero))?;
+            outcome::consistent(c, n.start(c, v), velocity(&response, c).unwrap_or_else(T::zero))?;
         }
         let slipping: SmallVec<[usize; 2]> =
             (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
@@ -761,12 +766,19 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Sum of the magnitudes of the forces along the line of a body.
     fn friction_scale(&self, r: &Response<T>, body: usize, friction: T, tension: T) -> f64 {
         let n = &self.n.bodies[body];
-        let weight = n.mass * n.climb * self.n.gravity;
+        let weight = self.drawn(body);
         let a = self.along(body).map_or_else(T::zero, |c| self.at_tension(tension, |k| r.acceleration(c, k)));
         let inertial = n.mass * a;
         // The rest (pulls and tensions) follows from the force sum.
         let rest = inertial + weight - friction;
         inertial.f64().abs() + weight.f64().abs() + rest.f64().abs()
+    }
+
+    /// Weight of a body along its line, with what its mass takes to be carried.
+    fn drawn(&self, body: usize) -> T {
+        let n = &self.n.bodies[body];
+        let weight = n.mass * n.climb * self.n.gravity;
+        n.carried.map_or(weight, |[forward, _]| weight.balance(n.mass * forward.acceleration))
     }
 
     /// Normal forces, friction needed over the whole motion, tensions of the cords.
@@ -775,7 +787,8 @@ impl<'a, T: Real> Walk<'a, T> {
             return;
         }
         for b in 0..self.scene.bodies.len() {
-            if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
+            let label = Label { quantity: Quantity::Normal, of: Owner::Body(b) };
+            if self.scene.bodies[b].line.is_some_and(|l| l.surface) && self.scene.tells(label) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
                 let force = self.n.publish(Quantity::Normal, normal).f64();
@@ -849,7 +862,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let size = |x: T| x.f64().abs();
             let a = self.acceleration(c, spring);
             let mut others = match arm {
-                None => size(n.mass * a) + size(n.mass * n.climb * self.n.gravity),
+                None => size(n.mass * a) + size(self.drawn(b)),
                 Some(_) => size(n.inertia * a),
             };
             for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
@@ -893,7 +906,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Where nothing sets off, everything stays as it is: no speed, no energy.
     fn resting(&mut self, tension: T) {
         let moves = |c: Coordinate| !self.acceleration(c, tension).is_zero();
-        if self.started || self.scene.coordinates().any(moves) {
+        if self.started || self.scene.carried.is_some() || self.scene.coordinates().any(moves) {
             return;
         }
         for b in 0..self.scene.bodies.len() {
@@ -915,7 +928,13 @@ impl<'a, T: Real> Walk<'a, T> {
                 if let Some(c) = c {
                     let a = self.acceleration(c, tension);
                     let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.f64().abs() };
-                    self.say_scaled(q, Owner::Body(b), a, scale);
+                    match (c.degree, self.n.bodies[b].carried) {
+                        (Degree::Along, Some([forward, _])) => {
+                            let with = plant!("eom: acceleration of the carrier", forward.acceleration);
+                            self.say_scaled(q, Owner::Body(b), a.balance(with), scale + with.size());
+                        }
+                        _ => self.say_scaled(q, Owner::Body(b), a, scale),
+                    }
                 }
             }
         }
@@ -1018,6 +1037,8 @@ impl<'a, T: Real> Walk<'a, T> {
         let mut energy = T::zero();
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         let (mut turning, mut whole) = (T::zero(), T::zero());
+        // Of what is carried: of constant forces, each over the way that is seen from the ground.
+        let mut work = T::zero();
         if !self.scene.grows_with_place() {
             self.say(Quantity::T, Owner::Scene, state.time);
         }
@@ -1028,10 +1049,21 @@ impl<'a, T: Real> Walk<'a, T> {
             let n = self.n.bodies[b];
             if let Some(c) = self.along(b) {
                 let ratio = self.ratio(c);
-                let v = ratio.abs() * u;
-                self.say(Quantity::V, Owner::Body(b), v);
-                let moved = plant!("eom: displacement of the centre", ratio) * s;
-                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
+                let mut v = (ratio * u).signed(sense);
+                let mut moved = (plant!("eom: displacement of the centre", ratio) * s).signed(sense);
+                let mut sizes = [v.size(), moved.size()];
+                if let Some([forward, out]) = n.carried {
+                    let (with, way) = (forward.after(state.time), forward.way(state.time));
+                    v = v.balance(plant!("eom: speed of the carrier", with));
+                    moved = moved.balance(way);
+                    sizes = [sizes[0] + with.size(), sizes[1] + way.size()];
+                    energy = energy + (n.mass * out.after(state.time).square()).scale2(-1);
+                    let a = self.acceleration(c, tension).balance(forward.acceleration);
+                    work = work.balance(n.mass * a * moved);
+                    work = work.balance(n.mass * out.acceleration * out.way(state.time));
+                }
+                self.say_scaled(Quantity::V, Owner::Body(b), v.abs(), sizes[0]);
+                self.say_scaled(Quantity::Displacement, Owner::Body(b), moved, sizes[1]);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);
                 whole = whole + n.mass * ratio * ratio;
@@ -1043,7 +1075,14 @@ impl<'a, T: Real> Walk<'a, T> {
                 self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
                 energy = energy + (n.inertia * w * w).scale2(-1);
                 turning = turning + n.inertia * ratio * ratio;
+                if self.scene.carried.is_some() {
+                    let alpha = plant!("eom: couple on what is carried", self.acceleration(c, tension));
+                    work = work.balance(n.inertia * alpha * (ratio * s).signed(sense));
+                }
             }
+        }
+        if self.scene.carried.is_some() {
+            self.say(Quantity::Work, Owner::Scene, work);
         }
         self.say(Quantity::KineticEnergy, Owner::Scene, energy);
         if !energy.is_zero() {
@@ -1066,6 +1105,9 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Slide { body, .. } => {
                     let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * path);
+                    if self.scene.carried.is_some() {
+                        self.say(Quantity::SlipDistance, Owner::Body(*body), path);
+                    }
                 }
                 Tie::Cord(c) => {
                     let rate = self.take_up(&c.from).signed(sense);
@@ -1119,7 +1161,7 @@ impl<'a, T: Real> Walk<'a, T> {
             }
         }
         // With a spring it may be the small rest of large works, which what is printed does not determine.
-        if self.spring.is_none() {
+        if self.spring.is_none() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
         }
     }

@@ -412,6 +412,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if !blows {
             for (force, numbers) in forces.iter_mut().zip(&self.n.bodies) {
                 force[1] = -plant!("eom: weight in the plane", numbers.mass * self.n.gravity);
+                // Seen from what carries it, a body is held back as by a weight.
+                for (force, a) in force.iter_mut().zip(self.n.carried.iter().flatten()) {
+                    *force = force.balance(-plant!("eom: inertia in the plane", numbers.mass * *a));
+                }
             }
         }
         let mut force = |body: usize, f: Vector<T>, r: Vector<T>| {
