@@ -1,10 +1,10 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Span, Tie};
+use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Num, Owner, Quantity, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
     square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
@@ -85,6 +85,8 @@ pub struct Account<'d, 'a> {
     pub grown: Vec<GrownForce>,
     /// See [`Self::grown`].
     pub first_rate: Option<SymbolId>,
+    /// Does it turn back under such forces?
+    pub turns_back: bool,
     /// Velocity of the point of contact at the start, of a body thrown with slip.
     pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
@@ -206,9 +208,6 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// What is not covered.
     pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
-        if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made != Made::Cord)) {
-            return beyond(Beyond::Mesh);
-        }
         let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),
@@ -224,6 +223,7 @@ impl<'d, 'a> Account<'d, 'a> {
             last: ZERO,
             grown: Vec::new(),
             first_rate: None,
+            turns_back: false,
             slip: None,
             rolled,
             known: Vec::new(),
@@ -290,13 +290,14 @@ impl<'d, 'a> Account<'d, 'a> {
         let per = self.drive.over(&self.effective);
         self.found(a_label, a, per);
         let end = &self.v0 + ratio(1, 2) * (start + a) * t;
-        // It may not turn back on its way: distances would not be displacements.
+        // Where it turns back on its way distances are not displacements.
         let (from, one, two) = (self.value(&self.v0), self.symbols.value(start), self.symbols.value(a));
         let least = if one * two < 0.0 { from + 0.5 * one * self.value(t) * one / (one - two) } else { from };
         let last = self.value(&end);
-        if !self.m.one || least * last < 0.0 || (from == 0.0 && one * last < 0.0) {
+        if !self.m.one {
             return beyond(Beyond::GrowingForce);
         }
+        self.turns_back = least * last < 0.0 || (from == 0.0 && one * last < 0.0);
         self.sense = last.signum();
         let end = self.positive(&end);
         self.found(v_label, v, end);
@@ -335,7 +336,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for (i, action) in actions.iter().enumerate() {
             let ForceSource::Tie(tie) = action.source else { continue };
             let is = self.magnitude(&self.m.point(action)).expr();
-            if is.uses().len() < 2 || self.value(&is) == 0.0 {
+            if is == ONE || self.value(&is) == 0.0 {
                 continue;
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
@@ -1032,6 +1033,11 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
         }
+        // The force between two rims is asked as a magnitude.
+        if let (Quantity::RimForce, Owner::Tie(tie)) = (label.quantity, label.of) {
+            let force = self.get(of_tie(Quantity::Tension, tie))?;
+            return Ok(self.sized(force));
+        }
         let body = match label.of {
             Owner::Body(b) => b,
             _ => self.lead().body,
@@ -1192,6 +1198,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance or angle of a coordinate, a magnitude.
     fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if self.turns_back {
+            return beyond(Beyond::GrowingForce);
+        }
         if self.own(c) { self.since_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
     }
 
@@ -1465,6 +1474,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.loose(action.body) {
             let way = self.pulled(&action, true)?;
             return Ok(self.positive(&way));
+        }
+        if self.turns_back {
+            return beyond(Beyond::GrowingForce);
         }
         Ok(self.distance().by(self.magnitude(&self.point(&action))))
     }

@@ -252,7 +252,12 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
         };
         let found = draft.found_for(q.label);
         let symbol = match found {
-            Some(DerivedAnswer::Value(symbol)) => format!("${} = ", draft.symbols.tex(symbol)),
+            // In the unit of the formulas too, where that is another.
+            Some(DerivedAnswer::Value(symbol)) => {
+                let (name, shown) = (draft.symbols.tex(symbol), draft.symbols.shown(symbol));
+                let same = draft.symbols.is_degrees(symbol) || draft.symbols.unit(symbol) == q.unit.tex();
+                if same { format!("${name} = ") } else { format!("${name} = {shown} = ") }
+            }
             _ => "$".to_owned(),
         };
         told(draft, q, entry.value()).replacen('$', &symbol, 1)

@@ -63,7 +63,6 @@ macro_rules! beyond {
 beyond! {
     GrowingForce "growing_force";
     Mechanism "mechanism";
-    Mesh "mesh";
     Unfound "unfound";
 }
 
