@@ -11,7 +11,6 @@ use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{Action, BodyTerms, ForceKind, ForceSource, Terms, mark_of, tagged};
-use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -189,18 +188,7 @@ fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
 
-impl<'d, 'a> Deref for Account<'d, 'a> {
-    type Target = Page<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.page
-    }
-}
-
-impl DerefMut for Account<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.page
-    }
-}
+stands_on!(Account.page: Page<'d, 'a>);
 
 impl<'d, 'a> Account<'d, 'a> {
     /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
@@ -1325,7 +1313,13 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
-            _ => self.turning_or_slack()?.0,
+            _ => match self.turning_or_slack()? {
+                (far, true) => far,
+                (far, false) => {
+                    let size = self.get(of_body(Quantity::DTurn, self.lead().body))?;
+                    in_sense(size.into(), self.value(&far))
+                }
+            },
         };
         let first = self.friction_at(body, &ZERO, "0")?;
         let last = if far == self.s {

@@ -13,7 +13,6 @@ use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
-use std::ops::{Deref, DerefMut};
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
@@ -32,17 +31,7 @@ pub struct Joined<'d, 'a> {
     inertia: Sum,
 }
 
-impl<'d, 'a> Deref for Joined<'d, 'a> {
-    type Target = Plane<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.t
-    }
-}
-impl DerefMut for Joined<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.t
-    }
-}
+stands_on!(Joined.t: Plane<'d, 'a>);
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     fn idea(&mut self) {

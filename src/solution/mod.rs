@@ -11,6 +11,23 @@
 //! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
 //! A fault has a short page: `answers`, `given`, `beyond` with the reason.
+/// All that one thing can which another holds, that can too.
+macro_rules! stands_on {
+    ($who:ident.$field:ident: $what:ty) => {
+        impl<'d, 'a> std::ops::Deref for $who<'d, 'a> {
+            type Target = $what;
+            fn deref(&self) -> &Self::Target {
+                &self.$field
+            }
+        }
+        impl<'d, 'a> std::ops::DerefMut for $who<'d, 'a> {
+            fn deref_mut(&mut self) -> &mut Self::Target {
+                &mut self.$field
+            }
+        }
+    };
+}
+
 pub mod account;
 pub mod asked;
 pub mod beware;

@@ -20,7 +20,7 @@ use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
-use std::ops::{Deref, DerefMut};
+use std::ops::DerefMut;
 
 /// What drives the lead or holds it back.
 const DRIVING: [ForceKind; 3] = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
@@ -358,18 +358,7 @@ struct Narrator<'d, 'a> {
     rolled: Vec<SolutionSection>,
 }
 
-impl<'d, 'a> Deref for Narrator<'d, 'a> {
-    type Target = Account<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.t
-    }
-}
-
-impl DerefMut for Narrator<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.t
-    }
-}
+stands_on!(Narrator.t: Account<'d, 'a>);
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     fn idea(&mut self) {
@@ -1547,8 +1536,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             };
             let range = self.phrase(&format!("holds.range.{far}"), &[]);
             self.say("holds.extremes", &[("range", &range), ("one", &both[0]), ("two", &both[1])]);
-            let fresh: Vec<SymbolId> = ends.into_iter().filter(|f| !self.is_told(*f)).collect();
-            self.tell(fresh);
+            self.tell_new();
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");

@@ -8,7 +8,6 @@ use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
-use std::ops::{Deref, DerefMut};
 
 /// Widest formula that stands within a sentence.
 pub const WITHIN: f64 = 34.0;
@@ -46,18 +45,7 @@ pub struct Page<'d, 'a> {
     told: Vec<SymbolId>,
 }
 
-impl<'a> Deref for Page<'_, 'a> {
-    type Target = Draft<'a>;
-    fn deref(&self) -> &Self::Target {
-        self.draft
-    }
-}
-
-impl DerefMut for Page<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        self.draft
-    }
-}
+stands_on!(Page.draft: Draft<'a>);
 
 impl<'d, 'a> Page<'d, 'a> {
     /// Nothing yet.
@@ -129,7 +117,7 @@ impl<'d, 'a> Page<'d, 'a> {
         if holds(&share) || sense.abs() <= FLAT {
             return None;
         }
-        let share = in_sense(share, sense).factors().upright(&self.symbols);
+        let share = positive_first([in_sense(share, sense)]).factors().upright(&self.symbols);
         Some(positive_first(rest.into_iter().map(|t| in_sense(t, sense).over(&share))))
     }
     /// Has it been told?

@@ -20,7 +20,6 @@ use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{self, tagged};
 use crate::solution::written::width;
-use std::ops::{Deref, DerefMut};
 
 /// The start, and the place that is asked.
 pub const START: usize = 0;
@@ -270,17 +269,7 @@ pub struct Plane<'d, 'a> {
     g: Expr,
 }
 
-impl<'a, 'd> Deref for Plane<'d, 'a> {
-    type Target = Page<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.page
-    }
-}
-impl DerefMut for Plane<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.page
-    }
-}
+stands_on!(Plane.page: Page<'d, 'a>);
 
 fn beyond<T>() -> Result<T, DerivationStop> {
     Err(Beyond::Unfound.into())
@@ -2197,7 +2186,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
             }
             Q::T if self.scene.end != End::AtOnce => {
-                let (t, time) = (self.named(&["t", "t_1"], "s"), self.varied(Plane::time).unwrap_or(f64::NAN));
+                let time = self.varied(|plane| plane.time()).unwrap_or(f64::NAN);
+                let t = self.named(&["t", "t_1"], "s");
                 self.symbols.settle(t, time, 0.0);
                 return Ok(Some(self.page.step(t, t.into())));
             }

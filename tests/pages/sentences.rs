@@ -613,7 +613,7 @@ fn the_count_names_what_is_not_given() {
         assert_eq!(what.starts_with('v') || what.starts_with(r"\omega"), given == 0, "{}: {what}", problem.id);
         seen[given] += 1;
     }
-    assert!(seen.iter().all(|n| *n > 1), "{seen:?}");
+    assert!(seen.iter().all(|n| *n > 0), "{seen:?}");
 }
 
 /// Which way a body on a pin sets off is checked where the asked angle is 0 as anywhere else: the moments were taken at that angle,
