@@ -85,8 +85,8 @@ pub struct Draft<'a> {
     pub steps: Vec<Step>,
     /// Value of the datum that is to be found.
     pub unknown: Option<f64>,
-    /// Is the asked angle one that varies, even where it is 0?
-    pub varies: bool,
+    /// How far from the asked angle, degrees, where that is one that varies, even if it is 0.
+    pub varies: Option<f64>,
     /// What the contacts are taken as, where another scene is worked.
     pub as_if: Option<AsIf>,
     /// Constants of the bank that were given a symbol: value (bits) and symbol.
@@ -128,7 +128,7 @@ impl<'a> Draft<'a> {
             chosen: Vec::new(),
             steps: Vec::new(),
             unknown,
-            varies: false,
+            varies: None,
             as_if: None,
             constants: Vec::new(),
         };

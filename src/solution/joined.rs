@@ -11,6 +11,7 @@ use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
 use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::terms::tagged;
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
 
@@ -18,6 +19,8 @@ use crate::solution::written::width;
 const FEW: usize = 4;
 /// Step in degrees in which a way is looked over.
 const LOOK: f64 = 0.25;
+/// Up to this share numerical derivatives have to give what the equations do.
+const DIFFERENCES_REL: f64 = 1e-6;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
 
@@ -115,7 +118,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         if asked.is_empty() {
             return Ok(());
         }
-        self.eliminate();
+        let told = if self.single() { None } else { self.by_rate(&asked) };
+        if told.is_none() || asked.len() > 1 {
+            self.eliminate();
+        }
         let mut values: Vec<SymbolId> = Vec::new();
         for label in asked {
             // Components come before what they give.
@@ -123,7 +129,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             for quantity in parts.iter().copied().chain([label.quantity]) {
                 let symbol = self.t.get(Label { quantity, ..label })?;
                 self.t.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
-                if !values.contains(&symbol) {
+                if !values.contains(&symbol) && told != Some(symbol) {
                     values.push(symbol);
                 }
             }
@@ -334,7 +340,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         self.ratios();
         let before = self.t.steps.len();
         let speeds = self.t.speeds();
-        self.inertia = self.t.inertia(&speeds);
+        self.inertia = self.t.inertia(END, &speeds);
         let moving: Vec<String> = (0..speeds.len())
             .filter(|b| speeds[*b] != ZERO)
             .map(|b| {
@@ -495,7 +501,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             j
         } else {
             let symbol = self.t.named(&["J_0", "J_a"], "kg m^2");
-            let is = self.t.inertia_first().expr();
+            let is = self.t.inertia(START, &[]).expr();
             if width(&self.t.tex(&is)) <= LINE - 20.0 {
                 self.t.page.step(symbol, is);
                 self.say("joined.first", &[("inertia", &self.t.names(&[symbol]))]);
@@ -781,7 +787,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         if self.instant() {
             let before = self.t.steps.len();
             let speeds = self.t.speeds();
-            self.inertia = self.t.inertia(&speeds);
+            self.inertia = self.t.inertia(END, &speeds);
             let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
             if !named.is_empty() {
                 let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
@@ -802,6 +808,31 @@ impl<'d, 'a> Joined<'d, 'a> {
                 self.t.unravel(Some(alpha));
             }
         }
+    }
+    /// The leading angular acceleration of several bodies, if it is asked, by the rate of the balance.
+    fn by_rate(&mut self, asked: &[Label]) -> Option<SymbolId> {
+        let (j, letter) = (self.t.j.filter(|_| !self.t.scene.is_still())?, self.t.letter.clone());
+        let (lead, rate) = (&self.t.bodies[self.t.lead], self.t.rate);
+        let alpha = lead.alpha.filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.t.lead)))?;
+        let [force, _] = self.t.derivatives(&|plane| plane.work())?;
+        let [growth, _] = self.t.derivatives(&|plane| {
+            let speeds = plane.speeds();
+            plane.value(&plane.inertia(END, &speeds).expr())
+        })?;
+        let [w, g] = [("W", "N m", force), ("J", "kg m^2", growth)].map(|(name, unit, value)| {
+            let symbol = self.t.unknown(&tagged(name, &letter), unit);
+            self.t.symbols.settle(symbol, value, 0.0);
+            symbol
+        });
+        let is = (w - ratio(1, 2) * g * square(rate)) / j;
+        let (here, there) = (self.t.value(&is), self.t.symbols.value(alpha));
+        if !((here - there).abs() <= DIFFERENCES_REL * there.abs()) {
+            return None;
+        }
+        let pieces = [("alpha", self.t.names(&[alpha])), ("derivatives", [w, g].map(|s| self.t.shown(s)).join(", "))];
+        self.say("joined.by_rate", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
+        self.t.display(alpha, &is, "");
+        Some(alpha)
     }
     /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
     fn tell_values(&mut self, values: Vec<SymbolId>) {
@@ -976,7 +1007,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
         let places: Vec<f64> =
             (0..=steps).map(|i| first + (last - first) * f64::from(i) / f64::from(steps)).collect();
-        let looked = self.t.varied(|plane| {
+        let looked = self.t.varied(0.0, |plane| {
             let square = plane.pivot.clone().map_or(ZERO, |pivot| plane.square(&pivot));
             let drive = plane.expanded(&plane.equations(0).swap_remove(0).0);
             [drive, square].map(|e| places.iter().map(|at| plane.along_way(&e, *at)).collect::<Vec<f64>>())

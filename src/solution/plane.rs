@@ -851,12 +851,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.letter.clone_from(&name);
         let last = match scene.end {
             End::AtOnce => first.clone(),
-            End::Angle(_, angle) if !self.varies => self.number(angle, &format!("{name}_1"), "deg"),
+            End::Angle(_, angle) if self.varies.is_none() => self.number(angle, &format!("{name}_1"), "deg"),
             end => {
                 let at = match end {
                     End::Angle(_, angle) => self.datum(angle),
                     _ => self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?,
                 };
+                let at = at + self.varies.unwrap_or(0.0);
                 let name = self.free(&[&format!("{name}_1"), &format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
@@ -1725,8 +1726,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn stiffness(&mut self) -> Option<SymbolId> {
         let k = self.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
         if self.bodies.len() > 1 {
-            let curvature = self.curvature()?;
-            self.symbols.settle(k, curvature, 0.0);
+            let [_, curvature] = self.derivatives(&|plane| plane.work())?;
+            self.symbols.settle(k, -curvature, 0.0);
         } else {
             let all = self.balanced()?;
             let angle = self.turns[0].at[END].uses().first().copied()?;
@@ -1741,62 +1742,29 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.k = Some(k);
         Some(k)
     }
-    /// Second derivative of the potential energy by the leading angle, where all bodies are as in the key.
-    fn curvature(&self) -> Option<f64> {
-        let scene = self.scene;
-        let numbers = Numbers::<f64>::new(scene, &self.variant.data);
-        let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
-        let poses = self.poses((last - first).to_radians(), false)?;
-        let point = |spot: Spot| poses[spot.body].point(pose::of_spot(scene, &numbers, spot));
-        let turning = |body: usize| {
-            let (rate, bend) = poses[body].turn();
-            [rate, bend].map(|x| x * f64::from(self.sense_of(body)))
-        };
-        let mut all = 0.0;
-        for (b, it) in self.bodies.iter().enumerate().filter(|_| !scene.lies_level()) {
-            let [_, y] = poses[b].point([self.value(&it.centre.expr()), 0.0]);
-            all += self.value(&it.mass.by(&self.g)) * y.second;
+    /// First and second derivative by the leading angle, at the asked place: central differences, exact up to the eighth power of
+    /// the step.
+    pub fn derivatives(&self, of: &dyn Fn(&mut Plane<'_, '_>) -> f64) -> Option<[f64; 2]> {
+        const STEP_DEG: f64 = 2.0;
+        const SHARES: [[f64; 2]; 4] = [
+            [4.0 / 5.0, 8.0 / 5.0],
+            [-1.0 / 5.0, -1.0 / 5.0],
+            [4.0 / 105.0, 8.0 / 315.0],
+            [-1.0 / 280.0, -1.0 / 560.0],
+        ];
+        let at = |steps: f64| self.varied(steps * STEP_DEG, of);
+        let (mut first, mut second) = (0.0, -205.0 / 72.0 * at(0.0)?);
+        for (steps, [one, two]) in [1.0, 2.0, 3.0, 4.0].into_iter().zip(SHARES) {
+            let (ahead, behind) = (at(steps)?, at(-steps)?);
+            first += one * (ahead - behind);
+            second += two * (ahead + behind);
         }
-        for push in scene.pushes.iter().filter(|p| !p.blow) {
-            let ([c, s], [x, y]) = (pose::direction(&numbers, push.direction_deg), point(push.at));
-            all -= numbers.get(push.force_n) * (c * x.second + s * y.second);
-            if push.turns {
-                return None;
-            }
-        }
-        for couple in &scene.couples {
-            let size = numbers.get(couple.moment_n_m) * if couple.forward { 1.0 } else { -1.0 };
-            all -= size * turning(couple.body)[1];
-        }
-        for (strut, force) in scene.struts.iter().zip(&self.springs) {
-            let (force, stiffness) = (self.symbols.value(*force), numbers.get(strut.stiffness_n_m));
-            let near = point(strut.at);
-            let [rate, bend] = match strut.to {
-                StrutEnd::Twist => turning(strut.at.body),
-                to => {
-                    let apart = match to {
-                        StrutEnd::Spot(far) => [0, 1].map(|i| point(far)[i] - near[i]),
-                        StrutEnd::Guide { through_m, direction_deg } => {
-                            let ([c, s], at) =
-                                (pose::direction(&numbers, direction_deg), pose::ground(&numbers, through_m));
-                            let off = (Jet::fixed(at[0]) - near[0]) * Jet::fixed(-s)
-                                + (Jet::fixed(at[1]) - near[1]) * Jet::fixed(c);
-                            [off * Jet::fixed(-s), off * Jet::fixed(c)]
-                        }
-                        StrutEnd::Ground(place) => {
-                            let at = pose::ground(&numbers, place);
-                            [0, 1].map(|i| Jet::fixed(at[i]) - near[i])
-                        }
-                        StrutEnd::Twist => return None,
-                    };
-                    let length = (apart[0] * apart[0] + apart[1] * apart[1]).root();
-                    [length.first, length.second]
-                }
-            };
-            let idle = strut.acts != Acts::Both && force == 0.0;
-            all += force * bend + if idle { 0.0 } else { stiffness * rate * rate };
-        }
-        Some(all)
+        let step = STEP_DEG.to_radians();
+        Some([first / step, second / (step * step)])
+    }
+    /// The work of all forces up to here.
+    pub fn work(&self) -> f64 {
+        self.value(&sum(self.works.clone()))
     }
 
     /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
@@ -1897,19 +1865,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.speeds.clone_from(&all);
         all
     }
-    /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres.
-    pub fn inertia(&self, speeds: &[Expr]) -> Sum {
-        self.inertia_at(END, |b| self.bodies.len() > 1 || matches!(speeds[b], Expr::Symbol(_)), speeds)
-    }
-    /// The same at the start, in the symbols of the places.
-    pub fn inertia_first(&self) -> Sum {
-        self.inertia_at(START, |_| false, &[])
-    }
-    fn inertia_at(&self, which: usize, named: impl Fn(usize) -> bool, speeds: &[Expr]) -> Sum {
+    /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres; at the start in the symbols of the places.
+    pub fn inertia(&self, which: usize, speeds: &[Expr]) -> Sum {
         let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
             let centre = self.centre(b);
             let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, which));
-            let own = if named(b) { Sum::one(square(&speeds[b])) } else { product(&v, &v) };
+            let named = |speed: &&Expr| self.bodies.len() > 1 || matches!(speed, Expr::Symbol(_));
+            let own = speeds.get(b).filter(named).map_or_else(|| product(&v, &v), |v| Sum::one(square(v)));
             let moving = Sum::of(own.terms().iter().map(|v| it.mass.times(v)));
             let spin = self.spin_at(b, which);
             let turning = it.inertia.iter().map(move |i| i.times(square(&spin)));
@@ -2090,7 +2052,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
             (Q::KineticEnergy, _) => {
                 let speeds = self.speeds();
-                let j = self.j.map_or_else(|| self.inertia(&speeds).expr(), Expr::from);
+                let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
                 let is = ratio(1, 2).by(&j).by(square(&rate));
                 new(self, ["E_{k}", r"E_{\mathrm{kin}}"], is)
             }
@@ -2186,7 +2148,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
             }
             Q::T if self.scene.end != End::AtOnce => {
-                let time = self.varied(|plane| plane.time()).unwrap_or(f64::NAN);
+                let time = self.varied(0.0, |plane| plane.time()).unwrap_or(f64::NAN);
                 let t = self.named(&["t", "t_1"], "s");
                 self.symbols.settle(t, time, 0.0);
                 return Ok(Some(self.page.step(t, t.into())));
@@ -2239,7 +2201,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn spring_inertia(&mut self) -> Expr {
         let speeds = self.speeds();
-        self.inertia(&speeds).expr()
+        self.inertia(END, &speeds).expr()
     }
     /// The impulse of a joint, to the right or up where it has both.
     fn impulse_of(
@@ -2266,12 +2228,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let each = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
         positive_first(each.collect::<Vec<_>>())
     }
-    /// What is made of the same scene, its asked angle as one that varies.
-    pub fn varied<T>(&self, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
+    /// What is made of the same scene, its asked angle as one that varies, so much away.
+    pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
         let d = &*self.page.draft;
         let mut draft =
             Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
-        draft.varies = true;
+        draft.varies = Some(by_deg);
         Plane::new(&mut draft).ok().map(|mut plane| of(&mut plane))
     }
     /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
