@@ -14,8 +14,7 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie,
-    pose,
+    Arm, Couple, End, Far, GivenForce, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie, pose,
 };
 use crate::words::Words;
 

@@ -235,7 +235,7 @@ pub fn not_given(draft: &mut Draft) {
 }
 
 /// From what was measured back to what is to be found: each quantity on the way, solved for by the one before; `None` where it
-/// does not stand linearly.
+/// stands in several places or not linearly.
 fn backward(
     page: &Page,
     forward: SymbolId,
@@ -252,19 +252,10 @@ fn backward(
     };
     let (mut lines, mut known, mut at) = (Vec::new(), measured, forward);
     while at != unknown {
-        let mut right = from(at)?.clone();
-        let next = loop {
-            let open: Vec<SymbolId> = right.uses().into_iter().filter(|s| hangs(*s)).collect();
-            match open[..] {
-                [] => return None,
-                [one] => break one,
-                _ => {
-                    let inner = open.into_iter().find(|s| *s != unknown)?;
-                    right = right.put(inner, from(inner)?);
-                }
-            }
-        };
-        lines.push((next, inverse(page, known.into(), &right, next)?));
+        let right = from(at)?;
+        let mut open = right.uses().into_iter().filter(|s| hangs(*s));
+        let next = open.next().filter(|_| open.next().is_none())?;
+        lines.push((next, inverse(page, known.into(), right, next)?));
         (known, at) = (next, next);
     }
     Some(lines)
@@ -287,7 +278,7 @@ fn inverse(page: &Page, left: Expr, right: &Expr, symbol: SymbolId) -> Option<Ex
         Expr::Minus(inner) => inverse(page, -left, inner, symbol),
         Expr::Root(inner) => inverse(page, square(left), inner, symbol),
         Expr::Power(base, 2) if page.value(base) >= 0.0 => inverse(page, root(left), base, symbol),
-        Expr::Product(parts) => inverse(page, left.over(&product(rest(parts))), &only(parts)?, symbol),
+        Expr::Product(parts) => inverse(page, left.over(product(rest(parts))), &only(parts)?, symbol),
         Expr::Sum(parts) => match only(parts) {
             Some(own) => inverse(page, left - sum(rest(parts)), &own, symbol),
             None => page.isolated(&(left, spread(right)), symbol),

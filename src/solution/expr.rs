@@ -306,11 +306,15 @@ impl Expr {
                 let fixed = quotient(of(over), (**under).clone());
                 sum([fixed, minus(product([quotient(self.clone(), (**under).clone()), of(under)]))])
             }
-            Self::Power(base, n) => product([number(i64::from(*n)), power((**base).clone(), n - 1), of(base)]),
+            Self::Power(base, n) => {
+                product([number(i64::from(*n)), power((**base).clone(), n - 1), of(base)])
+            }
             Self::Root(inner) => quotient(of(inner), product([number(2), self.clone()])),
             Self::Of(Function::Sine, inner) => product([cosine(&**inner), inner.slope(by, &ONE)]),
             Self::Of(Function::Cosine, inner) => minus(product([sine(&**inner), inner.slope(by, &ONE)])),
-            Self::Of(Function::Magnitude, inner) => product([quotient(self.clone(), (**inner).clone()), of(inner)]),
+            Self::Of(Function::Magnitude, inner) => {
+                product([quotient(self.clone(), (**inner).clone()), of(inner)])
+            }
             Self::Of(Function::ArcCosine, inner) => {
                 let under = root(sum([ONE, minus(power((**inner).clone(), 2))]));
                 minus(quotient(of(inner), under))

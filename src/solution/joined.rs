@@ -813,7 +813,9 @@ impl<'d, 'a> Joined<'d, 'a> {
     fn by_rate(&mut self, asked: &[Label]) -> Option<SymbolId> {
         let (j, letter) = (self.t.j.filter(|_| !self.t.scene.is_still())?, self.t.letter.clone());
         let (lead, rate) = (&self.t.bodies[self.t.lead], self.t.rate);
-        let alpha = lead.alpha.filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.t.lead)))?;
+        let alpha = lead
+            .alpha
+            .filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.t.lead)))?;
         let [force, _] = self.t.derivatives(&|plane| plane.work())?;
         let [growth, _] = self.t.derivatives(&|plane| {
             let speeds = plane.speeds();
@@ -826,10 +828,11 @@ impl<'d, 'a> Joined<'d, 'a> {
         });
         let is = (w - ratio(1, 2) * g * square(rate)) / j;
         let (here, there) = (self.t.value(&is), self.t.symbols.value(alpha));
-        if !((here - there).abs() <= DIFFERENCES_REL * there.abs()) {
+        if !(here - there).abs().le(&(DIFFERENCES_REL * there.abs())) {
             return None;
         }
-        let pieces = [("alpha", self.t.names(&[alpha])), ("derivatives", [w, g].map(|s| self.t.shown(s)).join(", "))];
+        let pieces =
+            [("alpha", self.t.names(&[alpha])), ("derivatives", [w, g].map(|s| self.t.shown(s)).join(", "))];
         self.say("joined.by_rate", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
         self.t.display(alpha, &is, "");
         Some(alpha)

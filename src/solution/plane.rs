@@ -6,8 +6,8 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
-    RotaryInertia, Spot, StrutEnd, Surface,
+    Acts, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
+    Spot, StrutEnd, Surface,
 };
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
@@ -1923,7 +1923,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let given = Sum::of(given.collect::<Vec<_>>());
         // The other joints may not push along this force.
         let others = self.holds.iter().filter(|h| h.joint != joint).map(|h| &h.pulls[0].along);
-        if others.map(|u| self.value(&product(u, &unit).expr()).abs()).any(|share| share.is_nan() || share > NOTHING) {
+        if others
+            .map(|u| self.value(&product(u, &unit).expr()).abs())
+            .any(|share| share.is_nan() || share > NOTHING)
+        {
             return None;
         }
         let by_rate = bends.plus(&ahead.by(&curve).opposite());
@@ -1945,7 +1948,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let whole = shared([spread(&by_rate, &squared), rest].concat())?;
         let whole = sum(whole.terms().iter().map(Factors::expr));
         let waves = [cosine(symbol), sine(symbol)];
-        let (wave, is) = waves.into_iter().find_map(|w| Some((w.clone(), self.isolated(&(whole.clone(), ZERO), w)?)))?;
+        let (wave, is) =
+            waves.into_iter().find_map(|w| Some((w.clone(), self.isolated(&(whole.clone(), ZERO), w)?)))?;
         let closed = !self.page.expanded(&is).uses().contains(&symbol);
         closed.then(|| [Sum::of(plus).expr(), Sum::of(minus).opposite().expr(), wave, is])
     }
@@ -2231,8 +2235,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What is made of the same scene, its asked angle as one that varies, so much away.
     pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
         let d = &*self.page.draft;
-        let mut draft =
-            Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
+        let mut draft = Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
         draft.varies = Some(by_deg);
         Plane::new(&mut draft).ok().map(|mut plane| of(&mut plane))
     }

@@ -610,7 +610,12 @@ fn the_count_names_what_is_not_given() {
         let text = solution(problem, &variant, &languages()[0]);
         let Some((_, what)) = text.split_once("Count for $") else { continue };
         let what = what.split('$').next().expect("a symbol");
-        assert_eq!(what.starts_with('v') || what.starts_with(r"\omega"), given == 0, "{}: {what}", problem.id);
+        assert_eq!(
+            what.starts_with('v') || what.starts_with(r"\omega"),
+            given == 0,
+            "{}: {what}",
+            problem.id
+        );
         seen[given] += 1;
     }
     assert!(seen.iter().all(|n| *n > 0), "{seen:?}");
@@ -650,6 +655,7 @@ problems:
 fn an_answer_in_degrees_is_told_in_radians_too() {
     let (problem, variant) = drawn("off-a-cylinder");
     let text = solution(&problem, &variant, &languages()[0]);
-    let answer = text.lines().find(|l| l.starts_with("> ")).and_then(|l| l.split(" · ").next()).expect("answers");
+    let answer =
+        text.lines().find(|l| l.starts_with("> ")).and_then(|l| l.split(" · ").next()).expect("answers");
     assert!(answer.contains(r"\mathrm{rad} = ") && answer.ends_with(r"^\circ$"), "{answer}");
 }
