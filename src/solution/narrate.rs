@@ -389,8 +389,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 }
             }
             if !cords.is_empty() {
-                let made = |t: &usize| matches!(&self.scene.ties[*t], Tie::Cord(c) if c.made == Made::Cord);
-                let what = if cords.iter().all(made) { "cords" } else { "rims" };
+                let what = if cords.iter().all(|t| self.is_cord(*t)) { "cords" } else { "rims" };
                 self.say(&format!("idea.{what}"), &[]);
                 if self.short == Short::Energy {
                     let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
@@ -558,7 +557,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             () if self.spring.is_some() => "onward.spring",
             () if wheel && pulled => "onward.pulled",
             () if wheel => "onward.wheel",
-            () if pulley && weighed && !self.cords().is_empty() => "onward.pulley",
+            () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
             () if self.held().is_some() => "onward.held",
             () => "onward.other",
         }
@@ -620,6 +619,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let between = |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Body(_)));
         let ties = self.scene.ties.iter().enumerate();
         ties.filter(|(_, t)| between(t)).map(|(t, _)| t).collect()
+    }
+    /// Is this no pair of rims?
+    fn is_cord(&self, tie: usize) -> bool {
+        matches!(&self.scene.ties[tie], Tie::Cord(c) if c.made == Made::Cord)
     }
     fn held(&self) -> Option<(usize, usize)> {
         self.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
@@ -1057,6 +1060,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
                     self.say("motion.grows", &[]);
                     self.tell(grown);
                     self.say("motion.over_time_grows", &pieces);
+                    if self.turns_back {
+                        self.say("thrown.turns_back", &[]);
+                    }
                 }
                 // What comes after the acceleration.
                 let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
