@@ -852,17 +852,22 @@ impl SceneReader<'_> {
             );
             return None;
         };
+        self.winds_on(*num);
+        Some(*num)
+    }
+
+    /// Notes a radius as used.
+    fn winds_on(&self, radius: Num) {
         let mut uses = self.uses.borrow_mut();
-        match num {
-            Num::Datum(datum) => uses.push(DatumUse { datum: *datum, need: Need::RADIUS }),
+        match radius {
+            Num::Datum(datum) => uses.push(DatumUse { datum, need: Need::RADIUS }),
             Num::Derived(at) => {
                 let derived = self.derived.borrow();
-                let given = derived.get(*at).into_iter().flat_map(|n| n.formula.names());
+                let given = derived.get(at).into_iter().flat_map(|n| n.formula.names());
                 uses.extend(given.map(|g| DatumUse { datum: g.datum, need: Need::TERM }));
             }
             Num::Fixed(_) => {}
         }
-        Some(*num)
     }
 
     fn ties(&self, node: &Node, bodies: &[Body]) -> Vec<Tie> {
@@ -1082,6 +1087,8 @@ impl SceneReader<'_> {
             found
         };
         let ((body, radius), (second, other_radius)) = rim(one).zip(rim(other))?;
+        self.winds_on(radius);
+        self.winds_on(other_radius);
         if body == second {
             f.at(node, "a wheel does not drive itself");
             return None;

@@ -64,7 +64,7 @@ beyond! {
     Carried "carried";
     GrowingForce "growing_force";
     Mechanism "mechanism";
-    Mesh "mesh";
+    Resting "resting";
     Unfound "unfound";
 }
 

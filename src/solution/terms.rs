@@ -139,7 +139,8 @@ impl Terms {
     fn act(&mut self, draft: &mut Draft, rolled: Option<usize>) {
         let scene = draft.scene;
         let contacts = scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
-        let tensed = scene.cords_with(Quantity::Tension).count();
+        let of = |force| scene.cords_with(force).count();
+        let tensed = of(Quantity::Tension) + of(Quantity::RimForce);
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
