@@ -110,7 +110,8 @@
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
 //! [`policy`], a line in `bank/course.rs`, its effect in `grade/attempt.rs`, `grade/credit.rs`, `grade/rules.rs` or `grade/award.rs`,
 //! its words in `report/settings.rs`, `report/explain.rs` and `report/changes.rs`, and its reason for a changed mark in
-//! [`regrade::changes`]. A new quantity: a line in [`scene::ask`] with what its sign means, and a `say` on each road.
+//! [`regrade::changes`]. A new quantity: a line in [`scene::ask`] with what its sign means, a `say` on each road, and in
+//! [`problem::make_key::word_signs`] the words that give it a sign.
 //!
 //! # Limits
 //! Rigid bodies in a plane. On lines and axles: velocity ratios that do not change with the position, cords without mass that run

@@ -18,8 +18,6 @@ pub enum ReadingNote {
     Uncertainty,
     /// `about` or the like stood before it.
     About,
-    /// `clockwise`, `ccw` or the like stood after it.
-    Turning,
     /// The number has no unit and its uncertainty is in per cent: where a pure number is asked, both may be.
     PerCent,
 }
@@ -162,35 +160,6 @@ fn without_about(text: &str) -> (&str, bool) {
     if about { (rest, true) } else { (text, false) }
 }
 
-const TURNING: &[&str] = &[
-    "counterclockwise",
-    "counter-clockwise",
-    "counter clockwise",
-    "anticlockwise",
-    "anti-clockwise",
-    "clockwise",
-    "gegen den uhrzeigersinn",
-    "im uhrzeigersinn",
-    "ccw",
-    "cw",
-];
-
-/// Without the sense of turning after a number, and whether it stood there.
-fn without_turning(text: &str) -> (&str, bool) {
-    let inside = text.strip_suffix(')').unwrap_or(text).trim_end();
-    for word in TURNING {
-        let Some(at) = inside.len().checked_sub(word.len()) else { continue };
-        let (Some(before), Some(last)) = (inside.get(..at), inside.get(at..)) else { continue };
-        if last.eq_ignore_ascii_case(word)
-            && before.ends_with([' ', ',', '('])
-            && before.contains(|c: char| c.is_ascii_digit())
-        {
-            return (before.trim_end_matches([' ', ',', '(']), true);
-        }
-    }
-    (text, false)
-}
-
 fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnreadable> {
     if plain.text.is_empty() {
         return Ok(Reading::Blank);
@@ -202,7 +171,6 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
     let (text, bracketed) = without_brackets(&text);
     let text = text.trim_start_matches(['~', '\u{2248}', '\u{2243}', ' ']);
     let (text, about) = without_about(text);
-    let (text, turning) = without_turning(text);
     if let Some(word) = phrase(text) {
         return word.map(Reading::Word);
     }
@@ -234,7 +202,7 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
         word = Some(after);
     }
     if let Some(w) = word {
-        if w.sign().is_none() && !matches!(w, AnswerWord::Left | AnswerWord::Right) {
+        if !AnswerWord::DIRECTIONS.contains(&w) {
             return Err(WhyUnreadable::OddWord);
         }
         if read.negative {
@@ -253,7 +221,6 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
         (told, ReadingNote::ReadAs),
         (read.uncertain, ReadingNote::Uncertainty),
         (about, ReadingNote::About),
-        (turning, ReadingNote::Turning),
         (read.per_cent, ReadingNote::PerCent),
     ];
     let mut number = Number {
@@ -426,7 +393,7 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<CellQuantity, WhyUnread
     })
 }
 
-/// What several numbers with ever smaller units come to in the first of these, and what follows: `42 ft 3 in`, `1 h 20 min`.
+/// What several numbers with ever smaller units come to in the first of these, and what follows: `42 ft 3 in`, `10° 3'`.
 /// Lengths, times, masses and angles are written so; a list of two answers looks alike, so a comma or an `and` joins only what
 /// is not counted by tens. `None`: no second number with a unit of the same kind stands there.
 fn sum<'t>(
@@ -435,7 +402,9 @@ fn sum<'t>(
     units: &mut UnitCache,
 ) -> Result<Option<(f64, SpelledUnit, &'t str)>, WhyUnreadable> {
     let (first_name, mut rest) = unit_name(behind);
-    let Some(whole) = unit_of(first_name, units) else { return Ok(None) };
+    let Some(whole) = unit_of(first_name, ["ft", "in"], units) else { return Ok(None) };
+    let angle = whole.unit.dimension().0 == [0, 0, 0, 1];
+    let primes = if angle { ["arcmin", "arcsec"] } else { ["ft", "in"] };
     let (mut value, mut larger, mut more) = (first.value, (whole.clone(), first.whole), false);
     let mut touching = first_name.starts_with(char::is_alphabetic);
     loop {
@@ -448,7 +417,7 @@ fn sum<'t>(
         }
         let Ok(next) = numeral(text) else { break };
         let (next_name, behind) = unit_name(next.rest);
-        let Some(unit) = unit_of(next_name, units) else { break };
+        let Some(unit) = unit_of(next_name, primes, units) else { break };
         let product = behind.starts_with(['/', '^', '*', '·', '²', '³']);
         if product || unit.unit.dimension() != whole.unit.dimension() {
             break;
@@ -475,19 +444,20 @@ fn sum<'t>(
     Ok(more.then_some((value, whole, rest)))
 }
 
-/// The name of a unit at the start of a text, or the sign for feet or inches, and what follows.
+/// The name of a unit at the start of a text, or the sign for degrees, feet or inches, and what follows.
 fn unit_name(text: &str) -> (&str, &str) {
     let text = text.trim_start();
-    let sign = ["''", "'", "′", "\"", "″"].into_iter().find(|sign| text.starts_with(sign));
+    let sign = ["''", "'", "′", "\"", "″", "°", "º"].into_iter().find(|sign| text.starts_with(sign));
     let end = sign.map(str::len).or_else(|| text.find(|c: char| !c.is_alphabetic()));
     text.split_at(end.unwrap_or(text.len()))
 }
 
-fn unit_of(name: &str, units: &mut UnitCache) -> Option<SpelledUnit> {
+/// The unit of a name, or of one prime or two.
+fn unit_of(name: &str, primes: [&str; 2], units: &mut UnitCache) -> Option<SpelledUnit> {
     let name = match name {
         "" => return None,
-        "'" | "′" => "ft",
-        "''" | "\"" | "″" => "in",
+        "'" | "′" => primes[0],
+        "''" | "\"" | "″" => primes[1],
         name => name,
     };
     units.unit(name).ok()

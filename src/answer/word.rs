@@ -12,10 +12,14 @@ worded! {
         Forward "forward",
         /// Back, negative.
         Back "back",
-        /// To the right: a direction on a level only.
+        /// To the right.
         Right "right",
         /// To the left.
         Left "left",
+        /// Turning clockwise.
+        Clockwise "clockwise",
+        /// Turning the other way.
+        CounterClockwise "counter-clockwise",
         /// Does not move.
         Stays "stays",
         /// Yes.
@@ -26,13 +30,20 @@ worded! {
 }
 
 impl AnswerWord {
-    /// 1 or -1 for a direction.
-    pub const fn sign(self) -> Option<f64> {
-        match self {
-            AnswerWord::Up | AnswerWord::Forward => Some(1.0),
-            AnswerWord::Down | AnswerWord::Back => Some(-1.0),
-            _ => None,
-        }
+    /// Those that tell a direction.
+    pub const DIRECTIONS: [AnswerWord; 8] = [
+        AnswerWord::Up,
+        AnswerWord::Down,
+        AnswerWord::Forward,
+        AnswerWord::Back,
+        AnswerWord::Right,
+        AnswerWord::Left,
+        AnswerWord::Clockwise,
+        AnswerWord::CounterClockwise,
+    ];
+    /// Does it tell a sense of turning?
+    pub const fn turns(self) -> bool {
+        matches!(self, AnswerWord::Clockwise | AnswerWord::CounterClockwise)
     }
     /// The other way.
     pub const fn opposite(self) -> AnswerWord {
@@ -43,6 +54,8 @@ impl AnswerWord {
             AnswerWord::Back => AnswerWord::Forward,
             AnswerWord::Right => AnswerWord::Left,
             AnswerWord::Left => AnswerWord::Right,
+            AnswerWord::Clockwise => AnswerWord::CounterClockwise,
+            AnswerWord::CounterClockwise => AnswerWord::Clockwise,
             AnswerWord::Yes => AnswerWord::No,
             AnswerWord::No => AnswerWord::Yes,
             AnswerWord::Stays => AnswerWord::Stays,
@@ -51,19 +64,21 @@ impl AnswerWord {
 }
 
 /// The words of both languages.
-const WORDS: [(AnswerWord, &str); 9] = [
+const WORDS: [(AnswerWord, &str); 11] = [
     (
         AnswerWord::Up,
-        "up upward upwards uphill upslope auf aufwärts hinauf herauf rauf bergauf oben hangaufwärts",
+        "up upward upwards uphill upslope above auf aufwärts hinauf herauf rauf bergauf oben hangaufwärts oberhalb",
     ),
     (
         AnswerWord::Down,
-        "down downward downwards downhill downslope ab abwärts hinab herab hinunter herunter runter bergab unten hangabwärts",
+        "down downward downwards downhill downslope below ab abwärts hinab herab hinunter herunter runter bergab unten hangabwärts unterhalb",
     ),
     (AnswerWord::Forward, "forward forwards vorwärts vor vorn vorne voran"),
     (AnswerWord::Back, "back backward backwards rückwärts zurück hinten"),
     (AnswerWord::Right, "right rightward rightwards rechts"),
     (AnswerWord::Left, "left leftward leftwards links"),
+    (AnswerWord::Clockwise, "cw clockwise uhrzeigersinn"),
+    (AnswerWord::CounterClockwise, "ccw counterclockwise anticlockwise gegenuhrzeigersinn"),
     (AnswerWord::Stays, "stays stay rest stationary still bleibt ruht ruhe unbewegt unmoved"),
     (AnswerWord::Yes, "yes y ja j true wahr"),
     (AnswerWord::No, "no n nein false falsch"),
@@ -74,11 +89,13 @@ const NO_MOTION: [&str; 5] =
 
 /// What people write of a direction in more than one word, as far as [`phrase`] reads it.
 #[cfg(feature = "program")]
-const DIRECTIONS: [&str; 17] = [
+const DIRECTIONS: [&str; 19] = [
     "up the incline",
     "down the incline",
     "up the slope",
     "down the slope",
+    "up the track",
+    "down the track",
     "to the right",
     "to the left",
     "nach oben",
@@ -111,8 +128,8 @@ pub fn spellings(word: &str) -> Vec<&'static str> {
 }
 
 /// Words that say nothing more beside them.
-const FILLERS: &str = "the a an incline inclined plane slope ramp along to at acting acts directed pointing points \
-    moves it is in direction nach die der schiefe schiefen ebene es das rad kraft wirkt zeigt \
+const FILLERS: &str = "the a an incline inclined plane slope ramp track along to at acting acts directed pointing points \
+    moves it is in direction nach die der den dem im schiefe schiefen ebene bahn es das rad kraft wirkt zeigt \
     gerichtet entlang längs richtung stehen könnte kann würde sich bewegt could have would will does \
     put remains wheel";
 
@@ -129,27 +146,47 @@ pub(crate) fn phrase(text: &str) -> Option<Result<AnswerWord, WhyUnreadable>> {
     let mut found: Option<AnswerWord> = None;
     let mut two = false;
     let (mut rolls, mut denied) = (None, false); // what `it rolls`, `it slips` and `not` add to a yes or no
+    let mut against = false; // the other way than clockwise
     let lower = text.to_lowercase();
     let lower = NO_MOTION.iter().fold(lower, |t, said| t.replace(said, "stays"));
-    let plain =
-        lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
-    for token in plain {
-        if let Some((word, _)) = WORDS.iter().find(|(_, all)| one_of(all, token)) {
-            two |= found.is_some_and(|f| f != *word);
-            found = Some(*word);
-        } else if one_of("roll rolls rolling rolled rollt rollen rollte", token) {
-            two |= rolls == Some(false);
-            rolls = Some(true);
-        } else if one_of("slip slips slipping slides rutscht gleitet gleiten", token) {
-            two |= rolls == Some(true);
-            rolls = Some(false);
-        } else if ["not", "nicht"].contains(&token) {
-            denied = true;
-        } else if !one_of(FILLERS, token) {
-            return None;
+    // `no slip` says yes, `no, slipping` no.
+    let lower = lower.replace(" - ", ", ");
+    for clause in lower.split(['(', ')', ',', '.', ';', ':', '!', '"']) {
+        let mut tokens = clause
+            .split(|c: char| c.is_whitespace() || "-'".contains(c))
+            .filter(|t| !t.is_empty())
+            .peekable();
+        while let Some(token) = tokens.next() {
+            let without = one_of("no without ohne kein", token)
+                && tokens.next_if(|next| one_of("slip slipping rutschen gleiten schlupf", next)).is_some();
+            if without {
+                two |= rolls == Some(false);
+                rolls = Some(true);
+            }
+            let known = WORDS.iter().find(|(_, all)| one_of(all, token)).map(|(word, _)| *word);
+            if let Some(word) = if without { Some(AnswerWord::Yes) } else { known } {
+                two |= found.is_some_and(|f| f != word);
+                found = Some(word);
+            } else if one_of("roll rolls rolling rolled rollt rollen rollte", token) {
+                two |= rolls == Some(false);
+                rolls = Some(true);
+            } else if one_of("slip slips slipping slides rutscht gleitet gleiten", token) {
+                two |= rolls == Some(true);
+                rolls = Some(false);
+            } else if ["not", "nicht"].contains(&token) {
+                denied = true;
+            } else if one_of("counter anti gegen entgegen", token) {
+                against = true;
+            } else if !one_of(FILLERS, token) {
+                return None;
+            }
         }
     }
-    let word = found?;
+    let word = match (found?, against) {
+        (AnswerWord::Clockwise, true) => AnswerWord::CounterClockwise,
+        (_, true) => return None,
+        (word, false) => word,
+    };
     let contradicts = match word {
         AnswerWord::Yes => denied != (rolls == Some(false)),
         AnswerWord::No => rolls.is_some_and(|r| r != denied),

@@ -3,8 +3,9 @@ use crate::answer::read::{Number, Reading, ReadingNote, UnitCache, WhyUnreadable
 use crate::answer::word::AnswerWord;
 use crate::grade::feedback::Feedback;
 use crate::grade::verdict::{Judgement, Verdict};
-use crate::key::{Answer, KeyEntry};
+use crate::key::{Answer, KeyEntry, WordSigns};
 use std::borrow::Cow;
+use std::f64::consts::TAU;
 
 /// Half the distance from 1 to the next double.
 const U: f64 = 1.0 / 9_007_199_254_740_992.0;
@@ -61,14 +62,9 @@ pub fn compare_with<'w>(
         (Reading::Word(word), Answer::Number { .. }) => {
             (Verdict::Unreadable, say.fill("feedback.word_alone", &[("word", say.word(word.as_str()))]))
         }
-        (Reading::Number(number), Answer::Number { value, half_width, directed, magnitude }) => {
-            compare_number(
-                &number,
-                entry,
-                Key { value: *value, half_width: *half_width, directed: *directed, magnitude: *magnitude },
-                say,
-                &mut compared,
-            )
+        (Reading::Number(number), &Answer::Number { value, half_width, magnitude, words, cyclic, .. }) => {
+            let key = Key { value, half_width, magnitude, words, cyclic };
+            compare_number(&number, entry, key, say, &mut compared)
         }
     };
     let points = if verdict == Verdict::Right { entry.points } else { 0.0 };
@@ -105,8 +101,49 @@ fn compare_word<'w>(
 struct Key {
     value: f64,
     half_width: f64,
-    directed: bool,
     magnitude: bool,
+    words: Option<WordSigns>,
+    cyclic: bool,
+}
+
+/// Turns by which a direction may be off; beyond them digits are lost.
+const TURNS: f64 = 100.0;
+
+impl Key {
+    /// The number that means the same and lies next to the key.
+    fn near(&self, x: f64) -> f64 {
+        if self.cyclic && x.abs() < TURNS * TAU { x - TAU * ((x - self.value) / TAU).round() } else { x }
+    }
+    /// What the number `x`, SI, is for the key.
+    fn verdict(&self, x: f64) -> Verdict {
+        match verdict_on(self.near(x), self.value, self.half_width) {
+            Verdict::Wrong if accepts(self.near(-x), self.value, self.half_width) => Verdict::WrongDirection,
+            verdict => verdict,
+        }
+    }
+}
+
+/// The sign that a word of direction gives: 1 or -1, 0 if it does not fit.
+const fn sign_of(word: AnswerWord, signs: WordSigns) -> i8 {
+    match word {
+        AnswerWord::Up => signs.up,
+        AnswerWord::Down => -signs.up,
+        AnswerWord::Forward => signs.forward,
+        AnswerWord::Back => -signs.forward,
+        AnswerWord::Right => signs.right,
+        AnswerWord::Left => -signs.right,
+        AnswerWord::CounterClockwise => signs.counter_clockwise,
+        AnswerWord::Clockwise => -signs.counter_clockwise,
+        AnswerWord::Stays | AnswerWord::Yes | AnswerWord::No => 0,
+    }
+}
+
+/// That a word does not fit, and which do.
+fn odd_way<'w>(word: AnswerWord, signs: WordSigns, say: &Feedback<'w>) -> Cow<'w, str> {
+    let fit = AnswerWord::DIRECTIONS.into_iter().filter(|w| sign_of(*w, signs) != 0);
+    let fit: Vec<&str> = fit.map(AnswerWord::as_str).collect();
+    let pieces = [("word", say.word(word.as_str())), ("words", &*say.offered(&fit))];
+    say.fill(if fit.is_empty() { "feedback.no_way" } else { "feedback.odd_way" }, &pieces)
 }
 
 fn compare_number<'w>(
@@ -130,33 +167,34 @@ fn compare_number<'w>(
         return (Verdict::Unreadable, say.why(&WhyUnreadable::TwoNumbers));
     }
     let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
-    if number.notes.contains(&ReadingNote::Turning) && !angular {
-        return (Verdict::Unreadable, say.why(&WhyUnreadable::OddWord));
-    }
-    let word_counts = key.directed || !key.magnitude;
-    if word_counts && matches!(number.word, Some(AnswerWord::Left | AnswerWord::Right)) {
-        return (Verdict::Unreadable, Cow::Borrowed(say.get("feedback.left_right")));
-    }
-    let sign = number.word.and_then(AnswerWord::sign).filter(|_| word_counts).unwrap_or(1.0);
+    let sign = match (number.word, key.words) {
+        (Some(word), None) if word.turns() && !angular => {
+            return (Verdict::Unreadable, say.why(&WhyUnreadable::OddWord));
+        }
+        (Some(word), Some(signs)) => match sign_of(word, signs) {
+            0 => return (Verdict::Unreadable, odd_way(word, signs, say)),
+            sign => f64::from(sign),
+        },
+        _ => 1.0,
+    };
     let turns = unit.counts_turns(&entry.unit);
     let literal = unit.to_si(number.value) * sign;
-    let per_turn = if turns { std::f64::consts::TAU } else { 1.0 };
+    let per_turn = if turns { TAU } else { 1.0 };
     let x = literal * per_turn;
     if !x.is_finite() {
         return (Verdict::Unreadable, say.why(&WhyUnreadable::NotFinite));
     }
-    let decide = |x: f64| verdict_on(x, key.value, key.half_width);
-    let verdict = decide(x);
+    let verdict = key.verdict(x);
     if let Some(grouped) = number.grouped.filter(|_| verdict == Verdict::Wrong)
-        && decide(unit.to_si(grouped) * sign * per_turn) != Verdict::Wrong
+        && key.verdict(unit.to_si(grouped) * sign * per_turn) != Verdict::Wrong
     {
         let pieces = [("a", &*say.number(grouped)), ("b", &*say.number(number.value))];
         return (Verdict::Unreadable, say.fill("feedback.comma_either", &pieces));
     }
-    if turns && verdict == Verdict::Wrong && decide(literal) != Verdict::Wrong {
+    if turns && verdict == Verdict::Wrong && key.verdict(literal) != Verdict::Wrong {
         return (Verdict::Unreadable, say.fill("feedback.read_as_turns", &[("unit", unit.ascii())]));
     }
-    *compared = x;
+    *compared = key.near(x);
     let reason = match verdict {
         Verdict::Right => say.within,
         Verdict::WrongDirection if number.word.is_some() => say.get("feedback.other_word"),
@@ -183,13 +221,16 @@ fn compare_number<'w>(
     if number.notes.contains(&ReadingNote::About) {
         notes.push(Cow::Borrowed(say.get("feedback.about")));
     }
-    if number.notes.contains(&ReadingNote::Turning) {
+    // Of a number that is positive down the sheet asks no direction; a word that contradicts it counts all the same.
+    let idle = key.words.is_none() || (key.magnitude && verdict != Verdict::WrongDirection);
+    let passed_over = number.word.filter(|_| idle);
+    if passed_over.is_some_and(AnswerWord::turns) {
         notes.push(Cow::Borrowed(say.get("feedback.turning")));
     }
     if number.case_forgiven || number.unit.as_deref().is_some_and(|u| u != unit) {
         notes.push(say.fill("feedback.unit_read", &[("unit", unit.ascii())]));
     }
-    if number.word.is_some() && !word_counts {
+    if passed_over.is_some_and(|word| !word.turns()) {
         notes.push(Cow::Borrowed(say.get("feedback.no_direction")));
     }
     if notes.is_empty() {

@@ -157,7 +157,7 @@ fn round(n: f64) -> bool {
 /// Key, accepted half-width, and which signs it may have.
 fn number(table: &KeyTable, who: usize, what: usize) -> Option<(f64, f64, Signs)> {
     match table.entry(who, what)?.answer {
-        Answer::Number { value, half_width, magnitude, directed } => {
+        Answer::Number { value, half_width, magnitude, directed, .. } => {
             let kind = match (magnitude, directed) {
                 (_, true) => Signs::Directed,
                 (true, false) => Signs::Magnitude,

@@ -19,6 +19,9 @@ impl SiReader {
     /// The number of a cell in SI, if its verdict depends on nothing else.
     #[inline]
     pub fn si(&mut self, table: &KeyTable, asked: &AskedColumn, answer: &[u8]) -> Option<f64> {
+        if asked.cyclic {
+            return None;
+        }
         let (number, behind) = self.spellings.number(answer)?;
         let (times, over) = match behind {
             Behind::Nothing if asked.bare => (asked.times, asked.over),

@@ -60,6 +60,8 @@ impl<'w> Feedback<'w> {
         match word {
             "right" => self.words.get("feedback.to_the_right"),
             "left" => self.words.get("feedback.to_the_left"),
+            "clockwise" => self.words.get("feedback.clockwise"),
+            "counter-clockwise" => self.words.get("feedback.counter_clockwise"),
             other => self.words.of_key(other),
         }
     }

@@ -57,6 +57,8 @@ pub(crate) struct AskedColumn {
     pub over: f64,
     pub points: f64,
     pub magnitude: bool,
+    /// A direction, which the quick way does not compare.
+    pub cyclic: bool,
     /// A number without a unit will do.
     pub bare: bool,
     /// The unit that is asked, by its place in [`KeyTable::units`]; `WORD` where no number is asked.
@@ -374,15 +376,22 @@ impl KeyTable {
         points.all(|other| other.to_bits() == first.to_bits()).then_some(first)
     }
     fn quick_key(&mut self, column: usize, entry: Option<&KeyEntry>) -> QuickKey {
-        let mut asked =
-            AskedColumn { times: 1.0, over: 1.0, points: 0.0, magnitude: false, bare: false, unit: WORD };
+        let mut asked = AskedColumn {
+            times: 1.0,
+            over: 1.0,
+            points: 0.0,
+            magnitude: false,
+            cyclic: false,
+            bare: false,
+            unit: WORD,
+        };
         let (mut value, mut half_width) = (0.0, 0.0);
         if let Some(entry) = entry {
             asked.points = entry.points;
-            if let Answer::Number { value: key, half_width: half, magnitude, .. } = entry.answer {
+            if let Answer::Number { value: key, half_width: half, magnitude, cyclic, .. } = entry.answer {
                 (value, half_width) = (key, half);
                 (asked.times, asked.over) = entry.unit.times_over();
-                asked.magnitude = magnitude;
+                (asked.magnitude, asked.cyclic) = (magnitude, cyclic);
                 asked.bare = !entry.unit_required || entry.unit.is_number();
                 let unit = self.units.iter().position(|u| *u == entry.unit).unwrap_or_else(|| {
                     self.units.push(entry.unit.clone());

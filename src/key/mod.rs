@@ -12,10 +12,14 @@ pub enum Answer {
         value: f64,
         /// Accepted half-width, SI, >= 0: max(rel |value|, abs).
         half_width: f64,
-        /// Signed along a line, so that a word (`up`) may give the sign.
+        /// Signed along a line, where sheets say that a word (`up`) may give the sign.
         directed: bool,
         /// A magnitude: the key is >= 0.
         magnitude: bool,
+        /// What words of direction say of the sign; `None` where they are passed over, because none is asked.
+        words: Option<WordSigns>,
+        /// A direction: whole turns more or less are the same.
+        cyclic: bool,
     },
     /// A word, one of those offered.
     Word {
@@ -24,6 +28,19 @@ pub enum Answer {
         /// All that are offered, such as `up`, `down`.
         offered: &'static [&'static str],
     },
+}
+
+/// The sign that each of two opposite words of direction gives a number: that of the first, 1 or -1; 0 where they do not fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct WordSigns {
+    /// Up, down.
+    pub up: i8,
+    /// Forward, back.
+    pub forward: i8,
+    /// To the right, to the left.
+    pub right: i8,
+    /// Counter-clockwise, clockwise.
+    pub counter_clockwise: i8,
 }
 
 /// The key of one part.

@@ -1,10 +1,10 @@
 //! A solved variant to its key: value, accepted half-width, both roads.
 use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
-use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WrongValue};
+use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Label, Owner, Quantity, Scene, Slope, Tie};
+use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Surface, Tie, Zero};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -134,8 +134,10 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         value,
         half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
         directed: quantity.is_directed() && words,
-        // Where words give no sign, `down` beside a number that is positive down must not spoil it.
+        // Where sheets do not speak of signs, no minus is asked of a number that is positive down.
         magnitude: scene.is_magnitude(question.label) || (quantity.is_directed() && !words && value >= 0.0),
+        words: word_signs(scene, question.label),
+        cyclic: quantity == Quantity::PinAngle,
     };
     key
 }
@@ -182,8 +184,8 @@ const fn may_vanish(quantity: Quantity) -> bool {
     }
 }
 
-/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is
-/// positive forward, so not where positive is down: there `up` would mean a minus.
+/// Do sheets say that a word may give the sign? Friction is positive up the incline in every scene; an acceleration or a
+/// displacement is positive forward, so not where positive is down: there `up` would mean a minus.
 pub fn words_sign(scene: &Scene, label: Label) -> bool {
     let body = match scene.owner(label) {
         Owner::Body(b) => Some(b),
@@ -191,6 +193,98 @@ pub fn words_sign(scene: &Scene, label: Label) -> bool {
     };
     !matches!(label.quantity, Quantity::A | Quantity::ARolling | Quantity::Displacement)
         || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
+}
+
+/// What words of direction say of the sign of a quantity; `None` where they are passed over: of a magnitude, and of a tension,
+/// whose sign is no direction.
+pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
+    use Quantity as Q;
+    let nothing = WordSigns::default();
+    let (up, right) = (WordSigns { up: 1, ..nothing }, WordSigns { right: 1, ..nothing });
+    let forward = WordSigns { forward: 1, ..nothing };
+    let owner = scene.owner(label);
+    let of = match owner {
+        Owner::Body(b) => Some(b),
+        Owner::Strut(s) => scene.struts.get(s).map(|s| s.at.body),
+        _ => scene.bare_body().or(scene.lead()),
+    };
+    let body = of.and_then(|b| scene.bodies.get(b));
+    let joint = match owner {
+        Owner::Joint(j) => scene.joints.get(j).map(|joint| joint.kind),
+        _ => None,
+    };
+    if scene.is_magnitude(label) || label.quantity == Q::Tension {
+        return None;
+    }
+    Some(match (label.quantity, joint) {
+        (Q::A | Q::ARolling | Q::Displacement | Q::Impulse, None) => {
+            body.map_or(forward, |b| ahead(scene, b))
+        }
+        (Q::Friction | Q::FrictionIfRolled, None) => {
+            // Positive up the incline, whatever forward is.
+            let down = body.and_then(|b| b.line).is_some_and(|line| !line.forward_up);
+            let along = body.map_or(forward, |b| ahead(scene, b));
+            let WordSigns { up, forward, right, .. } = along;
+            if down { WordSigns { up: -up, forward: -forward, right: -right, ..nothing } } else { along }
+        }
+        (Q::Friction, Some(kind)) => {
+            match kind {
+                JointKind::Guide { direction_deg: Num::Fixed(d), .. }
+                | JointKind::Contact {
+                    surface: Surface::Line { direction_deg: Num::Fixed(d), .. }, ..
+                } if d % 180.0 == 0.0 => WordSigns { right: 1, ..forward },
+                _ => WordSigns { up: 1, ..forward },
+            }
+        }
+        // To the left of the guide.
+        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(d), .. })) => match d.rem_euclid(360.0)
+        {
+            90.0 => WordSigns { right: -1, ..nothing },
+            270.0 => right,
+            d if (90.0..270.0).contains(&d) => WordSigns { up: -1, ..nothing },
+            _ => up,
+        },
+        (Q::VX | Q::AX | Q::ImpulseX | Q::PinX | Q::XG, _) => right,
+        (Q::VY | Q::AY | Q::ImpulseY | Q::PinY | Q::YG | Q::Rise, _) => up,
+        (Q::PinAngle, _) => WordSigns { up: 1, counter_clockwise: 1, ..nothing },
+        (Q::PinTangential, _) => forward,
+        (Q::Moment, Some(_)) => WordSigns { counter_clockwise: 1, ..nothing },
+        (Q::Alpha | Q::Moment | Q::Drive, _) => {
+            WordSigns { counter_clockwise: body.map_or(0, |b| turn(scene, b)), ..nothing }
+        }
+        _ => nothing,
+    })
+}
+
+const fn sign(positive: bool) -> i8 {
+    if positive { 1 } else { -1 }
+}
+
+/// What words say of the sign of what is positive forward along the line of a body.
+fn ahead(scene: &Scene, body: &Body) -> WordSigns {
+    let forward = WordSigns { forward: 1, ..WordSigns::default() };
+    match body.line {
+        Some(line) if line.slope != Slope::Level => WordSigns { up: sign(line.forward_up), ..forward },
+        Some(line) if rises_to_the_right(scene) => WordSigns { right: sign(line.forward_up), ..forward },
+        _ => forward,
+    }
+}
+
+/// 1 where a positive turn of a body is counter-clockwise, -1 where it is clockwise, 0 where the scene does not say.
+fn turn(scene: &Scene, body: &Body) -> i8 {
+    match (&body.planar, &body.pin, body.line) {
+        (Some(planar), ..) => sign(!planar.clockwise),
+        (_, Some(pin), _) => sign(pin.from == Zero::Hanging),
+        (.., Some(line)) if line.surface && !rises_to_the_right(scene) => 0,
+        (.., Some(line)) => sign(line.surface && !line.forward_up),
+        _ => -1,
+    }
+}
+
+/// Does what bodies move on rise to the right, as it is drawn? Of two surfaces one may rise to the left.
+fn rises_to_the_right(scene: &Scene) -> bool {
+    let mut slopes = scene.bodies.iter().filter_map(|b| b.line).filter(|l| l.surface).map(|l| l.slope);
+    slopes.next().is_none_or(|first| slopes.all(|slope| slope == first))
 }
 
 /// The list of words of which one answers a question in words, on the sheet of this scene.

@@ -317,10 +317,10 @@ pub fn of_key([old, new]: [Option<&KeyEntry>; 2]) -> Vec<Why> {
     let mut why = Vec::new();
     match (&old.answer, &new.answer) {
         (
-            Answer::Number { value: a, half_width: wide_a, directed: d, magnitude: m },
-            Answer::Number { value: b, half_width: wide_b, directed: e, magnitude: n },
+            Answer::Number { value: a, half_width: wide_a, directed: d, magnitude: m, words: v, cyclic: c },
+            Answer::Number { value: b, half_width: wide_b, directed: e, magnitude: n, words: w, cyclic: t },
         ) => {
-            if (a - b).abs() > SAME * a.abs().max(b.abs()) || d != e || m != n {
+            if (a - b).abs() > SAME * a.abs().max(b.abs()) || (d, m, v, c) != (e, n, w, t) {
                 why.push(Why::Key);
             }
             // A half-width that only goes with the value is the same tolerance.

@@ -73,6 +73,9 @@ pub(crate) const ROWS: &[UnitRow] = &[
     row(&["h", "hr", "hour"], "h", TIME, 3600, 1, 0, 0, ""),
     row(&["rad"], "rad", ANGLE, 1, 1, 0, 0, "mu\u{b5}\u{3bc}"),
     row(&["deg", "\u{b0}", "\u{ba}", "degree", "degrees"], "deg", ANGLE, 1, 180, 0, 1, ""),
+    row(&["gon"], "gon", ANGLE, 1, 200, 0, 1, ""),
+    row(&["arcmin"], "arcmin", ANGLE, 1, 10_800, 0, 1, ""),
+    row(&["arcsec"], "arcsec", ANGLE, 1, 648_000, 0, 1, ""),
     row(
         &["rev", "turn", "turns", "revs", "revolution", "revolutions", "Umdr", "Umdrehungen"],
         "rev",

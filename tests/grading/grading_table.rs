@@ -6,7 +6,7 @@ use slipstick::grade::rules::Rules;
 use slipstick::grade::run::{GradeFault, Graded, Options, grade};
 use slipstick::grade::table::KeyTable;
 use slipstick::grade::verdict::Verdict;
-use slipstick::key::{Answer, KeyEntry, ProblemKey, SheetKey};
+use slipstick::key::{Answer, KeyEntry, ProblemKey, SheetKey, WordSigns};
 use slipstick::policy::{Counts, Policy};
 use slipstick::report::gradebook::gradebook;
 use slipstick::units::Unit;
@@ -30,7 +30,9 @@ fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
     }
 }
 fn number(value: f64, half_width: f64, directed: bool) -> Answer {
-    Answer::Number { value, half_width, directed, magnitude: !directed }
+    // Along an incline.
+    let words = directed.then_some(WordSigns { up: 1, forward: 1, ..WordSigns::default() });
+    Answer::Number { value, half_width, directed, magnitude: !directed, words, cyclic: false }
 }
 fn key(name: &str) -> KeyEntry {
     match name {
@@ -180,6 +182,17 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("30.3 clockwise", "omega", "right", "the sense of turning"),
     ("30.3 rad/s, counterclockwise", "omega", "right", "the sense of turning"),
     ("1.25 m/s cw", "v", "unreadable", "not one direction"),
+    ("30.3 rad/s gegen den Uhrzeigersinn", "omega", "right", "the sense of turning is passed over"),
+    ("30.3 rad/s counter up", "omega", "unreadable", ""),
+    ("29 deg 60'", "angle", "unreadable", "1 deg or more"),
+    ("29 deg 59'", "angle", "right", "read as 29.98333333 deg"),
+    ("30°3'", "angle", "right", "read as 30.05 deg"),
+    ("30° 0′ 30″", "angle", "right", "read as 30.00833333 deg"),
+    ("30 deg 3 arcmin", "angle", "right", ""),
+    ("28 deg 3'", "angle", "wrong", ""),
+    ("33.3 gon", "angle", "right", ""),
+    ("30 gon", "angle", "wrong", ""),
+    ("4' 1\"", "reach", "right", "read as 4.083333333 ft"),
     ("ca. 30.3", "omega", "right", "without the word before it"),
     ("about 30.3 rad/s", "omega", "right", "without the word before it"),
     ("approx 30.3", "omega", "right", "without the word before it"),
@@ -195,8 +208,13 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("62.6 N ↑", "friction", "right", ""),
     ("62.6 N ↓", "friction", "wrong direction", ""),
     ("↓62.6 N", "friction", "wrong direction", ""),
-    ("62.6 N to the right", "friction", "unreadable", "write up or down"),
-    ("62.6 N left", "friction", "unreadable", "write up or down"),
+    ("62.6 N to the right", "friction", "unreadable", "one of up, down, forward, back"),
+    ("62.6 N left", "friction", "unreadable", "one of up, down, forward, back"),
+    ("62.6 N clockwise", "friction", "unreadable", "one of up, down, forward, back"),
+    ("62.6 N up the track", "friction", "right", ""),
+    ("62,6 N die Bahn hinab", "friction", "wrong direction", ""),
+    ("1.25 m above", "reach", "right", "within the tolerance"),
+    ("1,25 m unterhalb", "reach", "wrong direction", ""),
     ("62.6 N forward", "friction", "right", ""),
     ("62.6 N up", "friction", "right", ""),
     ("62.6 N up the incline", "friction", "right", ""),
@@ -227,6 +245,17 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("left", "level", "wrong", ""),
     ("yes it rolls", "rolls", "right", ""),
     ("no, it slips", "rolls", "wrong", ""),
+    ("no slip", "rolls", "right", "the right word"),
+    ("No slipping.", "rolls", "right", ""),
+    ("yes, no slip", "rolls", "right", ""),
+    ("it rolls without slipping", "rolls", "right", ""),
+    ("kein Schlupf", "rolls", "right", ""),
+    ("ohne Rutschen", "rolls", "right", ""),
+    ("no, slipping", "rolls", "wrong", ""),
+    ("no - slipping", "rolls", "wrong", ""),
+    ("nein, gleiten", "rolls", "wrong", ""),
+    ("no, no slip", "rolls", "unreadable", ""),
+    ("it slips, no slip", "rolls", "unreadable", ""),
     ("no, it does not roll", "rolls", "wrong", ""),
     ("no, it rolls", "rolls", "unreadable", ""),
     ("Up", "direction", "wrong", "another word is right"),
@@ -601,7 +630,7 @@ fn table() -> KeyTable {
     let names = [("00123".to_owned(), "=Ada, B.".to_owned()), ("b".to_owned(), "Bo".to_owned())];
     KeyTable::new(["00123", "b", "nobody"].map(sheet).into(), &names)
 }
-fn run_with(bytes: &[u8], table: &KeyTable, options: &Options) -> Result<(String, Graded), GradeFault> {
+pub fn run_with(bytes: &[u8], table: &KeyTable, options: &Options) -> Result<(String, Graded), GradeFault> {
     run_by(bytes, table, options, &Policy::default())
 }
 fn run_by(
@@ -973,11 +1002,7 @@ fn a_million_rows_are_accounted_for() {
 
 /// The column `slip` of a single answer to a part with this key, whose tolerance is 0.5 %.
 fn slip_of(cell: &str, key: f64, unit: &str) -> String {
-    let part = entry(
-        "x",
-        Answer::Number { value: key, half_width: 0.005 * key.abs(), directed: true, magnitude: false },
-        unit,
-    );
+    let part = entry("x", number(key, 0.005 * key.abs(), true), unit);
     let problem = ProblemKey { id: "p".into(), parts: vec![part], ..sheet("s").problems[0].clone() };
     let table = KeyTable::new(vec![SheetKey { student: "s".into(), problems: vec![problem] }], &[]);
     let text = format!("student,problem,part,answer\ns,1,x,\"{cell}\"\n");

@@ -12,6 +12,7 @@
 mod support;
 
 mod copy_flag;
+mod directions;
 mod grading_table;
 mod marks;
 mod matches;

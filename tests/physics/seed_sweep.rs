@@ -94,7 +94,7 @@ fn keys_are_sound() {
                         part.part
                     );
                     match part.answer {
-                        Answer::Number { value, half_width, magnitude, directed } => {
+                        Answer::Number { value, half_width, magnitude, directed, .. } => {
                             assert!(value.is_finite() && half_width.is_finite() && half_width >= 0.0);
                             assert!(half_width >= 0.0099 * value.abs(), "{}", part.part);
                             assert!(!magnitude || value >= 0.0, "{} {}", problem.id, part.part);

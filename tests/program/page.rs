@@ -138,7 +138,7 @@ fn random(entry: &KeyEntry, lots: &mut Lots) -> String {
     const OTHERS: [&str; 11] = ["", "m/s", "rad/s", "N", "mm", "kJ", "rev/min", "deg", "lbf", "ft/s", "%"];
     let unit = if lots.below(3) > 0 { entry.unit.ascii() } else { lots.one(&OTHERS) };
     let unit = if unit == "1" { "" } else { unit };
-    let word = lots.one(&["", "", "", " up", " down", " abwärts", " clockwise"]);
+    let word = lots.one(&["", "", "", " up", " down", " abwärts", " clockwise", " ccw", " rechts", " back"]);
     format!("{text} {unit}{word}").trim_end().to_owned()
 }
 
