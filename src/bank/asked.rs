@@ -70,6 +70,16 @@ fn read(
         Some(n) => Some(other(n, scene, faults)?),
     };
     let target = other.map_or(&*scene, |at| &scene.formulas.others[at].1);
+    // On a smooth surface a body may keep a spin that its scene does not follow.
+    let spins_on = target.bodies.iter().zip(&scene.bodies).any(|(there, here)| there.turns != here.turns);
+    let label_of = |name: &str| {
+        let label = checks::label(target, name)?;
+        if spins_on && matches!(label.quantity, Quantity::KineticEnergy | Quantity::RotationalFraction) {
+            let message = told!("`{name}` would need the spin that a body keeps on a smooth surface");
+            return Err((message, Some("ask for speeds, accelerations, forces or times".to_owned())));
+        }
+        Ok(label)
+    };
     let told = |n: &Node, (message, hint): (String, Option<String>)| {
         let case = if context.case.is_empty() { String::new() } else { told!(" (case `{}`)", context.case) };
         faults.maybe(n, told!("{message}{case}"), hint);
@@ -82,7 +92,7 @@ fn read(
     let condition = how.map_or_else(String::new, |how| told!(", if: {how}"));
     let Some(written) = value else {
         let name = quantity.and_then(Node::text).map_or(id, str::trim);
-        let label = checks::label(target, name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
+        let label = label_of(name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
         if label.quantity.is_word() {
             return faults.refuse(
                 quantity.unwrap_or(key),
@@ -104,7 +114,7 @@ fn read(
     let written_text = text(written, "an expression such as `mu_s*normal`", faults)?;
     let lookup = |name: &str| match measure::datum(context.data, name) {
         Some(found) => Ok(found),
-        None => checks::label(target, name).and_then(|label| measure::quantity(target, label, name)),
+        None => label_of(name).and_then(|label| measure::quantity(target, label, name)),
     };
     let expression = match Expression::parse(&written_text, &lookup) {
         Ok(expression) => expression,

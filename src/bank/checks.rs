@@ -4,7 +4,7 @@ use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables, asked};
 use crate::finding::{Finding, told};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, JointKind, Label, Num, Owner, Quantity,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, JointKind, Label, Made, Num, Owner, Quantity,
     RotaryInertia, Scene, Spot, Tie,
 };
 use crate::units::spell;
@@ -92,17 +92,35 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     };
     let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
     let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
-    let timed = simple && matches!(scene.end, End::Time(..));
     // What moves in the plane has a message of its own, with its joints.
     let planar = scene.bodies.iter().any(|b| b.planar.is_some());
-    if !scene.growths.is_empty() && !timed && !planar {
-        faults.hint(
-            node,
-            "a force grows with time, and the scene is not one whose acceleration then grows evenly",
-            "one freedom, contacts that roll, no spring, no pin, and `end: {time: {of: wheel, is: t1}}`",
-        );
-        return;
+    if let (Some(law), false) = (scene.law(), planar) {
+        let (ends, with, end) = match law.with {
+            Grows::Time => (matches!(scene.end, End::Time(..)), "time", "`end: {time: {of: wheel, is: t1}}`"),
+            Grows::Place => (
+                matches!(scene.end, End::Travel(..) | End::Position(..)),
+                "place",
+                "an end after a way or a turn, such as `end: {travel: {of: wheel, by: d}}`",
+            ),
+        };
+        if !(simple && ends) {
+            faults.hint(
+                node,
+                told!(
+                    "a force grows with {with}, and the scene is not one whose acceleration then grows alike"
+                ),
+                told!("one freedom, contacts that roll, no spring, no pin, and {end}"),
+            );
+            return;
+        }
+        if scene.growths.iter().any(|g| g.law != law) {
+            let hint = "write the same `with:` for all of them";
+            faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);
+            return;
+        }
     }
+    carrier(scene, node, faults);
+    loads(scene, node, faults);
     if let Some((b, _)) = scene.pinned() {
         let name = &scene.bodies[b].name;
         if scene.bodies.len() > 1 {
@@ -182,6 +200,64 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     }
 }
 
+/// Bodies that rest on wheels: how the wheels share the load is not known, so nothing is asked of it.
+fn loads(scene: &Scene, node: &Node, faults: &Faults) {
+    let resting = scene.ties.iter().filter_map(|t| match t {
+        Tie::Cord(c) if c.made == Made::Rests => Some((c.from.body, &c.to)),
+        _ => None,
+    });
+    for (load, on) in resting {
+        let Far::Body(CordEnd { body: wheel, .. }) = *on else { continue };
+        for tie in &scene.ties {
+            let (name, hint) = match tie {
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
+                    if *body == load =>
+                {
+                    (&scene.bodies[load].name, "it rests on wheels alone: take its tie with the surface away")
+                }
+                Tie::Roll { body, mu_s: Some(_), .. } | Tie::Slip { body, .. } if *body == wheel => {
+                    let hint = "how the wheels share the load is not known: write `rolls:` without `mu_s`";
+                    (&scene.bodies[wheel].name, hint)
+                }
+                _ => continue,
+            };
+            let message = told!(
+                "friction limits are not told of `{name}`, for `{}` rests on wheels",
+                scene.bodies[load].name
+            );
+            faults.hint(part(node, "ties"), message, hint);
+        }
+    }
+}
+
+/// A scene that is carried: what its words mean there.
+fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
+    let Some(carrier) = &scene.carried else { return };
+    let at = part(node, "carried");
+    let name = scene.bodies.first().map_or("crate", |b| b.name.as_str());
+    let fast = carrier.speed_m_s != Num::Fixed(0.0);
+    if scene.pinned().is_some() {
+        let hint = "write `moves: in the plane` and a joint `O: {pins: rod.A}`";
+        faults.hint(at, told!("`{name}` is pinned, and the scene is carried"), hint);
+    } else if scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        faults.hint(at, "a body of particles is not carried", "remove `carried`");
+    } else if fast && scene.lead().is_some() {
+        let hint = "remove `speed`: bodies in the plane start as they are seen from what carries them";
+        faults.hint(at, "of what carries joined bodies the acceleration alone counts", hint);
+    } else if fast && scene.start.is_empty() && scene.bodies.iter().any(|b| b.line.is_some_and(|l| l.surface))
+    {
+        faults.hint(
+            part(node, "start"),
+            "at rest on the ground, or on what carries the scene?",
+            told!("write `start: {{{name}: {{speed: 0 m/s}}}}` for what is set down, as seen from the ground, or give it the speed of what carries it"),
+        );
+    }
+    if matches!(scene.end, End::Speed(..)) && scene.lead().is_none() {
+        let hint = "write `stops slipping`, `time`, or `travel`, which counts on what carries the scene";
+        faults.hint(part(node, "end"), "a carried scene does not end at a speed", hint);
+    }
+}
+
 /// Joined bodies: one leads, and none moves otherwise than in the plane.
 fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     if let Some(body) = scene.bodies.iter().find(|b| b.planar.is_none()) {
@@ -205,7 +281,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     }
     if !scene.growths.is_empty() {
         let hint = "remove `growing by`, or let the bodies move on lines";
-        faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow with time", hint);
+        faults.hint(part(node, "forces"), "what moves in the plane has no forces that grow", hint);
     }
     if scene.start_speeds().count() > 1 {
         let hint = "give one speed or spin: the joints give the others";
@@ -227,12 +303,9 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         let hint = "only an instant is asked of what is driven: give its angle and spin then, and write `end: at once`";
         faults.hint(part(node, "start"), message, hint);
     }
-    if let (End::Equilibrium, Some(strut)) =
-        (scene.end, scene.struts.iter().find(|s| s.acts != crate::scene::Acts::Both))
-    {
-        let message =
-            told!("`{}` only pushes or pulls: beside where it is met nothing oscillates evenly", strut.name);
-        faults.hint(part(node, "forces"), message, "remove `only`, or ask for a motion");
+    if scene.end == End::Equilibrium && scene.start_speeds().next().is_some() {
+        let hint = "give the angle alone: from it the equilibrium is looked for, and nothing moves there";
+        faults.hint(part(node, "start"), "at rest in equilibrium nothing has a speed or a spin", hint);
     }
     if scene.end == End::Equilibrium && scene.is_struck() {
         faults.hint(
@@ -463,11 +536,18 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
             | Q::OmegaMax
             | Q::Period
     );
+    if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
+        return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
+    }
     if !scene.is_still() || of_particles || of_pins {
         return why(quantity).to_owned();
     }
     let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
-    told!("with `end: at once` only what holds at the start is asked: {}", names.join(", "))
+    let (end, what) = match scene.end {
+        End::Equilibrium => ("equilibrium", "at rest there"),
+        _ => ("at once", "at the start"),
+    };
+    told!("with `end: {end}` only what holds {what} is asked: {}", names.join(", "))
 }
 
 /// What a quantity needs, for hints.
@@ -485,7 +565,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
         Q::Heat => "it needs a tie `slips` or `slides`",
         Q::Tension => "it needs a cord whose pull is not given",
-        Q::RimForce => "it needs a tie `meshes` or `belt`",
+        Q::RimForce => "it needs a tie `meshes`, `belt` or `rests`",
         Q::CordTravel => "it needs a cord that is pulled or held by a spring",
         Q::WorkPull | Q::PowerPull => "it needs a cord with `pulled with`",
         Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`",
@@ -496,7 +576,7 @@ const fn why(quantity: Quantity) -> &'static str {
         }
         Q::XG | Q::YG | Q::IG => "it needs a body of particles",
         Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => {
-            "it needs a pinned body"
+            "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told"
         }
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
@@ -510,13 +590,22 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
-        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
+        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => {
+            "it needs a motion, the time one without a force that grows with place"
+        }
         Q::Value => "it needs a question with `value:`",
     }
 }
 
 /// All labels that the solvers can give for this structure.
 pub fn labels(scene: &Scene) -> Vec<Label> {
+    let mut list = of_kind(scene);
+    list.retain(|label| scene.tells(*label));
+    list
+}
+
+/// The same of a scene that nothing carries.
+fn of_kind(scene: &Scene) -> Vec<Label> {
     use Quantity as Q;
     let mut list = Vec::new();
     // Each once: several bodies may rub, and there is one heat.
@@ -572,8 +661,11 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             add(of, if rates { &[Q::A] } else { &[] });
             add(of, if line.surface && rates { &[Q::Normal] } else { &[] });
         }
+        if rates && scene.axle_pulls(b).is_some() {
+            add(of, &[Q::PinX, Q::PinY, Q::PinForce, Q::PinAngle]);
+        }
     }
-    add(Owner::Scene, if moves { &[Q::T] } else { &[] });
+    add(Owner::Scene, if moves && !scene.grows_with_place() { &[Q::T] } else { &[] });
     if moves && scene.spring().is_none() && scene.thrown().is_none() {
         add(Owner::Scene, &[Q::Work]);
     }
@@ -613,6 +705,10 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             Tie::Slide { body, .. } => {
                 add(Owner::Body(*body), &[Q::Friction]);
                 add(Owner::Scene, if moves { &[Q::Heat] } else { &[] });
+                add(
+                    Owner::Body(*body),
+                    if moves && scene.carried.is_some() { &[Q::SlipDistance] } else { &[] },
+                );
             }
             Tie::Cord(c) => match c.to {
                 Far::Pull(_) if !moves => {}
@@ -681,7 +777,7 @@ fn joined(scene: &Scene, moves: bool, add: &mut impl FnMut(Owner, &[Quantity])) 
         }
         add(of, joint.kind.forces());
         match joint.kind {
-            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce]),
+            JointKind::Pin { .. } | JointKind::Hinge { .. } => add(of, &[Q::PinForce, Q::PinAngle]),
             JointKind::Guide { mu_k: Some(_), .. } => add(of, &[Q::Friction]),
             _ => {}
         }

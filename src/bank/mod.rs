@@ -152,8 +152,6 @@ pub struct Case {
     pub draws: Vec<Option<Draw>>,
     /// The scene.
     pub scene: Scene,
-    /// Cords, by name, that leave a fixed axle upward (`true`) or downward, for the picture.
-    pub upright: Vec<(String, bool)>,
     /// Contacts that the bank leaves open (`touches:`) and that roll or slip in this case: index of the tie, and the kinetic
     /// coefficient, which is printed either way.
     pub touches: Vec<(usize, Num)>,

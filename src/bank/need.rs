@@ -41,8 +41,6 @@ impl Need {
     pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
     pub const IMPULSE: Self = need("an impulse", "N*s", NOT_NEGATIVE, "5 N*s");
     pub const MOMENT: Self = need("a moment", "N*m", NOT_NEGATIVE, "75 N*m");
-    pub const FORCE_GROWTH: Self = need("the growth of a force", "N/s", NOT_NEGATIVE, "2 N/s");
-    pub const MOMENT_GROWTH: Self = need("the growth of a moment", "N*m/s", NOT_NEGATIVE, "2 N*m/s");
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
     pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
@@ -53,6 +51,7 @@ impl Need {
     pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
     pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");
     pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
+    pub const ACCELERATION: Self = need("an acceleration", "m/s^2", ANY, "2 m/s^2");
     pub const ANGULAR_ACCELERATION: Self = need("an angular acceleration", "rad/s^2", ANY, "3 rad/s^2");
     pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
     pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
@@ -61,6 +60,11 @@ impl Need {
 }
 
 impl Need {
+    /// The rate at which a force or a moment grows, in this unit.
+    pub const fn growth(unit: &'static str, of_couple: bool) -> Self {
+        let words = if of_couple { "the growth of a moment" } else { "the growth of a force" };
+        need(words, unit, NOT_NEGATIVE, "c")
+    }
     /// Does the scene take it in degrees?
     pub fn in_degrees(self) -> bool {
         self.unit == "deg"

@@ -7,9 +7,9 @@ use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
-    GivenForce, Growth, Heading, Joint, Line, Made, Mass, Num, Part, Particle, Pin, PinSpring, Push,
-    RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
+    Arm, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas,
+    Given, GivenForce, Grows, Growth, Heading, Joint, Law, Line, Made, Mass, Num, Part, Particle, Pin,
+    PinSpring, Push, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -52,9 +52,6 @@ pub struct SceneRead {
     pub scene: Option<Scene>,
     /// Every use of a datum.
     pub uses: Vec<DatumUse>,
-    /// Cords, by name, that leave a fixed axle upward (`true`) or downward. To mechanics `front down` is what `top forward` is:
-    /// only a picture needs to know.
-    pub upright: Vec<(String, bool)>,
     /// Contacts that do not say whether they roll or slip: index of the tie, and the kinetic coefficient.
     pub touches: Vec<(usize, Num)>,
     /// Numbers that are `any`.
@@ -71,7 +68,7 @@ struct SceneReader<'a> {
     uses: RefCell<Vec<DatumUse>>,
     /// Numbers that are worked out from data.
     derived: RefCell<Vec<Derived>>,
-    /// Given forces that grow with time.
+    /// Given forces that grow.
     growths: RefCell<Vec<Growth>>,
     /// Those that are `any`.
     any: RefCell<Vec<AnyNumber>>,
@@ -79,10 +76,6 @@ struct SceneReader<'a> {
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
     angled: Cell<bool>,
-    /// Does the end of a cord that was read last leave a fixed axle upward, or downward?
-    upward: Cell<Option<bool>>,
-    /// As in [`SceneRead`].
-    upright: RefCell<Vec<(String, bool)>>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
@@ -105,14 +98,11 @@ pub fn read(
         any: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
-        upward: Cell::new(None),
-        upright: RefCell::new(Vec::new()),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
     SceneRead {
         scene,
         uses: reader.uses.into_inner(),
-        upright: reader.upright.into_inner(),
         touches: reader.touches.into_inner(),
         any: reader.any.into_inner(),
     }
@@ -192,8 +182,11 @@ impl SceneReader<'_> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a scene (bodies, ties, start, end)", f)?;
         let surfaces = fields.get("surfaces").map_or_else(Vec::new, |n| self.surfaces(n));
+        let carried_node = fields.get("carried");
+        let carried = carried_node.and_then(|n| self.carrier(n, &surfaces));
         let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}");
-        let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces));
+        let along = carried_node.and_then(|n| n.field("along")).and_then(Node::text).map(str::trim);
+        let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces, along));
         if let Some(n) = bodies_node
             && bodies.is_empty()
             && matches!(&n.value, Value::Map(m) if m.is_empty())
@@ -230,6 +223,7 @@ impl SceneReader<'_> {
             pushes,
             struts,
             growths: self.growths.take(),
+            carried,
             start,
             end,
             heading,
@@ -466,7 +460,29 @@ impl SceneReader<'_> {
         list
     }
 
-    fn bodies(&self, node: &Node, surfaces: &[Surface]) -> Vec<Body> {
+    /// What carries the scene: along which line, its speed and its acceleration.
+    fn carrier(&self, node: &Node, surfaces: &[Surface]) -> Option<Carrier> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "what carries the scene (along, speed, acceleration)", f)?;
+        let along = fields.need("along", "horizontal");
+        let [speed, acceleration] = fields.each(["speed", "acceleration"]);
+        fields.close();
+        if speed.is_none() && acceleration.is_none() {
+            f.hint(node, "neither a speed nor an acceleration is given", "write `acceleration: a`");
+        }
+        let mut words: Vec<(&str, Slope)> = surfaces.iter().map(|s| (s.name, s.slope)).collect();
+        words.extend([("horizontal", Slope::Level), ("level", Slope::Level), ("vertical", Slope::Vertical)]);
+        let what = "along which line the scene is carried: a surface, `horizontal` or `vertical`";
+        let slope = along.and_then(|n| {
+            let own = surfaces.iter().find(|s| n.text().map(str::trim) == Some(s.name));
+            own.map(|s| s.slope).or_else(|| self.word(n, what, &words))
+        });
+        let number = |n: Option<&Node>, need| n.map_or(Some(Num::Fixed(0.0)), |n| self.number(n, need));
+        let (speed, acceleration) = (number(speed, Need::VELOCITY), number(acceleration, Need::ACCELERATION));
+        Some(Carrier { slope: slope?, speed_m_s: speed?, acceleration_m_s2: acceleration? })
+    }
+
+    fn bodies(&self, node: &Node, surfaces: &[Surface], carried_along: Option<&str>) -> Vec<Body> {
         let mut bodies = Vec::new();
         for (name, key, value) in named(node, "bodies by name", self.faults) {
             if !plain_name(name) {
@@ -481,7 +497,8 @@ impl SceneReader<'_> {
         let used = |surface: &Surface| {
             let Value::Map(entries) = &node.value else { return false };
             let moves = entries.iter().filter_map(|(_, body)| body.field("moves")?.text());
-            moves.filter_map(|text| text.trim().strip_prefix("along")).any(|on| on.trim() == surface.name)
+            let mut on = moves.filter_map(|text| text.trim().strip_prefix("along")).map(str::trim);
+            on.any(|on| on == surface.name) || carried_along == Some(surface.name)
         };
         for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
             self.faults.hint(
@@ -835,17 +852,22 @@ impl SceneReader<'_> {
             );
             return None;
         };
+        self.winds_on(*num);
+        Some(*num)
+    }
+
+    /// Notes a radius as used.
+    fn winds_on(&self, radius: Num) {
         let mut uses = self.uses.borrow_mut();
-        match num {
-            Num::Datum(datum) => uses.push(DatumUse { datum: *datum, need: Need::RADIUS }),
+        match radius {
+            Num::Datum(datum) => uses.push(DatumUse { datum, need: Need::RADIUS }),
             Num::Derived(at) => {
                 let derived = self.derived.borrow();
-                let given = derived.get(*at).into_iter().flat_map(|n| n.formula.names());
+                let given = derived.get(at).into_iter().flat_map(|n| n.formula.names());
                 uses.extend(given.map(|g| DatumUse { datum: g.datum, need: Need::TERM }));
             }
             Num::Fixed(_) => {}
         }
-        Some(*num)
     }
 
     fn ties(&self, node: &Node, bodies: &[Body]) -> Vec<Tie> {
@@ -861,6 +883,22 @@ impl SceneReader<'_> {
             else {
                 continue;
             };
+            if word == "rests" {
+                for cord in self.rests(value, bodies) {
+                    let Far::Body(end) = cord.to else { continue };
+                    let on =
+                        |t: &Tie| matches!(t, Tie::Cord(c) if c.made == Made::Rests && c.name == cord.name);
+                    if ties.iter().any(on) {
+                        f.hint(
+                            item,
+                            told!("something rests on `{}` twice", bodies[end.body].name),
+                            "keep one of them",
+                        );
+                    }
+                    ties.push(Tie::Cord(cord));
+                }
+                continue;
+            }
             let tie = match word {
                 "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
                 "cord" => self.cord(value, bodies, ties.len()).map(Tie::Cord),
@@ -873,7 +911,7 @@ impl SceneReader<'_> {
                     self.unknown(
                         key,
                         "tie",
-                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt"],
+                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt", "rests"],
                     );
                     None
                 }
@@ -968,10 +1006,58 @@ impl SceneReader<'_> {
         Some(Tie::Slip { body: body?, radius_m: radius?, mu_s: mu_s?, mu_k: mu_k? })
     }
 
-    /// A given force that grows with time.
-    fn grows(&self, node: Option<&Node>, of: GivenForce, need: Need) {
-        let growth = node.and_then(|n| self.number(n, need)).map(|per_second| Growth { of, per_second });
-        self.growths.borrow_mut().extend(growth);
+    /// A given force that grows: `growing by: c`, evenly with time, or `growing by: {rate: c, with: t^2}`.
+    fn grows(&self, node: Option<&Node>, of: GivenForce) {
+        let Some(node) = node else { return };
+        let mut law = Law::EVEN;
+        let mut rate = Some(node.clone());
+        if matches!(node.value, Value::Map(_)) {
+            let Some(mut fields) = Fields::open(node, "a growth (rate, with)", self.faults) else { return };
+            rate = fields.need("rate", "c").cloned();
+            let with = fields.need("with", "t^2").and_then(|n| self.law(n, of));
+            fields.close();
+            let Some(with) = with else { return };
+            law = with;
+        }
+        let mut growth = Growth { of, law, rate: Num::Fixed(0.0), unit: Num::Fixed(1.0) };
+        let need = Need::growth(growth.rate_unit(), matches!(of, GivenForce::Couple(_)));
+        if let Some(number) = rate.and_then(|n| self.number(&n, need)) {
+            growth.rate = number;
+            self.growths.borrow_mut().push(growth);
+        }
+    }
+
+    /// The power of time or place with which a force grows: `t^2`, `sqrt(t)`, of a pull `x`, of a couple `phi`.
+    fn law(&self, node: &Node, of: GivenForce) -> Option<Law> {
+        let place = if matches!(of, GivenForce::Pull(_)) { "x" } else { "phi" };
+        let text = node.text().unwrap_or("").replace(' ', "");
+        let powers = |name: &str| {
+            [
+                format!("sqrt({name})"),
+                name.to_owned(),
+                format!("{name}^1.5"),
+                format!("{name}^2"),
+                format!("{name}^3"),
+            ]
+        };
+        let halves =
+            |name: &str| powers(name).iter().position(|word| *word == text).map(|i| [1, 2, 3, 4, 6][i]);
+        let law = |with, name| halves(name).map(|halves| Law { with, halves });
+        let found = law(Grows::Time, "t").or_else(|| law(Grows::Place, place));
+        if found.is_none() {
+            let words: Vec<String> = ["t", place].iter().flat_map(|name| powers(name)).collect();
+            let what = if place == "x" {
+                "x is the way of its point along it"
+            } else {
+                "phi is the turn of its body"
+            };
+            self.faults.hint(
+                node,
+                told!("expected what it grows with, found {}", node.kind()),
+                told!("one of {}; {what} since the start", words.join(", ")),
+            );
+        }
+        found
     }
 
     /// Two wheels that turn each other, by teeth or a belt: rims by body and radius.
@@ -1001,16 +1087,73 @@ impl SceneReader<'_> {
             found
         };
         let ((body, radius), (second, other_radius)) = rim(one).zip(rim(other))?;
+        self.winds_on(radius);
+        self.winds_on(other_radius);
         if body == second {
             f.at(node, "a wheel does not drive itself");
             return None;
         }
         // What the rim of the one gains, that of the other loses: teeth turn the other way, a belt the same way.
-        let end = |body, radius, forward| CordEnd { body, attach: Attach::Wound(radius, Side::Top), forward };
+        let end = |body, radius, forward| CordEnd {
+            body,
+            attach: Attach::Wound(radius, Side::Top),
+            forward,
+            upright: None,
+        };
         let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
         let name = if like == 0 { word.to_owned() } else { format!("{word}{}", like + 1) };
         Some(Cord { name, from, to: Far::Body(to), made })
+    }
+
+    /// A body that rests on wheels: on their rims, along which it does not slip, or on their axles.
+    fn rests(&self, node: &Node, bodies: &[Body]) -> Vec<Cord> {
+        let f = self.faults;
+        let Some(mut fields) = Fields::open(node, "a body that rests on wheels (body, on)", f) else {
+            return Vec::new();
+        };
+        let body = self.need_body(&mut fields, "body", bodies);
+        let on = fields.need("on", "[front.rim, rear.rim]");
+        fields.close();
+        let (Some(load), Some(on)) = (body, on) else { return Vec::new() };
+        let Some(line) = bodies[load].line.filter(|_| !bodies[load].turns) else {
+            let hint = "what rests on wheels only moves, `moves: along SURFACE`, without an inertia";
+            f.hint(node, told!("`{}` cannot rest on wheels", bodies[load].name), hint);
+            return Vec::new();
+        };
+        let wheels = match &on.value {
+            Value::List(items) => &items[..],
+            _ => std::slice::from_ref(on),
+        };
+        let end = |node: &Node| {
+            let (name, radius) = node.text().unwrap_or("").trim().split_once('.')?;
+            let (index, wheel) = bodies.iter().enumerate().find(|(_, b)| b.name == name)?;
+            let attach = match radius {
+                "centre" | "center" | "axle" => Attach::Centre,
+                _ => Attach::Wound(wheel.radii_m.iter().find(|(n, _)| n == radius)?.1, Side::Top),
+            };
+            // Beside each other along one line; a wheel on a fixed axle has none and turns what lies on it.
+            let beside = match (wheel.line, attach) {
+                (Some(own), _) => own.slope == line.slope,
+                (None, attach) => attach != Attach::Centre,
+            };
+            let wheels = wheel.turns && wheel.pin.is_none() && wheel.planar.is_none() && beside;
+            // What moves the load forward moves the wheel forward.
+            let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
+            wheels
+                .then_some((name.to_owned(), CordEnd { body: index, attach, forward: !same, upright: None }))
+        };
+        let mut list = Vec::new();
+        for wheel in wheels {
+            let Some((name, to)) = end(wheel) else {
+                let hint = "a wheel on the same surface or on a fixed axle, with one of its radii, or with `.centre` for its axle: `roller.rim`";
+                f.hint(wheel, told!("expected the rim or the axle of a wheel, found {}", wheel.kind()), hint);
+                continue;
+            };
+            let from = CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None };
+            list.push(Cord { name, from, to: Far::Body(to), made: Made::Rests });
+        }
+        list
     }
 
     fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
@@ -1029,9 +1172,6 @@ impl SceneReader<'_> {
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}")
             .and_then(|n| self.cord_end(n, bodies));
-        if let Some(up) = self.upward.take() {
-            self.upright.borrow_mut().push((name.clone(), up));
-        }
         let ends = [fields.get("pulled with"), fields.get("to"), fields.get("spring"), fields.get("held")];
         if ends.iter().flatten().count() != 1 {
             f.hint(
@@ -1046,7 +1186,7 @@ impl SceneReader<'_> {
         if let (Some(n), None) = (growing, pulled) {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
-        self.grows(growing, GivenForce::Pull(tie), Need::FORCE_GROWTH);
+        self.grows(growing, GivenForce::Pull(tie));
         let far = if let Some(n) = pulled {
             self.number(n, Need::FORCE).map(Far::Pull)
         } else if let Some(n) = to {
@@ -1114,7 +1254,14 @@ impl SceneReader<'_> {
                     return None;
                 }
                 let (side, forward) = self.leaves_wound(leaves?, body)?;
-                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward })
+                let said = leaves.and_then(Node::text).and_then(|text| text.trim().rsplit_once(' '));
+                let upright = said.and_then(|(_, word)| match word {
+                    "up" => Some(true),
+                    "down" => Some(false),
+                    _ => None,
+                });
+                let upright = upright.filter(|_| body.line.is_none());
+                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward, upright })
             }
             (None, Some(n)) => {
                 self.word(
@@ -1141,7 +1288,7 @@ impl SceneReader<'_> {
                         &[("forward", true), ("back", false), up, down],
                     )
                 }?;
-                Some(CordEnd { body: index, attach: Attach::Centre, forward })
+                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None })
             }
             _ => {
                 f.hint(
@@ -1183,14 +1330,6 @@ impl SceneReader<'_> {
                 // The side for which a positive turn goes with unwinding while it moves down.
                 words.push(("up", (if line.forward_up { Top } else { Bottom }, line.forward_up)));
             }
-        }
-        if body.line.is_none() {
-            let said = node.text().unwrap_or("");
-            self.upward.set(match said.rsplit_once(' ') {
-                Some((_, "up")) => Some(true),
-                Some((_, "down")) => Some(false),
-                _ => None,
-            });
         }
         self.word(node, "where the wound cord leaves", &words)
     }
@@ -1236,7 +1375,7 @@ impl SceneReader<'_> {
             let forward = fields.get("sense").map_or(Some(true), |n| {
                 self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
             });
-            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()), Need::MOMENT_GROWTH);
+            self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()));
             fields.close();
             if let Some(b) = body
                 && !bodies[b].turns
@@ -1490,6 +1629,12 @@ impl SceneReader<'_> {
             }
             return found.map(|joint| (End::Leaves(joint), None));
         }
+        if word == "stops slipping" {
+            let body = self.body_named(value, bodies)?;
+            let along = Coordinate { body, degree: Degree::Along };
+            let end = if bodies[body].turns { End::Rolling(along) } else { End::TurningPoint(along) };
+            return Some((end, None));
+        }
         if word == "rolling" {
             let body = self.body_named(value, bodies)?;
             return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
@@ -1510,6 +1655,7 @@ impl SceneReader<'_> {
                 "speed",
                 "turning point",
                 "rolling",
+                "stops slipping",
                 "angle",
                 "rise",
                 "descent",

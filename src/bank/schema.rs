@@ -37,7 +37,7 @@ const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
 const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
-const MARGINS: [(CheckKind, f64); 11] = [
+const MARGINS: [(CheckKind, f64); 12] = [
     (CheckKind::Moves, 0.10),
     (CheckKind::NoSlip, 0.05),
     (CheckKind::MustSlip, 0.05),
@@ -50,6 +50,7 @@ const MARGINS: [(CheckKind, f64); 11] = [
     (CheckKind::SlipEnds, 0.05),
     (CheckKind::UnderWay, 0.02),
     (CheckKind::StaticLimit, 0.05),
+    (CheckKind::Met, 0.05),
 ];
 /// What holds for all problems of a bank.
 struct BankWide {
@@ -662,7 +663,7 @@ impl CaseRead<'_> {
         let scene = self.read.as_ref().and_then(|r| r.scene.as_ref());
         let bounds = [bounds, self.bounds].into_iter().flatten().filter(|_| WHOLE);
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
-        let SceneRead { scene, upright, touches, .. } = self.read?;
+        let SceneRead { scene, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
         let mut scene = scene?;
         scene.look(span);
@@ -673,7 +674,6 @@ impl CaseRead<'_> {
             share: self.share,
             draws: self.draws.into_iter().chain([Some(gravity)]).collect(),
             scene,
-            upright,
             touches,
             regimes: self.regimes,
             bounds,

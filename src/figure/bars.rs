@@ -55,7 +55,7 @@ impl Energies {
 pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
     let view = SceneView::new(problem, variant, words, FigureLabels::Values)?;
     let scene = view.scene;
-    if scene.is_still() || scene.formulas.found.is_some() {
+    if scene.is_still() || scene.carried.is_some() || scene.formulas.found.is_some() {
         return None;
     }
     if scene.bodies.iter().any(|b| b.planar.is_some()) {

@@ -14,8 +14,7 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, Joint, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie,
-    pose,
+    Arm, Couple, End, Far, GivenForce, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie, pose,
 };
 use crate::words::Words;
 
@@ -155,8 +154,11 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .iter()
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
-    // A datum that has to be found first is not there to draw with.
+    // A datum that has to be found first is not there to draw with, how wheels share a load is not known, and what is carried
+    // accelerates across its line too.
     scene.formulas.found.is_none()
+        && scene.carried.is_none()
+        && !(0..scene.bodies.len()).any(|b| scene.rests(b))
         && scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
         && (found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
 }
@@ -399,7 +401,7 @@ fn cords(
                     (value, if given.is_empty() { symbol::symbol("P") } else { given })
                 }
                 _ => (
-                    view.solved(Quantity::Tension, Owner::Tie(run.tie)).unwrap_or(0.0),
+                    view.solved(cord.force(), Owner::Tie(run.tie)).unwrap_or(0.0),
                     symbol::symbol(&names::tension(view, run.tie)),
                 ),
             };
@@ -515,9 +517,9 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let g = plane.centre(view, &laid, body);
-    let name = |joint: &Joint, symbol: &str| {
-        let plain: String = joint.name.chars().filter(char::is_ascii_alphanumeric).collect();
-        symbol::symbol(&names::tagged(symbol, &format!(r"\mathrm{{{plain}}}")))
+    let name = |joint: usize, symbol: &str| {
+        let whole = names::tagged(symbol, &names::joint(view.scene, joint));
+        symbol::symbol(&names::free(view.problem, &[whole]))
     };
     let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
         ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
@@ -538,33 +540,33 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                     for (symbol, quantity, towards) in
                         [("X", Quantity::PinX, Vec2::RIGHT), ("Y", Quantity::PinY, Vec2::UP)]
                     {
-                        forces.push(force(at, side * found(quantity), towards, name(joint, symbol)));
+                        forces.push(force(at, side * found(quantity), towards, name(j, symbol)));
                     }
                 }
                 JointKind::Guide { direction_deg, mu_k, .. } => {
                     let direction = Vec2::at_degrees(view.of(direction_deg));
                     let normal = found(Quantity::Normal);
-                    forces.push(force(at, normal, direction.left(), name(joint, "N")));
+                    forces.push(force(at, normal, direction.left(), name(j, "N")));
                     if mu_k.is_some() {
                         let up = pose::upward([direction.x, direction.y]);
                         let rubs = found(Quantity::Friction);
-                        let friction = force(at, rubs, direction * up, name(joint, "F"));
+                        let friction = force(at, rubs, direction * up, name(j, "F"));
                         forces.push(ForceArrow { role: Role::Friction, ..friction });
                     }
                 }
                 JointKind::Contact { radius_m, surface, rolls, .. } => {
                     let normal = plane.normal(view, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
-                    forces.push(force(foot, found(Quantity::Normal), normal, name(joint, "N")));
+                    forces.push(force(foot, found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
                         let rubs = found(Quantity::Friction);
-                        let friction = force(foot, rubs, normal.right(), name(joint, "F"));
+                        let friction = force(foot, rubs, normal.right(), name(j, "F"));
                         forces.push(ForceArrow { role: Role::Friction, ..friction });
                     }
                 }
                 JointKind::Cord { place_m, .. } => {
                     let far = vec2(view.of(place_m[0]), view.of(place_m[1])) * plane.scale;
-                    forces.push(force(at, found(Quantity::Tension), (far - at).unit(), name(joint, "T")));
+                    forces.push(force(at, found(Quantity::Tension), (far - at).unit(), name(j, "T")));
                 }
             }
         }
@@ -607,11 +609,11 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     });
     let mut couples = couples_on(view, body, planar.clockwise);
     // The couples of welds, of torsion springs and of the drive.
-    for (j, joint) in view.scene.joints.iter().enumerate() {
+    for j in 0..view.scene.joints.len() {
         let Some(moment) = view.solved(Quantity::Moment, Owner::Joint(j)) else { continue };
-        for (i, _) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
+        for (i, _) in view.scene.joints[j].kind.spots().enumerate().filter(|(_, s)| s.body == body) {
             let value = if i == 0 { moment } else { -moment };
-            couples.push(Turning { value, label: symbol::magnitude(name(joint, "M"), value < 0.0) });
+            couples.push(Turning { value, label: symbol::magnitude(name(j, "M"), value < 0.0) });
         }
     }
     let twisting = view.scene.struts.iter().enumerate().filter(|(_, strut)| strut.at.body == body);

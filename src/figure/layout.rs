@@ -278,6 +278,7 @@ impl Builder<'_> {
             }
             let (bodies, cords, grounds) = (self.bodies.clone(), self.cords.len(), self.grounds.len());
             let shared = self.root(root);
+            self.stack(root);
             self.spread();
             if shared {
                 continue;
@@ -430,6 +431,46 @@ impl Builder<'_> {
         shared
     }
 
+    /// A body that rests on wheels, with all of them side by side below it, where the first of these stands.
+    fn stack(&mut self, first: usize) {
+        let scene = self.view.scene;
+        let resting = |t: &Tie| match t {
+            Tie::Cord(Cord { from, to: Far::Body(to), made: Made::Rests, .. }) => {
+                Some((from.body, to.body, to.attach))
+            }
+            _ => None,
+        };
+        let pairs: Vec<_> = scene.ties.iter().filter_map(resting).collect();
+        let Some((load, ..)) = pairs.iter().find(|(load, wheel, _)| [*load, *wheel].contains(&first)) else {
+            return;
+        };
+        let wheels: Vec<_> = pairs.iter().filter(|(other, ..)| other == load).collect();
+        let mut placed = |b: usize| self.bodies[b].clone().unwrap_or_else(|| self.loose(b, false));
+        let (mut above, stand) = (placed(*load), placed(first).centre);
+        let mut below: Vec<Placed> = wheels.iter().map(|(_, wheel, _)| placed(*wheel)).collect();
+        let Some(g) = above.on.map(|g| self.grounds[g].clone()) else { return };
+        let outer = below.iter().map(|p| p.reach(g.up)).fold(0.0, f64::max);
+        let (apart, middle) = (2.0 * outer + 64.0, (below.len() - 1) as f64 / 2.0);
+        let base = g.origin + g.up * (stand - g.origin).dot(&g.up);
+        let on_axles = wheels.iter().all(|(_, _, attach)| *attach == Attach::Centre);
+        let across = if on_axles { 0.4 * outer } else { 7.0 };
+        let mut high: f64 = 0.0;
+        for (i, (p, (_, _, attach))) in below.iter_mut().zip(&wheels).enumerate() {
+            let axle = if p.on.is_some() { p.contact } else { outer + 24.0 };
+            p.centre = base + g.up * (apart * (i as f64 - middle)) + g.out * axle;
+            high = high.max(match attach {
+                Attach::Centre => axle + across,
+                Attach::Wound(radius, _) => axle + self.radius(*radius) + across,
+            });
+        }
+        above.look = BodyLook::Block { along: apart * middle + outer + 22.0, across };
+        (above.centre, above.contact) = (base + g.out * high, high);
+        self.bodies[*load] = Some(above);
+        for ((_, wheel, _), p) in wheels.into_iter().zip(below) {
+            self.bodies[*wheel] = Some(p);
+        }
+    }
+
     /// Follows the cords of what is placed until nothing is left.
     fn spread(&mut self) {
         let scene = self.view.scene;
@@ -438,7 +479,7 @@ impl Builder<'_> {
             again = false;
             for (i, tie) in scene.ties.iter().enumerate() {
                 let Tie::Cord(cord) = tie else { continue };
-                if self.cords.iter().any(|r| r.tie == i) {
+                if cord.made == Made::Rests || self.cords.iter().any(|r| r.tie == i) {
                     continue;
                 }
                 match cord.to {
@@ -506,7 +547,7 @@ impl Builder<'_> {
     fn ending(&mut self, tie: usize, cord: &Cord) -> CordRun {
         let end = cord.from;
         let placed = self.bodies[end.body].clone().expect("a placed body");
-        let towards = self.leaves(&placed, end).unwrap_or_else(|| match self.view.upward(&cord.name) {
+        let towards = self.leaves(&placed, end).unwrap_or_else(|| match end.upright {
             Some(true) => Vec2::UP,
             Some(false) => Vec2::DOWN,
             None if end.forward => placed.forward,

@@ -3,7 +3,7 @@
 use crate::bank::Problem;
 use crate::figure::view::SceneView;
 use crate::picture::{TextRun, symbol};
-use crate::scene::{Body, Far, Mass, Num, RotaryInertia, Scene, Shape, Slope, Tie};
+use crate::scene::{Body, Far, Joint, JointKind, Mass, Num, RotaryInertia, Scene, Shape, Slope, Tie};
 use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
@@ -102,6 +102,30 @@ pub fn tags(problem: &Problem, scene: &Scene) -> Vec<String> {
         }
     };
     scene.bodies.iter().zip(&shorts).map(tag).collect()
+}
+
+/// What stands below the symbols of the forces of a joint: nothing where no other has such forces, else the letter that it is called
+/// by or the point that it holds, or the number of the joint where several would bear the same.
+pub fn joint(scene: &Scene, index: usize) -> String {
+    let struck = scene.is_struck();
+    let kind = |j: &Joint| match j.kind {
+        _ if struck => 0,
+        JointKind::Pin { .. } | JointKind::Hinge { .. } => 1,
+        JointKind::Guide { .. } | JointKind::Contact { .. } => 2,
+        JointKind::Cord { .. } => 3,
+    };
+    let point = |j: &Joint| match j.kind.spots().next().and_then(|s| scene.point_name(s)) {
+        Some((_, point)) if j.name.len() > 1 => point.to_owned(),
+        _ => j.name.clone(),
+    };
+    let Some(this) = scene.joints.get(index) else { return String::new() };
+    let alike: Vec<&Joint> = scene.joints.iter().filter(|j| kind(j) == kind(this)).collect();
+    match point(this) {
+        _ if alike.len() == 1 && !struck => String::new(),
+        own if alike.iter().filter(|j| point(j) == own).count() > 1 => (index + 1).to_string(),
+        own if own.len() == 1 => own,
+        own => format!(r"\mathrm{{{own}}}"),
+    }
 }
 
 /// A quantity of a body: the first free of these symbols, with the body's tag where several bodies have one.

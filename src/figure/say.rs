@@ -5,8 +5,8 @@ use crate::figure::{names, parts};
 use crate::picture::symbol;
 use crate::picture::vector::{Direction, Vec2};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, Made, Mass, Num, Rest, RotaryInertia, Shape,
-    Side, Slope, Start, Tie, Zero,
+    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Rest,
+    RotaryInertia, Shape, Side, Slope, Start, Tie, Zero,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -168,6 +168,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         _ => None,
     });
     out.push(match (p.on.is_some(), contact, body.line.is_some()) {
+        (true, None, _) if view.scene.rests(index) => say("above", &[("body", &name)]),
         (true, Some(radius), _) => say("touches", &[("body", &name), ("radius", &text(view, radius, "m"))]),
         (true, None, _) => say("lies", &[("body", &name)]),
         (false, _, true) => say("hangs", &[("body", &name)]),
@@ -196,7 +197,10 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         let drawn = towards.filter(|_| p.on.is_none() && (body.line.is_some() || free));
         let place = place(view, cord.from, drawn);
         out.push(match cord.to {
-            Far::Pull(n) => say("pull", &[("place", &place), ("force", &text(view, n, "N"))]),
+            Far::Pull(n) => {
+                let force = view.growing(GivenForce::Pull(i), n).unwrap_or_else(|| text(view, n, "N"));
+                say("pull", &[("place", &place), ("force", &force)])
+            }
             Far::Fixed => say("fixed", &[("place", &place)]),
             Far::Spring { stiffness_n_m, stretch_m, .. } => say(
                 "spring",
@@ -212,6 +216,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                 let name = match cord.made {
                     Made::Teeth => "meshes",
                     Made::Belt => "belt",
+                    Made::Rests => "rests",
                     Made::Cord if guide => "over",
                     Made::Cord => "joins",
                 };
@@ -242,10 +247,11 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
 
 /// The sentences about the couples on a body.
 pub fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
-    for couple in view.scene.couples.iter().filter(|c| c.body == index) {
+    for (i, couple) in view.scene.couples.iter().enumerate().filter(|(_, c)| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let name = if forward { "figure.scene.couple" } else { "figure.scene.couple_back" };
-        let moment = view.size_text(couple.moment_n_m, "N·m").replace('\u{a0}', " ");
+        let size = || view.size_text(couple.moment_n_m, "N·m").replace('\u{a0}', " ");
+        let moment = view.growing(GivenForce::Couple(i), couple.moment_n_m).unwrap_or_else(size);
         out.push(view.words.say(name, &[("moment", &moment)]));
     }
 }

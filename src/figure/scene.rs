@@ -4,11 +4,12 @@ use crate::figure::layout::{BodyLook, CordPiece, CordRun, CordStop, Placed, Scen
 use crate::figure::view::{SceneView, joined};
 use crate::figure::{joined as linkage, lamina, layout, names, parts, pinned, say};
 use crate::picture::board::{Board, LabelTie, TEXT};
-use crate::picture::vector::{Direction, Vec2};
+use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Coordinate, Degree, End, Far, GivenForce, Heading, Made, Num, Owner, Quantity, RotaryInertia, Start, Tie,
+    Coordinate, Degree, End, Far, GivenForce, Heading, Made, Num, Owner, Quantity, RotaryInertia, Slope,
+    Start, Tie,
 };
 use crate::solve::outcome::Word;
 use crate::words::Words;
@@ -34,12 +35,14 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     if view.scene.lead().is_some() {
         linkage::draw(&mut board, &view);
         linkage::tell(&view, &mut desc);
+        carrier(&mut board, &view, &mut desc);
         return board.finish(words.say("figure.scene.title", &[("title", &problem.title)]), desc.join(" "));
     }
     if bodies.iter().any(|b| b.pin.is_none() && b.particles.is_empty()) {
         let plan = layout::layout(&view);
         mechanism(&mut board, &view, &plan);
         say::mechanism(&view, &plan, told(&view).is_some(), &mut desc);
+        carrier(&mut board, &view, &mut desc);
     }
     for (i, body) in bodies.iter().enumerate() {
         let mut part = Board::new();
@@ -66,10 +69,11 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     }
     parts::supports(board, view, plan);
     let placed = |b: usize| plan.bodies.get(b).and_then(Option::as_ref);
-    for b in 0..view.scene.bodies.len() {
-        if let Some(p) = placed(b) {
-            parts::outline(board, p);
-        }
+    // What rests on axles stands behind its wheels.
+    let mut order: Vec<usize> = (0..view.scene.bodies.len()).collect();
+    order.sort_by_key(|b| !view.scene.rests(*b));
+    for p in order.into_iter().filter_map(placed) {
+        parts::outline(board, p);
     }
     for ground in plan.grounds.iter().filter(|g| g.rail) {
         parts::surface(board, view, ground);
@@ -90,6 +94,39 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     starts(board, view, plan);
     travel(board, view, plan);
     senses(board, view, plan);
+}
+
+/// What carries the scene: its speed at the start and its acceleration as arrows below, and in words.
+fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
+    let (Some(carrier), Some(frame)) = (view.scene.carried, board.frame()) else { return };
+    let up = Vec2::at_degrees(match carrier.slope {
+        Slope::Level => 0.0,
+        Slope::Vertical => 90.0,
+        Slope::Degrees(n) => view.of(n),
+    });
+    let numbers = [(carrier.speed_m_s, "m/s"), (carrier.acceleration_m_s2, "m/s<sup>2</sup>")];
+    let moving = numbers.into_iter().filter(|(n, _)| view.of(*n) != 0.0);
+    let mut list = Vec::new();
+    let mut at = vec2((frame.low.x + frame.high.x) / 2.0, frame.low.y - 16.0);
+    for (num, unit) in moving {
+        let towards = up * view.of(num).signum();
+        let half = towards * 26.0;
+        at.y -= half.y.abs() + 14.0;
+        board.arrow(at - half, at + half, Role::Motion);
+        let beside = at + Vec2::RIGHT * (half.x.abs() + 8.0);
+        let spots = vec![(beside, Vec2::RIGHT), (at + Vec2::DOWN * (half.y.abs() + 8.0), Vec2::DOWN)];
+        board.wish(view.size_label(num, unit), spots, Role::Motion);
+        list.push(say::text(view, num, unit));
+        at.y -= half.y.abs();
+    }
+    let line = match carrier.slope {
+        Slope::Level => "level",
+        Slope::Vertical => "upright",
+        Slope::Degrees(_) => "slope",
+    };
+    let line = view.words.get(&format!("figure.carried.{line}"));
+    let numbers = list.join(say::separator(view));
+    desc.push(view.words.say("figure.carried.all", &[("line", line), ("list", &numbers)]));
 }
 
 /// Directions from a wheel's centre that are taken.
@@ -162,7 +199,8 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 let side = if p.on.is_some() { p.top } else { Vec2::RIGHT };
                 let at = |d: Vec2| (p.centre + d * p.reach(d), d);
                 let wide = symbol::width(&runs, TEXT);
-                if wide + 6.0 < 2.0 * p.reach(Vec2::RIGHT) && p.reach(Vec2::UP) > 11.0 {
+                let within = wide + 6.0 < 2.0 * p.reach(Vec2::RIGHT) && p.reach(Vec2::UP) > 11.0;
+                if within && !view.scene.rests(index) {
                     board.label(
                         vec![runs],
                         Role::Dot,

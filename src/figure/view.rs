@@ -4,7 +4,8 @@ use crate::bank::{FigureLabels, Problem};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Body, Degree, GivenForce, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start, Tie,
+    Body, Degree, GivenForce, Grows, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start,
+    Tie,
 };
 use crate::words::Words;
 
@@ -35,12 +36,6 @@ impl<'a> SceneView<'a> {
     ) -> Option<Self> {
         let scene = &problem.cases.get(variant.case)?.scene;
         Some(Self { problem, variant, scene, words, labels, worked: false })
-    }
-
-    /// Does this cord leave its fixed axle upward, or downward? `None`: along the level.
-    pub fn upward(&self, cord: &str) -> Option<bool> {
-        let said = &self.problem.cases.get(self.variant.case)?.upright;
-        said.iter().find(|(name, _)| name == cord).map(|(_, up)| *up)
     }
 
     /// A number of the scene.
@@ -144,17 +139,59 @@ impl<'a> SceneView<'a> {
         joined(symbol, self.value(num, unit))
     }
 
-    /// Symbols of a given force or couple, and its size at the end; `P + c t` where it grows with time.
+    /// Symbols of a given force or couple, and its size at the end; `P + c t` where it grows with time, `c x` with place.
     pub fn load(&self, of: GivenForce, num: Num) -> (Vec<TextRun>, f64) {
-        let Some((rate, time)) = self.scene.growth(of) else { return (self.symbol(num), self.of(num)) };
-        let unit = if matches!(of, GivenForce::Pull(_)) { ["N", "N/s"] } else { ["N·m", "N·m/s"] };
+        let Some(growth) = self.scene.growth(of) else { return (self.symbol(num), self.of(num)) };
+        let per = growth.rate_unit().replace('*', "·");
+        let per =
+            ["2", "3"].iter().fold(per, |per, n| per.replace(&format!("^{n}"), &format!("<sup>{n}</sup>")));
+        let unit = [if matches!(of, GivenForce::Pull(_)) { "N" } else { "N·m" }, per.as_str()];
+        let with = match (growth.law.with, of) {
+            (Grows::Time, _) => "t",
+            (Grows::Place, GivenForce::Pull(_)) => "x",
+            (Grows::Place, GivenForce::Couple(_)) => r"\varphi",
+        };
+        let power = match growth.law.halves {
+            1 => [symbol::upright("√"), symbol::symbol(with)].concat(),
+            2 => symbol::symbol(with),
+            halves if halves % 2 == 0 => symbol::symbol(&format!("{with}^{}", halves / 2)),
+            halves => symbol::symbol(&format!("{with}^{{{halves}/2}}")),
+        };
         let written = |num: Num, unit: &str| match self.symbol(num) {
             symbol if symbol.is_empty() => self.value(num, unit),
             symbol => symbol,
         };
-        let sum =
-            [written(num, unit[0]), symbol::upright(" + "), written(rate, unit[1]), symbol::symbol("t")];
-        (sum.concat(), self.of(num) + self.of(rate) * self.of(time))
+        let mut sum = written(growth.rate, unit[1]);
+        if self.symbol(growth.rate).is_empty() {
+            sum.extend(symbol::upright("\u{2009}"));
+        }
+        sum.extend(power);
+        // What begins at nothing is what it grows by.
+        if num != Num::Fixed(0.0) {
+            sum = [written(num, unit[0]), symbol::upright(" + "), sum].concat();
+        }
+        let own = match (growth.law.with, of) {
+            (Grows::Time, _) => None,
+            (_, GivenForce::Pull(tie)) => Some((Quantity::CordTravel, Owner::Tie(tie))),
+            (_, GivenForce::Couple(i)) => Some((Quantity::Phi, Owner::Body(self.scene.couples[i].body))),
+        };
+        let own = match own {
+            Some((quantity, of)) => self.solved(quantity, of).unwrap_or(0.0),
+            None => self.scene.growing_for().map_or(0.0, |x| self.of(x)),
+        };
+        (sum, self.of(num) + self.of(growth.rate) * growth.law.of(own, 1.0))
+    }
+
+    /// The law of a given force or couple that grows, in words of a picture, with the values of what it names.
+    pub fn growing(&self, of: GivenForce, num: Num) -> Option<String> {
+        let growth = self.scene.growth(of)?;
+        let unit = if matches!(of, GivenForce::Pull(_)) { "N" } else { "N·m" };
+        let named = [(num, unit.to_owned()), (growth.rate, growth.rate_unit().replace('*', "·"))];
+        let named = named.iter().filter(|(num, _)| !self.symbol(*num).is_empty());
+        let values: Vec<String> = named.map(|(num, unit)| self.text(*num, unit)).collect();
+        let law = symbol::plain(&self.load(of, num).0);
+        let text = if values.is_empty() { law } else { format!("{law} ({})", values.join(", ")) };
+        Some(text.replace(['\u{a0}', '\u{2009}'], " "))
     }
 
     /// Label of a given force or couple.

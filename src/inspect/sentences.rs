@@ -80,6 +80,22 @@ fn slack(scene: &Scene, c: &Check) -> String {
     )
 }
 
+/// Does a spring that only pushes or pulls act before the end?
+fn met(scene: &Scene, c: &Check) -> String {
+    let name = scene.struts.get(c.of).map_or("?", |s| s.name.as_str());
+    let (required, available) = (figures(c.required), figures(c.available));
+    if c.required <= 0.0 {
+        format!("`{name}` acts from the start")
+    } else if c.required.is_infinite() {
+        format!("`{name}` is never met: the motion ends after {available} rad without it")
+    } else {
+        let not = if c.ok { "" } else { "not " };
+        format!(
+            "`{name}` is {not}met before the end: after {required} rad, the motion ends after {available} rad"
+        )
+    }
+}
+
 /// One condition of `all` in words with its numbers.
 pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
@@ -119,6 +135,20 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
             };
             format!("the {} {what} `{name}`: {available} N, required more than 0 N", self::body(scene, of))
         }
+        CheckKind::HoldsBlow => {
+            let (name, of) = joint.unwrap_or(("?", 0));
+            let what = if scene.joints.get(c.of).is_some_and(|j| j.kind.only_pushes()) {
+                "pressed on"
+            } else {
+                "held by"
+            };
+            let not = if c.ok { "" } else { "not " };
+            format!(
+                "at the blow the {} is {not}{what} `{name}`: {available} N*s, required more than 0 N*s",
+                self::body(scene, of)
+            )
+        }
+        CheckKind::Met => met(scene, c),
         CheckKind::Pressed if c.ok => format!("the {body} is pressed on its surface with {available} N"),
         CheckKind::Pressed => format!(
             "the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"
@@ -262,7 +292,7 @@ fn reason(taken: &Taken) -> &'static str {
             "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
         }
         (true, Method::Closed, Force::OfTime) => {
-            "the forces grow evenly with time, so the closed form is exact and nothing is cheaper"
+            "the forces grow with a power of time or place, so the closed form is exact and nothing is cheaper"
         }
         (true, Method::Closed, Force::Linear) => {
             "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper"
@@ -396,7 +426,12 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::PinnedInCompany => {
             "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
         }
-        Unsupported::Overwound => "a torsion spring may be wound by less than half a turn",
+        Unsupported::Overwound => {
+            "a torsion spring may be wound by less than half a turn, from the start to the end"
+        }
+        Unsupported::InLine => {
+            "two hinged rods come to lie in one line on the way, or a rod lies across its guide: from there the linkage can go on in two ways, and it is not followed; let the motion end before"
+        }
         Unsupported::FrictionTurns => {
             "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses"
         }
@@ -471,13 +506,20 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         Refusal::NoMethod { method } => {
             one(format!("{} does not apply to this scene; auto finds what does", method.name()))
         }
-        Refusal::Unsettled(Unsettled { value, gap }) if value.is_finite() && gap.is_finite() => one(format!(
-            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end, or a spring passes its anchor. No answer is given."
-        )),
-        Refusal::Unsettled(_) => one(
-            "an integral over the motion has no value: the motion stops before its end, or a spring passes its anchor, where its force has no direction. No answer is given."
-                .to_owned(),
-        ),
+        Refusal::Unsettled(Unsettled { value, gap }) => {
+            let sprung = !scene.struts.is_empty() || scene.pinned().is_some_and(|(_, pin)| pin.spring.is_some());
+            let spring =
+                if sprung { ", or a spring passes its anchor, where its force has no direction" } else { "" };
+            one(if value.is_finite() && gap.is_finite() {
+                format!(
+                    "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end{spring}. No answer is given."
+                )
+            } else {
+                format!(
+                    "an integral over the motion has no value: the motion stops before its end{spring}. No answer is given."
+                )
+            })
+        }
         Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(
             "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; a relative gap of {allowed:.1e} would be accepted. No key is published.",
             scene.name_of(*label)
@@ -524,6 +566,7 @@ mod tests {
             pushes: vec![],
             struts: vec![],
             growths: vec![],
+            carried: None,
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,

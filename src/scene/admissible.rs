@@ -147,7 +147,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
     }
     joint_rules(scene, &mut tell);
     for g in &scene.growths {
-        tell(g.per_second, NotNegative);
+        tell(g.rate, NotNegative);
     }
     for s in &scene.start {
         match s {
@@ -157,6 +157,13 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
                 tell(*vy_m_s, Finite);
                 tell(*spin_rad_s, Finite);
             }
+        }
+    }
+    if let Some(carrier) = &scene.carried {
+        tell(carrier.speed_m_s, Finite);
+        tell(carrier.acceleration_m_s2, Finite);
+        if let Slope::Degrees(angle) = carrier.slope {
+            tell(angle, Rule::Slope);
         }
     }
     match scene.end {

@@ -2,7 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, JointKind, Num, Numbers, Pin, Planar, Scene, Spot, Surface, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, JointKind, Made, Num, Numbers, Pin, Planar, Scene, Spot,
+    Surface, Tie,
 };
 
 /// What a quantity belongs to.
@@ -87,7 +88,7 @@ quantities! {
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
     T "t" "s" Magnitude "time from the start to the end";
     Tension "tension" "N" Signed "tension of the cord at the end";
-    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims; of a belt the difference of its two tensions";
+    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims, or along the surface between a body and the wheel that it rests on; of a belt the difference of its two tensions";
     CordTravel "cord_travel" "m" Magnitude "distance that the pulled end of the cord moves";
     SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
     SlipSpeed "slip_speed" "m/s" Magnitude "speed at which the contact slips at the start, a magnitude";
@@ -122,10 +123,10 @@ quantities! {
     IO "I_O" "kg*m^2" Magnitude "moment of inertia about the pin";
     PinRadial "pin_radial" "N" Signed "force of the pin on the body along the line to the mass centre, positive toward the pin";
     PinTangential "pin_tangential" "N" Signed "force of the pin on the body across that line, positive with growing angle";
-    PinForce "pin_force" "N" Magnitude "force of the pin on the body, a magnitude";
-    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles; of joined bodies, to the right";
+    PinForce "pin_force" "N" Magnitude "force of the pin or axle on the body, a magnitude";
+    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles; of joined bodies and of a fixed axle, to the right";
     PinY "pin_y" "N" Signed "vertical part of the force of the pin on the body, positive up";
-    PinAngle "pin_angle" "rad" Signed "angle of the force of the pin on the body to the horizontal, positive up from the side of small positive angles";
+    PinAngle "pin_angle" "rad" Signed "angle of the force of the pin on the body to the horizontal, positive up from the side of small positive angles; of joined bodies and of a fixed axle, from the right";
     SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
     OmegaMax "omega_max" "rad/s" Magnitude "greatest angular speed of the motion";
     Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";
@@ -311,7 +312,7 @@ impl Scene {
     /// The direction in which the leading body could drift, degrees, where it has but one smooth level guide and no force along
     /// it: from rest its mass centre then stays where it is in that direction.
     pub fn drifts(&self) -> Option<Num> {
-        let lead = self.lead()?;
+        let lead = self.lead().filter(|_| self.carried.is_none())?;
         let mut found = None;
         for joint in &self.joints {
             if joint.kind.spots().all(|s| s.body != lead) {
@@ -343,6 +344,48 @@ impl Scene {
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {
         self.couples.is_empty() && self.pinned().is_some_and(|(_, pin)| pin.spring.is_none())
+    }
+    /// Does this body rest on wheels?
+    pub fn rests(&self, body: usize) -> bool {
+        let on_wheels = |c: &Cord| c.made == Made::Rests && c.from.body == body;
+        self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_wheels(c)))
+    }
+    /// Is this told of the scene? Of what is carried what is seen from the ground, and what is the same from everywhere.
+    pub fn tells(&self, label: Label) -> bool {
+        use Quantity as Q;
+        let bears = |b: usize| {
+            let on_it = |c: &Cord| c.made == Made::Rests && matches!(c.to, Far::Body(end) if end.body == b);
+            self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_it(c)))
+        };
+        // How a load is shared by what bears it is not known.
+        if let (Q::Normal | Q::MuRequired, Owner::Body(b)) = (label.quantity, label.of)
+            && bears(b)
+        {
+            return false;
+        }
+        if self.carried.is_none() {
+            return true;
+        }
+        let plane = self.lead().is_some();
+        match label.quantity {
+            Q::Rise => matches!(self.end, End::Equilibrium),
+            Q::V | Q::VX | Q::VY | Q::AngularMomentum => !plane,
+            Q::KineticEnergy | Q::Work => {
+                let steady = self.spring().is_none() && self.growths.is_empty();
+                steady && !self.is_still() && self.bodies.iter().all(|b| b.line.is_some())
+            }
+            Q::Distance
+            | Q::Impulse
+            | Q::CordTravel
+            | Q::WorkPull
+            | Q::PowerPull
+            | Q::VMax
+            | Q::DAtVMax
+            | Q::DTurn
+            | Q::KBound
+            | Q::RotationalFraction => false,
+            _ => true,
+        }
     }
     /// The coordinate that the ending event watches; the line (or turn) of the first body if the scene is an instant.
     pub fn ending_coordinate(&self) -> Coordinate {

@@ -1,4 +1,5 @@
 //! Forces that no body and no tie brings with it.
+use crate::num::Real;
 use crate::scene::{End, Num, Scene};
 
 /// A couple, of constant moment unless [`Scene::growths`] says otherwise.
@@ -21,19 +22,95 @@ pub enum GivenForce {
     Couple(usize),
 }
 
-/// A given force or couple that grows with time: `P = P_0 + c t`.
+/// What a given force or couple grows with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grows {
+    /// The time since the start.
+    Time,
+    /// The way of its point along it since the start, or the angle that its body has turned.
+    Place,
+}
+
+/// How a given force or couple grows: with a power of time or place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Law {
+    /// Of what.
+    pub with: Grows,
+    /// Twice the power, > 0.
+    pub halves: u8,
+}
+
+impl Law {
+    /// With the time, evenly.
+    pub const EVEN: Self = Self { with: Grows::Time, halves: 2 };
+    /// The power.
+    pub fn power<T: Real>(self) -> T {
+        T::of(f64::from(self.halves)).scale2(-1)
+    }
+    /// The whole part of the power, which is in the unit of the rate.
+    pub const fn whole(self) -> u8 {
+        self.halves / 2
+    }
+    /// The power of a time or place; `unit` is 1 s or 1 m, by which half a power goes.
+    pub fn of<T: Real>(self, x: T, unit: T) -> T {
+        let root = if self.halves % 2 == 1 { (x / unit).root() } else { T::of(1.0) };
+        (0..self.whole()).fold(root, |product, _| product * x)
+    }
+}
+
+/// A given force or couple that grows: `P = P_0 + c t^p`, or with place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Growth {
     /// Which.
     pub of: GivenForce,
-    /// Its growth, N/s or N m/s, >= 0.
-    pub per_second: Num,
+    /// How.
+    pub law: Law,
+    /// Its rate `c`, >= 0: N or N m, per unit of time or place to the whole part of the power.
+    pub rate: Num,
+    /// 1 s, or 1 m or rad.
+    pub unit: Num,
+}
+
+impl Growth {
+    /// Units of the rate of a pull, and of a couple, by the whole part of the power: over time, and over place.
+    pub const UNITS: [[[&str; 4]; 2]; 2] = [
+        [["N", "N/s", "N/s^2", "N/s^3"], ["N", "N/m", "N/m^2", "N/m^3"]],
+        [["N*m", "N*m/s", "N*m/s^2", "N*m/s^3"], ["N*m", "N*m/rad", "N*m/rad^2", "N*m/rad^3"]],
+    ];
+    /// Unit of the rate, SI.
+    pub fn rate_unit(&self) -> &'static str {
+        let of_couple = usize::from(matches!(self.of, GivenForce::Couple(_)));
+        let over_place = usize::from(self.law.with == Grows::Place);
+        Self::UNITS[of_couple][over_place][usize::from(self.law.whole().min(3))]
+    }
+    /// Unit of what it grows with, SI.
+    pub const fn of_unit(&self) -> &'static str {
+        match (self.law.with, self.of) {
+            (Grows::Time, _) => "s",
+            (Grows::Place, GivenForce::Pull(_)) => "m",
+            (Grows::Place, GivenForce::Couple(_)) => "rad",
+        }
+    }
 }
 
 impl Scene {
-    /// Growth of a given force or couple and the time for which it grows, where it does.
-    pub fn growth(&self, of: GivenForce) -> Option<(Num, Num)> {
-        let End::Time(_, time) = self.end else { return None };
-        self.growths.iter().find(|g| g.of == of).map(|g| (g.per_second, time))
+    /// Growth of a given force or couple, where it does.
+    pub fn growth(&self, of: GivenForce) -> Option<&Growth> {
+        self.growths.iter().find(|g| g.of == of)
+    }
+    /// How the forces grow that do; all do alike.
+    pub fn law(&self) -> Option<Law> {
+        self.growths.first().map(|g| g.law)
+    }
+    /// Does a force grow with place? The time is then no answer.
+    pub fn grows_with_place(&self) -> bool {
+        self.law().is_some_and(|law| law.with == Grows::Place)
+    }
+    /// The time or the way of the ending coordinate on which forces grow.
+    pub fn growing_for(&self) -> Option<Num> {
+        match self.end {
+            End::Time(_, x) | End::Travel(_, x) | End::Position(_, x) => Some(x),
+            _ => None,
+        }
     }
 }

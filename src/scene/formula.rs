@@ -1,7 +1,8 @@
 //! What an instructor writes as a formula: numbers of a scene that are worked out from data, and what is asked of its solution.
 use crate::num::formula::Formula;
 use crate::num::{Real, trig};
-use crate::scene::{Label, Num, Owner, Quantity, Scene, Span, Tie};
+use crate::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Span, Tie};
+use std::borrow::Cow;
 
 /// A datum in a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,15 +137,17 @@ impl Formulas {
 impl Scene {
     /// A number of the scene in doubles, as the scene takes it; NaN where there is no such datum.
     pub fn value(&self, number: Num, data: &[f64]) -> f64 {
-        let unknown = self.formulas.found.filter(|f| Num::Datum(f.unknown.datum) == number);
-        match number {
+        let mut data = Cow::Borrowed(data);
+        if let Some(found) = self.formulas.found
+            && let Some(unknown) = data.to_mut().get_mut(found.unknown.datum)
+        {
             // Anything of its range stands for what is to be found.
-            Num::Datum(_) if unknown.is_some() => {
-                unknown.map_or(f64::NAN, |f| f64::midpoint(f.range[0], f.range[1]))
-            }
+            *unknown = f64::midpoint(found.range[0], found.range[1]);
+        }
+        match number {
             Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
             Num::Fixed(x) => x,
-            Num::Derived(i) => self.formulas.numbers.get(i).map_or(f64::NAN, |n| n.value(data)),
+            Num::Derived(i) => self.formulas.numbers.get(i).map_or(f64::NAN, |n| n.value(&data)),
         }
     }
     /// Whose quantity this is; of what a formula asks of another scene, the body there.
@@ -176,6 +179,13 @@ impl Scene {
                 (AsIf::Rolls, Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. }) => {
                     Tie::Roll { body, radius_m, mu_s: None }
                 }
+                (AsIf::Smooth, Tie::Roll { body, .. })
+                    if !self.start.is_empty() && self.spins_freely(body) =>
+                {
+                    // Nothing changes its spin, and nothing else hangs on that.
+                    other.bodies[body].turns = false;
+                    Tie::Slide { body, mu_s: None, mu_k: smooth }
+                }
                 (AsIf::Smooth, Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. }) => {
                     Tie::Slip { body, radius_m, mu_s: smooth, mu_k: smooth }
                 }
@@ -188,6 +198,15 @@ impl Scene {
         other.formulas.others.clear();
         other.formulas.found = None;
         touches.then_some(other)
+    }
+    /// Would a body that rolls keep its spin on a smooth surface, whatever else happens, and is its start told without that?
+    fn spins_freely(&self, body: usize) -> bool {
+        let acts = |t: &Tie| t.actions().filter(|a| a.body == body && a.arm.is_some()).count();
+        let told = |c: &Coordinate| c.body == body && c.degree == Degree::Turn;
+        self.ties.iter().map(acts).sum::<usize>() == 1
+            && self.couples.iter().all(|c| c.body != body)
+            && !self.start_speeds().any(|(c, _)| told(&c))
+            && !matches!(self.end, End::Travel(c, _) | End::Speed(c, _) | End::Position(c, _) if told(&c))
     }
     /// The data on which a number of the scene hangs.
     pub fn data_of(&self, number: Num) -> impl Iterator<Item = usize> {

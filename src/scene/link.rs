@@ -61,6 +61,8 @@ pub enum Made {
     Teeth,
     /// A belt that runs around two wheels and does not slip.
     Belt,
+    /// Nothing: the first body rests on the second, on its rim without slip or on its axle.
+    Rests,
 }
 
 impl Cord {
@@ -80,6 +82,9 @@ pub struct CordEnd {
     pub attach: Attach,
     /// Does the cord leave forward?
     pub forward: bool,
+    /// Does it leave a fixed axle upward, or downward? To the motion `front down` is what `top forward` is: only the force of the axle
+    /// and pictures tell them apart.
+    pub upright: Option<bool>,
 }
 
 /// How a cord holds a body.

@@ -7,6 +7,7 @@
 //! are degrees in the data (they are reduced as degrees), radians in answers.
 pub mod admissible;
 pub mod ask;
+pub mod axle;
 pub mod body;
 pub mod force;
 pub mod formula;
@@ -22,12 +23,13 @@ pub mod scales;
 
 pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantities, Quantity};
+pub use axle::Aim;
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
-pub use force::{Couple, GivenForce, Growth};
+pub use force::{Couple, GivenForce, Grows, Growth, Law};
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
 pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Side, Tie};
-pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
-pub use numbers::{BodyNumbers, Numbers};
+pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
+pub use numbers::{BodyNumbers, Carried, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
 pub use planar::{Acts, Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
 pub use scales::Scales;
@@ -61,8 +63,10 @@ pub struct Scene {
     pub pushes: Vec<Push>,
     /// Springs at points of bodies that move in the plane.
     pub struts: Vec<Strut>,
-    /// What of the given forces and couples grows with time.
+    /// What of the given forces and couples grows with time or place.
     pub growths: Vec<Growth>,
+    /// What carries all of it and moves as it is told to.
+    pub carried: Option<Carrier>,
     /// How it starts; empty means at rest.
     pub start: Vec<Start>,
     /// What ends the motion.

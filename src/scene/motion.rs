@@ -1,5 +1,5 @@
 //! How a motion starts and what ends it.
-use crate::scene::{Num, Quantity, Scene, Tie};
+use crate::scene::{Num, Quantity, Scene, Slope, Tie};
 
 /// One coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,6 +38,19 @@ pub enum Start {
         /// Spin.
         spin_rad_s: Num,
     },
+}
+
+/// A belt, the bed of a truck, a lift: it carries the whole scene along a straight line, whatever that takes.
+///
+/// Ties, joints and ends count places and speeds on it. Speeds at the start and answers are those that are seen from the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Carrier {
+    /// Slope of the line, positive up or to the right.
+    pub slope: Slope,
+    /// Its speed at the start, m/s.
+    pub speed_m_s: Num,
+    /// Its acceleration, m/s^2.
+    pub acceleration_m_s2: Num,
 }
 
 /// The event that ends the motion.

@@ -4,7 +4,9 @@
 //! beyond 2^128 kg or its inverse stays: such a scene is solved in units of its own ([`crate::scene::Scales`]).
 use crate::num::dd::exponent;
 use crate::num::{Real, trig};
-use crate::scene::{Body, Mass, Num, Part, Quantity, RotaryInertia, Scene, Slope, inertia};
+use crate::scene::{
+    Body, Coordinate, Degree, Mass, Num, Part, Quantity, RotaryInertia, Scene, Slope, inertia,
+};
 use smallvec::SmallVec;
 
 /// The numbers of one body.
@@ -18,6 +20,28 @@ pub struct BodyNumbers<T> {
     pub climb: T,
     /// Cosine of the slope.
     pub level: T,
+    /// How it is carried, forward and out of its line; `None` where the scene stands on the ground.
+    pub carried: Option<[Carried<T>; 2]>,
+}
+
+/// One component of the motion of what carries a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Carried<T> {
+    /// Speed at the start, m/s.
+    pub speed: T,
+    /// Acceleration, m/s^2.
+    pub acceleration: T,
+}
+
+impl<T: Real> Carried<T> {
+    /// Speed after a time.
+    pub fn after(&self, time: T) -> T {
+        self.speed.balance(self.acceleration * time)
+    }
+    /// Way in a time.
+    pub fn way(&self, time: T) -> T {
+        (self.speed * time).balance((self.acceleration * time.square()).scale2(-1))
+    }
 }
 
 /// The numbers of a scene.
@@ -29,15 +53,22 @@ pub struct Numbers<'a, T> {
     mass_exponent: i32,
     /// Acceleration of free fall, m/s^2; 0 in a horizontal plane.
     pub gravity: T,
+    /// Acceleration of what carries the scene, to the right and up.
+    pub carried: Option<[T; 2]>,
     /// One for each body.
     pub bodies: SmallVec<[BodyNumbers<T>; 1]>,
 }
 
 impl<'a, T: Real> Numbers<'a, T> {
+    /// The same numbers of the same scene in doubles.
+    pub fn in_doubles(&self, scene: &Scene) -> Numbers<'a, f64> {
+        Numbers::new(scene, self.data)
+    }
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
         let derived = scene.formulas.numbers.iter().map(|number| number.value(data)).collect();
-        let mut n = Self { data, derived, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
+        let (gravity, bodies) = (T::zero(), SmallVec::new());
+        let mut n = Self { data, derived, mass_exponent: 0, gravity, carried: None, bodies };
         n.gravity = n.get(scene.gravity_m_s2);
         let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = first.map_or(0, exponent);
@@ -46,24 +77,40 @@ impl<'a, T: Real> Numbers<'a, T> {
         }
         // Bodies on one incline share its sine and cosine.
         let mut known: Option<(Num, T, T)> = None;
+        let mut direction = |n: &Self, slope: Option<Slope>| match slope {
+            None => (T::zero(), T::zero()),
+            Some(Slope::Level) => (T::zero(), T::of(1.0)),
+            Some(Slope::Vertical) => (T::of(1.0), T::zero()),
+            Some(Slope::Degrees(angle)) => match known {
+                Some((a, s, c)) if a == angle => (s, c),
+                _ => {
+                    let (s, c) = trig::sin_cos_of_degrees(n.get(angle));
+                    known = Some((angle, s, c));
+                    (s, c)
+                }
+            },
+        };
+        let carrier = scene.carried.map(|c| (c, direction(&n, Some(c.slope))));
+        n.carried = carrier.map(|(c, (s, level))| [level, s].map(|x| x * n.get(c.acceleration_m_s2)));
         for b in &scene.bodies {
             let mass = n.mass_of(b, &b.mass);
             let inertia = n.inertia_of(b, mass);
-            let (sine, cosine) = match b.line.map(|l| l.slope) {
-                None => (T::zero(), T::zero()),
-                Some(Slope::Level) => (T::zero(), T::of(1.0)),
-                Some(Slope::Vertical) => (T::of(1.0), T::zero()),
-                Some(Slope::Degrees(angle)) => match known {
-                    Some((a, s, c)) if a == angle => (s, c),
-                    _ => {
-                        let (s, c) = trig::sin_cos_of_degrees(n.get(angle));
-                        known = Some((angle, s, c));
-                        (s, c)
-                    }
-                },
-            };
-            let climb = if b.line.is_some_and(|l| l.forward_up) { sine } else { -sine };
-            n.bodies.push(BodyNumbers { mass, inertia, climb, level: cosine });
+            let slope = b.line.map(|l| l.slope);
+            let (sine, cosine) = direction(&n, slope);
+            let up = b.line.is_some_and(|l| l.forward_up);
+            let climb = if up { sine } else { -sine };
+            let carried = carrier.map(|(c, (s, level))| {
+                let (along, out) = if slope == Some(c.slope) {
+                    (T::of(1.0), T::zero())
+                } else {
+                    (level * cosine + s * sine, s * cosine - level * sine)
+                };
+                [along.signed(if up { 1.0 } else { -1.0 }), out].map(|share| Carried {
+                    speed: share * n.get(c.speed_m_s),
+                    acceleration: share * n.get(c.acceleration_m_s2),
+                })
+            });
+            n.bodies.push(BodyNumbers { mass, inertia, climb, level: cosine, carried });
         }
         if scene.lies_level() {
             n.gravity = T::zero();
@@ -78,6 +125,14 @@ impl<'a, T: Real> Numbers<'a, T> {
             Num::Datum(i) => T::given(i, self.data.get(i).copied().unwrap_or(f64::NAN)),
             Num::Fixed(x) => T::datum(x),
             Num::Derived(i) => self.derived.get(i).copied().unwrap_or_else(|| T::of(f64::NAN)),
+        }
+    }
+
+    /// A speed or spin that the start gives, counted on what carries the scene.
+    pub fn start(&self, c: Coordinate, given: Num) -> T {
+        match (c.degree, self.bodies[c.body].carried) {
+            (Degree::Along, Some([forward, _])) => self.get(given).apart(forward.speed),
+            _ => self.get(given),
         }
     }
 

@@ -8,9 +8,9 @@
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
-use crate::num::{Jet, Real, trig};
+use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::{
-    Branch, Coordinate, Degree, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
+    Branch, Coordinate, Degree, End, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
     Surface,
 };
 use smallvec::{SmallVec, smallvec};
@@ -104,6 +104,13 @@ fn across<T: Real, X: Followed<T>>(direction: [T; 2], axis: [X; 2], at: [T; 2]) 
 /// Do two lines never meet?
 fn parallel<T: Real>(one: [T; 2], other: [T; 2]) -> bool {
     (one[0] * other[1] - one[1] * other[0]).size() < LEVEL
+}
+/// What is left of the square over the long side of a right triangle; nothing where the triangle has folded up, as far as the
+/// rounding of printed lengths lets it be seen: there it could open to either side, and it has no rate.
+fn open<T: Real, X: Followed<T>>(long: X, leg: X) -> X {
+    let left = long - leg;
+    let folded = left.here().size() <= 8.0 * U * long.here().size();
+    if folded { X::still(T::zero()) } else { left }
 }
 /// A vector a quarter turn to the left.
 fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
@@ -210,6 +217,8 @@ pub struct Layout<'a, T: Real> {
     starts: SmallVec<[T; 4]>,
     /// The cylinder on which the leading body moves.
     arc: Option<Arc<T>>,
+    /// Where an instant is asked and two guides carry the leading body along without a turn: their direction.
+    glide: Option<[T; 2]>,
     /// How the bodies are placed on the way, one after the other; `None` if the joints do not place all.
     steps: Option<Steps<T>>,
 }
@@ -258,6 +267,8 @@ enum Step<T> {
     Wheel(Track<T>, T),
     /// It leads about a point.
     Leads(Held<T>),
+    /// It leads by its way along two guides, from this place in this direction.
+    Glides([T; 2], [T; 2]),
     /// It leads in two guides.
     Slides([Guided<T>; 2]),
     /// It leads in a guide along which nothing moves its mass centre, which is so far along its axis: from so far along the guide.
@@ -368,6 +379,7 @@ impl<'a, T: Real> Layout<'a, T> {
             pushes: scene.pushes.iter().map(|p| direction(n, p.direction_deg)).collect(),
             starts: scene.joints.iter().map(|_| T::zero()).collect(),
             arc,
+            glide: None,
             steps: None,
         };
         if scene.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { rolls: true, .. })) {
@@ -379,12 +391,32 @@ impl<'a, T: Real> Layout<'a, T> {
                 }
             }
         }
+        layout.glide = layout.carried();
         layout.steps = layout.planned(false);
         Some(layout)
     }
     /// The leading body's cylinder.
     pub const fn arc(&self) -> Option<&Arc<T>> {
         self.arc.as_ref()
+    }
+    /// The direction in which two guides carry the leading body: what leads is then its way in it, m.
+    pub const fn glide(&self) -> Option<[T; 2]> {
+        self.glide
+    }
+    fn carried(&self) -> Option<[T; 2]> {
+        self.scene.planar(self.lead)?.origin_m?;
+        let placed = smallvec![false; self.scene.bodies.len()];
+        let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
+        let mut lines =
+            self.scene.joints.iter().zip(&self.lines).filter_map(|(joint, line)| match joint.kind {
+                JointKind::Guide { at, .. } if at.body == self.lead => Some(*line),
+                _ => None,
+            });
+        let (first, second) = (lines.next()?, lines.next()?);
+        let free = held.is_none() && self.arc.is_none() && self.scene.driven().is_none();
+        let along = parallel(first, second) && lines.all(|line| parallel(first, line));
+        let instant = matches!(self.scene.end, End::AtOnce);
+        (free && along && instant).then(|| first.map(|x| x.signed(upward(first))))
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
@@ -404,6 +436,39 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         })
     }
+    /// The way in this sense, looked for up to `far`, on which a torsion spring comes to be wound by half a turn.
+    pub fn overwinds(&self, strut: &Strut, relaxed: [T; 2], sense: f64, (far, step): (T, T)) -> Option<T> {
+        let turned = |way: T| {
+            let [c, s] = self.poses::<T>(way.signed(sense), false)?[strut.at.body].axis;
+            Some((relaxed[0] * s - relaxed[1] * c, dot(relaxed, [c, s])))
+        };
+        let found = root::changes((far, step), &|way| turned(way).map(|(sine, _)| sine).ok_or(())).ok()?;
+        found.into_iter().find(|way| turned(*way).is_some_and(|(_, cosine)| cosine.sign() < 0.0))
+    }
+    /// Do two hinged rods lie in one line after this way, or a rod across its guide, where they could go on in two ways?
+    pub fn in_line(&self, way: T) -> bool {
+        const SINE: f64 = 1e-4;
+        let Some(poses) = self.poses::<T>(way, false) else { return false };
+        let place = |held: &Held<T>| match held.place {
+            Known::Fixed(place) => place,
+            Known::Of(body, at) => poses[body].point(at),
+        };
+        let sine = |one: [T; 2], other: [T; 2]| {
+            let size = (dot(one, one) * dot(other, other)).root();
+            ((one[0] * other[1] - one[1] * other[0]) / size).size()
+        };
+        self.steps.iter().flatten().any(|(body, step)| match step {
+            Step::Pair(held, _, far, [own, _], _) => {
+                let hinge = poses[*body].point(plus(held.at, *own));
+                sine(less(hinge, place(held)), less(place(far), hinge)) < SINE
+            }
+            Step::Rod(held, guide, _) => {
+                let along = less(poses[*body].point(guide.at), place(held));
+                sine(along, left(guide.unit)) < SINE
+            }
+            _ => false,
+        })
+    }
     /// Rate of the leading angle at the start: a spin is that of its body, a speed that of its mass centre, positive where the
     /// leading angle grows. `None` where what has it does not move with that angle.
     pub fn start_rate(&self) -> Option<T> {
@@ -411,7 +476,7 @@ impl<'a, T: Real> Layout<'a, T> {
             return Some(T::zero());
         };
         let given = self.n.get(number);
-        if degree == Degree::Turn && body == self.lead {
+        if degree == Degree::Turn && body == self.lead && self.glide.is_none() {
             return Some(given / self.ratio());
         }
         let (poses, planar) = (self.poses::<Jet<T>>(T::zero(), false)?, self.scene.planar(body)?);
@@ -520,6 +585,13 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(lead()?, track.at, centre)
             }
             Step::Leads(held) => Pose::through(lead()?, held.at, place(held, poses)),
+            Step::Glides(from, unit) => {
+                let ahead = X::with(way, || [T::of(1.0), T::zero()]);
+                Pose {
+                    origin: plus(fixed(*from), along_unit(*unit, ahead)),
+                    axis: self.axis(T::zero(), T::zero())?,
+                }
+            }
             Step::Slides([one, other]) => {
                 // origin + s axis lies on each line: two equations for the origin.
                 let axis = lead()?;
@@ -562,7 +634,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
                 let (reach, normal) = (reach(apart), left(guide.unit));
                 let across = component(less(fixed(guide.through), place), normal).by(T::of(1.0) / reach);
-                let ahead = (X::still(T::of(1.0)) - across * across).square_root();
+                let ahead = open(X::still(T::of(1.0)), across * across).square_root();
                 let ahead = ahead.by(T::of(*branch).signed(reach.sign()));
                 let along = plus(along_unit(normal, across), along_unit(guide.unit, ahead));
                 Pose::through(axis_of(along, apart), held.at, place)
@@ -574,7 +646,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let square = dot(apart, apart);
                 let ahead = (square + X::still(first.square() - second.square())) / square;
                 let ahead = ahead.by(T::of(0.5));
-                let across = (X::still(first.square()) / square - ahead * ahead).square_root();
+                let across = open(X::still(first.square()) / square, ahead * ahead).square_root();
                 let joint = plus(scaled(apart, ahead), scaled(left(apart), across.by(T::of(*branch))));
                 let one = axis_of(times(joint, T::of(1.0) / first), *own);
                 let two = axis_of(times(less(joint, apart), T::of(1.0) / second), *other_own);
@@ -697,6 +769,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                     let centre = self::along(layout.n, planar.centre);
                     Step::Drops(guide, centre, from(guide.through, guide.unit))
                 }
+                (None, _, _, Some(place)) if layout.glide.is_some() => Step::Glides(place, layout.glide?),
                 (None, _, _, Some(place)) if self.at_start => {
                     Step::Leads(Held { at: [T::zero(); 2], place: Known::Fixed(place) })
                 }

@@ -4,8 +4,8 @@
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, GivenForce, JointKind, Label, Mass, Num, Owner, Pin, Place,
-    Rest, RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
+    Arm, Attach, Body, CordEnd, Degree, End, Far, JointKind, Label, Mass, Num, Owner, Pin, Place, Rest,
+    RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -38,8 +38,14 @@ impl Scales {
             "rad/s^2" => [0, 0, -2],
             "N" => [1, 1, -2],
             "N/m" => [1, 0, -2],
+            "N/m^2" => [1, -1, -2],
+            "N/m^3" => [1, -2, -2],
             "N/s" => [1, 1, -3],
-            "N*m" | "N*m/rad" | "J" => [1, 2, -2],
+            "N/s^2" => [1, 1, -4],
+            "N/s^3" => [1, 1, -5],
+            "N*m/s^2" => [1, 2, -4],
+            "N*m/s^3" => [1, 2, -5],
+            "N*m" | "N*m/rad" | "N*m/rad^2" | "N*m/rad^3" | "J" => [1, 2, -2],
             "N*m/s" | "W" => [1, 2, -3],
             "kg*m^2" => [1, 2, 0],
             "kg*m^2/s" => [1, 2, -1],
@@ -234,8 +240,9 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         }
     }
     for growth in &mut scene.growths {
-        let unit = if matches!(growth.of, GivenForce::Pull(_)) { "N/s" } else { "N*m/s" };
-        tell(&mut growth.per_second, unit);
+        let units = (growth.rate_unit(), growth.of_unit());
+        tell(&mut growth.rate, units.0);
+        tell(&mut growth.unit, units.1);
     }
     for start in &mut scene.start {
         match start {
@@ -245,6 +252,13 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
                 tell(vy_m_s, "m/s");
                 tell(spin_rad_s, "rad/s");
             }
+        }
+    }
+    if let Some(carrier) = &mut scene.carried {
+        tell(&mut carrier.speed_m_s, "m/s");
+        tell(&mut carrier.acceleration_m_s2, "m/s^2");
+        if let Slope::Degrees(angle) = &mut carrier.slope {
+            tell(angle, "1");
         }
     }
     match &mut scene.end {

@@ -1,17 +1,18 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Label, Made, Num, Owner, Quantity, Span, Tie};
+use crate::scene::{
+    Coordinate, Degree, End, Far, GivenForce, Label, Law, Made, Num, Owner, Quantity, Span, Tie,
+};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
     square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{Action, BodyTerms, ForceKind, ForceSource, Terms, mark_of, tagged};
-use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -85,6 +86,8 @@ pub struct Account<'d, 'a> {
     pub grown: Vec<GrownForce>,
     /// See [`Self::grown`].
     pub first_rate: Option<SymbolId>,
+    /// Does it turn back under such forces?
+    pub turns_back: bool,
     /// Velocity of the point of contact at the start, of a body thrown with slip.
     pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
@@ -124,6 +127,10 @@ const fn names_of(quantity: Quantity) -> [&'static str; 2] {
         Quantity::DTurn => [r"D_{\mathrm{t}}", r"d_{\mathrm{t}}"],
         Quantity::OmegaSmall => [r"\Omega", r"\omega_s"],
         Quantity::PeriodSmall => [r"\tau_0", r"\tau_s"],
+        Quantity::PinX => ["O_x", "R_x"],
+        Quantity::PinY => ["O_y", "R_y"],
+        Quantity::PinForce => ["O", "F_O"],
+        Quantity::PinAngle => [r"\psi", r"\chi"],
         _ => ["Z", "Y"],
     }
 }
@@ -187,18 +194,7 @@ fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
 
-impl<'d, 'a> Deref for Account<'d, 'a> {
-    type Target = Page<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.page
-    }
-}
-
-impl DerefMut for Account<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.page
-    }
-}
+stands_on!(Account.page: Page<'d, 'a>);
 
 impl<'d, 'a> Account<'d, 'a> {
     /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
@@ -206,8 +202,11 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// What is not covered.
     pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
-        if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made != Made::Cord)) {
-            return beyond(Beyond::Mesh);
+        if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made == Made::Rests)) {
+            return beyond(Beyond::Resting);
+        }
+        if draft.scene.law().is_some_and(|law| law != Law::EVEN) {
+            return beyond(Beyond::GrowingForce);
         }
         let m = Terms::new(draft, rolled);
         let mut this = Self {
@@ -224,6 +223,7 @@ impl<'d, 'a> Account<'d, 'a> {
             last: ZERO,
             grown: Vec::new(),
             first_rate: None,
+            turns_back: false,
             slip: None,
             rolled,
             known: Vec::new(),
@@ -266,7 +266,7 @@ impl<'d, 'a> Account<'d, 'a> {
             else {
                 continue;
             };
-            let (t, per) = (self.number(t, "t", "s"), self.number(growth.per_second, "c", "N/s"));
+            let (t, per) = (self.number(t, "t", "s"), self.number(growth.rate, "c", "N/s"));
             let name =
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
             let name = marked(&name, "1");
@@ -290,13 +290,14 @@ impl<'d, 'a> Account<'d, 'a> {
         let per = self.drive.over(&self.effective);
         self.found(a_label, a, per);
         let end = &self.v0 + ratio(1, 2) * (start + a) * t;
-        // It may not turn back on its way: distances would not be displacements.
+        // Where it turns back on its way distances are not displacements.
         let (from, one, two) = (self.value(&self.v0), self.symbols.value(start), self.symbols.value(a));
         let least = if one * two < 0.0 { from + 0.5 * one * self.value(t) * one / (one - two) } else { from };
         let last = self.value(&end);
-        if !self.m.one || least * last < 0.0 || (from == 0.0 && one * last < 0.0) {
+        if !self.m.one {
             return beyond(Beyond::GrowingForce);
         }
+        self.turns_back = least * last < 0.0 || (from == 0.0 && one * last < 0.0);
         self.sense = last.signum();
         let end = self.positive(&end);
         self.found(v_label, v, end);
@@ -335,7 +336,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for (i, action) in actions.iter().enumerate() {
             let ForceSource::Tie(tie) = action.source else { continue };
             let is = self.magnitude(&self.m.point(action)).expr();
-            if is.uses().len() < 2 || self.value(&is) == 0.0 {
+            if is == ONE || self.value(&is) == 0.0 {
                 continue;
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
@@ -1032,6 +1033,11 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
         }
+        // The force between two rims is asked as a magnitude.
+        if let (Quantity::RimForce, Owner::Tie(tie)) = (label.quantity, label.of) {
+            let force = self.get(of_tie(Quantity::Tension, tie))?;
+            return Ok(self.sized(force));
+        }
         let body = match label.of {
             Owner::Body(b) => b,
             _ => self.lead().body,
@@ -1149,8 +1155,44 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label.quantity),
             Quantity::DTurn => self.turning(),
+            Quantity::PinX | Quantity::PinY | Quantity::PinForce | Quantity::PinAngle => {
+                self.axle(label.quantity, body)
+            }
             other => beyond(Beyond::Quantity(other)),
         }
+    }
+
+    /// The force of a fixed axle: what weight and cords leave of a sum of nothing.
+    fn axle(&mut self, quantity: Quantity, body: usize) -> Result<Expr, DerivationStop> {
+        let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
+        if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
+            let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
+            let force = root(square(x) + square(y));
+            return Ok(match quantity {
+                Quantity::PinForce => force,
+                _ => in_sense(arc_cosine(x / force), self.symbols.value(y)),
+            });
+        }
+        let upright = quantity == Quantity::PinY;
+        let mut terms = Vec::new();
+        if upright {
+            terms.push(self.m.parts[body].mass.expr() * &self.m.g);
+        }
+        for (tie, aim) in pulls {
+            let share = self.m.component(self.page.draft, aim, upright);
+            if share.is_zero() {
+                continue;
+            }
+            let given = matches!(&self.scene.ties[tie], Tie::Cord(c) if matches!(c.to, Far::Pull(_)));
+            let own =
+                self.m.actions.iter().find(|a| a.source == ForceSource::Tie(tie)).map(|a| a.force.clone());
+            let force = match own.filter(|_| given) {
+                Some(force) => force,
+                None => self.get(of_tie(Quantity::Tension, tie))?.into(),
+            };
+            terms.push(force.by(share.opposite()));
+        }
+        Ok(positive_first(terms))
     }
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
@@ -1192,6 +1234,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance or angle of a coordinate, a magnitude.
     fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if self.turns_back {
+            return beyond(Beyond::GrowingForce);
+        }
         if self.own(c) { self.since_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
     }
 
@@ -1316,7 +1361,13 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
-            _ => self.turning_or_slack()?.0,
+            _ => match self.turning_or_slack()? {
+                (far, true) => far,
+                (far, false) => {
+                    let size = self.get(of_body(Quantity::DTurn, self.lead().body))?;
+                    in_sense(size.into(), self.value(&far))
+                }
+            },
         };
         let first = self.friction_at(body, &ZERO, "0")?;
         let last = if far == self.s {
@@ -1465,6 +1516,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.loose(action.body) {
             let way = self.pulled(&action, true)?;
             return Ok(self.positive(&way));
+        }
+        if self.turns_back {
+            return beyond(Beyond::GrowingForce);
         }
         Ok(self.distance().by(self.magnitude(&self.point(&action))))
     }

@@ -5,12 +5,15 @@ use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Given, Label, Owner, Scene, Term};
 use crate::solution::derive;
-use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
-use crate::solution::expr::{Expr, SymbolId, cosine, magnitude, number, power, root, sine};
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{
+    Expr, SymbolId, cosine, magnitude, number, power, product, root, sine, square, sum,
+};
+use crate::solution::factors::Cancel;
 use crate::solution::narrate;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
+use crate::solution::symbols::{Symbols, tex_digits};
 use crate::words::Words;
 
 /// Steps of a search for a datum: so many places of its range, then halvings.
@@ -216,15 +219,77 @@ pub fn not_given(draft: &mut Draft) {
         && let Expr::Symbol(measured) = page.number(crate::scene::Num::Datum(found.measured.datum), "x", "1")
         && let Some(DerivedAnswer::Value(forward)) = page.found_for(found.label)
     {
-        let digits = page.digits(page.symbols.value(unknown), FIGURES);
-        let unit = tex_of(&page.problem.data[datum].unit.dimension().to_string());
-        let value = format!("${} = {digits}\\ {unit}$", page.symbols.tex(unknown));
         let (name, told) = (page.names(&[unknown]), page.shown(measured));
-        let equation = format!("${} = {}$", page.symbols.tex(forward), page.symbols.tex(measured));
-        let pieces = [("name", &*name), ("measured", &told), ("equation", &equation), ("value", &value)];
-        page.say("asked.unknown", &pieces);
+        let equation = page.stated(forward, &measured.into());
+        page.say("asked.unknown", &[("name", &*name), ("measured", &told), ("equation", &equation)]);
+        match backward(&page, forward, measured, unknown) {
+            Some(lines) => {
+                page.say("asked.backward", &[]);
+                let lines: Vec<String> = lines.iter().map(|(symbol, is)| page.chain(*symbol, is)).collect();
+                page.formulas(lines);
+            }
+            None => page.say("asked.halved", &[("value", &page.shown(unknown))]),
+        }
     }
     page.end();
+}
+
+/// From what was measured back to what is to be found: each quantity on the way, solved for by the one before; `None` where it
+/// stands in several places or not linearly.
+fn backward(
+    page: &Page,
+    forward: SymbolId,
+    measured: SymbolId,
+    unknown: SymbolId,
+) -> Option<Vec<(SymbolId, Expr)>> {
+    let from = |symbol: SymbolId| {
+        let is = &page.draft.steps.iter().find(|s| s.symbol == symbol)?.from;
+        (*is != Expr::Symbol(symbol)).then_some(is)
+    };
+    let hangs = |symbol: SymbolId| {
+        let all = page.draft.steps.iter().rev().fold(Expr::from(symbol), |all, s| all.put(s.symbol, &s.from));
+        all.uses().contains(&unknown)
+    };
+    let (mut lines, mut known, mut at) = (Vec::new(), measured, forward);
+    while at != unknown {
+        let right = from(at)?;
+        let mut open = right.uses().into_iter().filter(|s| hangs(*s));
+        let next = open.next().filter(|_| open.next().is_none())?;
+        lines.push((next, inverse(page, known.into(), right, next)?));
+        (known, at) = (next, next);
+    }
+    Some(lines)
+}
+
+/// `left = right`, solved for a symbol on the right.
+fn inverse(page: &Page, left: Expr, right: &Expr, symbol: SymbolId) -> Option<Expr> {
+    let holds = |e: &&Expr| e.uses().contains(&symbol);
+    let rest = |parts: &[Expr]| parts.iter().filter(|e| !holds(e)).cloned().collect::<Vec<_>>();
+    let only = |parts: &[Expr]| {
+        let mut own = parts.iter().filter(holds);
+        own.next().filter(|_| own.next().is_none()).cloned()
+    };
+    let spread = |e: &Expr| {
+        let terms = if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
+        sum(terms.iter().flat_map(|t| t.factors().spread(symbol)).map(|t| t.expr()).collect::<Vec<_>>())
+    };
+    match right {
+        Expr::Symbol(_) => Some(left),
+        Expr::Minus(inner) => inverse(page, -left, inner, symbol),
+        Expr::Root(inner) => inverse(page, square(left), inner, symbol),
+        Expr::Power(base, 2) if page.value(base) >= 0.0 => inverse(page, root(left), base, symbol),
+        Expr::Product(parts) => inverse(page, left.over(product(rest(parts))), &only(parts)?, symbol),
+        Expr::Sum(parts) => match only(parts) {
+            Some(own) => inverse(page, left - sum(rest(parts)), &own, symbol),
+            None => page.isolated(&(left, spread(right)), symbol),
+        },
+        Expr::Quotient(over, under) => match [over, under].map(|e| holds(&&**e)) {
+            [true, false] => inverse(page, left.by(&**under), over, symbol),
+            [false, true] => inverse(page, over.over(&left), under, symbol),
+            _ => page.isolated(&(spread(&left.by(&**under)), spread(over)), symbol),
+        },
+        _ => None,
+    }
 }
 
 /// The mark of symbols of another scene.

@@ -9,6 +9,7 @@ use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
 use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
+use crate::solution::page::Step;
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::text::SolutionSection;
 use crate::solve::outcome::Word;
@@ -80,6 +81,12 @@ pub struct Draft<'a> {
     told: Vec<String>,
     /// Data that are `any`, each with the value that was chosen.
     pub chosen: Vec<SymbolId>,
+    /// What was found, in order, once all sections are written.
+    pub steps: Vec<Step>,
+    /// Value of the datum that is to be found.
+    pub unknown: Option<f64>,
+    /// How far from the asked angle, degrees, where that is one that varies, even if it is 0.
+    pub varies: Option<f64>,
     /// What the contacts are taken as, where another scene is worked.
     pub as_if: Option<AsIf>,
     /// Constants of the bank that were given a symbol: value (bits) and symbol.
@@ -119,6 +126,9 @@ impl<'a> Draft<'a> {
             data: vec![None; problem.data.len()],
             told: Vec::new(),
             chosen: Vec::new(),
+            steps: Vec::new(),
+            unknown,
+            varies: None,
             as_if: None,
             constants: Vec::new(),
         };

@@ -288,6 +288,40 @@ impl Expr {
         }
     }
 
+    /// Its derivative by an angle in radians, where the symbol that holds this angle changes by `per`: an angle in degrees by
+    /// `180/pi`, within sines and cosines by 1.
+    pub fn slope(&self, by: SymbolId, per: &Self) -> Self {
+        let of = |e: &Self| e.slope(by, per);
+        match self {
+            Self::Symbol(s) if *s == by => per.clone(),
+            Self::Number(..) | Self::Symbol(_) => ZERO,
+            Self::Minus(inner) => minus(of(inner)),
+            Self::Sum(terms) => sum(terms.iter().map(of)),
+            Self::Product(factors) => sum((0..factors.len()).map(|i| {
+                let mut each = factors.clone();
+                each[i] = of(&factors[i]);
+                product(each)
+            })),
+            Self::Quotient(over, under) => {
+                let fixed = quotient(of(over), (**under).clone());
+                sum([fixed, minus(product([quotient(self.clone(), (**under).clone()), of(under)]))])
+            }
+            Self::Power(base, n) => {
+                product([number(i64::from(*n)), power((**base).clone(), n - 1), of(base)])
+            }
+            Self::Root(inner) => quotient(of(inner), product([number(2), self.clone()])),
+            Self::Of(Function::Sine, inner) => product([cosine(&**inner), inner.slope(by, &ONE)]),
+            Self::Of(Function::Cosine, inner) => minus(product([sine(&**inner), inner.slope(by, &ONE)])),
+            Self::Of(Function::Magnitude, inner) => {
+                product([quotient(self.clone(), (**inner).clone()), of(inner)])
+            }
+            Self::Of(Function::ArcCosine, inner) => {
+                let under = root(sum([ONE, minus(power((**inner).clone(), 2))]));
+                minus(quotient(of(inner), under))
+            }
+        }
+    }
+
     /// The expressions that it is made of.
     pub fn parts(&self) -> Vec<&Self> {
         match self {

@@ -160,6 +160,13 @@ impl Factors {
         };
         outside.times(Self::of(&both))
     }
+    /// Multiplied out where a factor is a sum that holds this symbol.
+    pub fn spread(&self, symbol: SymbolId) -> Vec<Self> {
+        let holds = |f: &&Expr| matches!(f, Expr::Sum(_)) && f.uses().contains(&symbol);
+        let Some(factor) = self.over.iter().find(holds) else { return vec![self.clone()] };
+        let rest = self.per(factor);
+        factor.parts().into_iter().flat_map(|term| rest.times(term).spread(symbol)).collect()
+    }
     /// As an expression: powers collected.
     pub fn expr(&self) -> Expr {
         if self.is_zero() {

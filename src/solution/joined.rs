@@ -11,14 +11,16 @@ use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
 use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::terms::tagged;
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
-use std::ops::{Deref, DerefMut};
 
 /// The conditions of the joints are written out where there are no more of them.
 const FEW: usize = 4;
 /// Step in degrees in which a way is looked over.
 const LOOK: f64 = 0.25;
+/// Up to this share numerical derivatives have to give what the equations do.
+const DIFFERENCES_REL: f64 = 1e-6;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
 
@@ -32,17 +34,7 @@ pub struct Joined<'d, 'a> {
     inertia: Sum,
 }
 
-impl<'d, 'a> Deref for Joined<'d, 'a> {
-    type Target = Plane<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.t
-    }
-}
-impl DerefMut for Joined<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.t
-    }
-}
+stands_on!(Joined.t: Plane<'d, 'a>);
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     fn idea(&mut self) {
@@ -100,8 +92,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
         } else {
-            self.energy()?;
-            self.motion("long", "long_motion")?;
+            let titles = if self.leaves().is_some() {
+                ["first_energy", "then_motion"]
+            } else {
+                ["short_energy", "long_motion"]
+            };
+            self.energy(titles[0])?;
+            self.motion("long", titles[1])?;
             self.why();
         }
         Ok(())
@@ -121,15 +118,22 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         if asked.is_empty() {
             return Ok(());
         }
-        self.eliminate();
+        let told = if self.single() { None } else { self.by_rate(&asked) };
+        if told.is_none() || asked.len() > 1 {
+            self.eliminate();
+        }
         let mut values: Vec<SymbolId> = Vec::new();
         for label in asked {
             // Components come before what they give.
-            let parts = if label.quantity == Q::PinForce { &[Q::PinX, Q::PinY][..] } else { &[] };
+            let parts = if matches!(label.quantity, Q::PinForce | Q::PinAngle) {
+                &[Q::PinX, Q::PinY][..]
+            } else {
+                &[]
+            };
             for quantity in parts.iter().copied().chain([label.quantity]) {
                 let symbol = self.t.get(Label { quantity, ..label })?;
                 self.t.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
-                if !values.contains(&symbol) {
+                if !values.contains(&symbol) && told != Some(symbol) {
                     values.push(symbol);
                 }
             }
@@ -147,20 +151,19 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         }
     }
     fn holds(&mut self) -> Result<(), DerivationStop> {
-        if let Some(pivot) = self.t.pivot.clone().filter(|_| !self.t.scene.is_still()) {
-            self.gets_there(&pivot);
+        if self.t.pivot.is_some() && !self.t.scene.is_still() {
+            self.gets_there();
         }
         let scene = self.t.scene;
         let (mut pressed, mut taut) = (Vec::new(), Vec::new());
         for (j, joint) in scene.joints.iter().enumerate() {
-            let leaves = matches!(scene.end, End::Leaves(l) if l == j);
             let (quantity, list) = match joint.kind {
                 JointKind::Cord { .. } => (Quantity::Tension, &mut taut),
                 kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
                 _ => continue,
             };
             let Some(force) = self.t.of_joint(quantity, j) else { continue };
-            if leaves {
+            if self.leaves() == Some(j) {
                 // The place is that of the key: there the force has to vanish.
                 let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
                 if self.t.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
@@ -230,6 +233,10 @@ impl<'d, 'a> Joined<'d, 'a> {
     }
     fn instant(&self) -> bool {
         self.t.scene.end == End::AtOnce
+    }
+    /// The joint whose contact ends the motion.
+    fn leaves(&self) -> Option<usize> {
+        if let End::Leaves(joint) = self.t.scene.end { Some(joint) } else { None }
     }
     fn rubs(&self) -> bool {
         !self.t.frictions.is_empty()
@@ -313,6 +320,19 @@ impl<'d, 'a> Joined<'d, 'a> {
         self.inertia = Sum::one(pivot.about);
     }
 
+    /// The ratios of the angular velocities.
+    fn ratios(&mut self) {
+        let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
+        if ratios.is_empty() {
+            return;
+        }
+        self.say("joined.ratios", &[("rate", &self.t.names(&[self.t.rate]))]);
+        self.t.tell(ratios.clone());
+        if ratios.iter().any(|s| self.t.symbols.value(*s) < 0.0) {
+            self.say("joined.ratios_signs", &[]);
+        }
+    }
+
     /// The speeds of the mass centres and the inertia of the motion.
     fn kinetic(&mut self) {
         if let Some(pivot) = self.t.pivot.clone() {
@@ -321,15 +341,10 @@ impl<'d, 'a> Joined<'d, 'a> {
             }
             return;
         }
-        let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
-        let rate = self.t.names(&[self.t.rate]);
-        if !ratios.is_empty() {
-            self.say("joined.ratios", &[("rate", &rate)]);
-            self.t.tell(ratios);
-        }
+        self.ratios();
         let before = self.t.steps.len();
         let speeds = self.t.speeds();
-        self.inertia = self.t.inertia(&speeds);
+        self.inertia = self.t.inertia(END, &speeds);
         let moving: Vec<String> = (0..speeds.len())
             .filter(|b| speeds[*b] != ZERO)
             .map(|b| {
@@ -366,8 +381,8 @@ impl<'d, 'a> Joined<'d, 'a> {
         self.t.j.map_or_else(|| self.inertia.expr(), Expr::from)
     }
 
-    fn energy(&mut self) -> Result<(), DerivationStop> {
-        self.t.begin_as("short", "short_energy");
+    fn energy(&mut self, title: &str) -> Result<(), DerivationStop> {
+        self.t.begin_as("short", title);
         self.places();
         self.kinetic();
         let [placed, acted] = self.t.steps_of;
@@ -469,7 +484,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             return Err(Beyond::Unfound.into());
         }
         self.t.display(rate, &is, r" \quad (\mathrm{E})");
-        if self.single() && self.t.sense < 0.0 && self.t.bodies[0].omega == Some(rate) {
+        if self.t.sense < 0.0 {
             self.say("pinned.magnitude", &[("omega", &self.t.names(&[rate]))]);
         }
         Ok(())
@@ -490,9 +505,16 @@ impl<'d, 'a> Joined<'d, 'a> {
             j
         } else {
             let symbol = self.t.named(&["J_0", "J_a"], "kg m^2");
-            self.t.symbols.settle(symbol, value, 0.0);
-            let shown = self.t.shown(symbol);
-            self.say("joined.first", &[("inertia", &shown)]);
+            let is = self.t.inertia(START, &[]).expr();
+            if width(&self.t.tex(&is)) <= LINE - 20.0 {
+                self.t.page.step(symbol, is);
+                self.say("joined.first", &[("inertia", &self.t.names(&[symbol]))]);
+                self.t.tell([symbol]);
+            } else {
+                self.t.symbols.settle(symbol, value, 0.0);
+                let shown = self.t.shown(symbol);
+                self.say("joined.first", &[("inertia", &shown)]);
+            }
             symbol.into()
         };
         ratio(1, 2).by(&j).by(square(&self.t.first))
@@ -545,15 +567,16 @@ impl<'d, 'a> Joined<'d, 'a> {
         if !small {
             return Ok(());
         }
-        let Some(stiffness) = self.t.stiffness() else { return Err(Beyond::Mechanism.into()) };
+        let Some(k) = self.t.stiffness() else { return Err(Beyond::Mechanism.into()) };
         self.t.begin("swings");
         self.t.skip_new();
         self.kinetic();
-        let k = self.t.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
-        self.t.symbols.settle(k, stiffness, 0.0);
-        self.t.k = Some(k);
-        let shown = self.t.shown(k);
-        self.say("joined.small", &[("k", &shown)]);
+        let fits = width(&self.t.step_of(k)) <= LINE;
+        let shown = if fits && self.single() { self.t.names(&[k]) } else { self.t.shown(k) };
+        self.say(if self.single() { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
+        if fits && self.single() {
+            self.t.tell([k]);
+        }
         self.t.skip_new();
         for label in self.t.labels() {
             if matches!(label.quantity, Quantity::OmegaSmall | Quantity::PeriodSmall) {
@@ -587,11 +610,8 @@ impl<'d, 'a> Joined<'d, 'a> {
                 let value = self.key_rate();
                 self.t.symbols.settle(rate, value, 0.0);
             }
-            let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
-            if !ratios.is_empty() && self.t.moves {
-                let rate = self.t.names(&[self.t.rate]);
-                self.say("joined.ratios", &[("rate", &rate)]);
-                self.t.tell(ratios);
+            if self.t.moves {
+                self.ratios();
             }
         }
         let before = self.t.steps.len();
@@ -653,7 +673,9 @@ impl<'d, 'a> Joined<'d, 'a> {
             let lines: Vec<String> = demands.iter().map(|(l, r)| self.t.equation(l, r)).collect();
             self.t.formulas(lines);
         }
-        if id == "long" {
+        if let Some(joint) = self.leaves() {
+            self.where_it_leaves(joint);
+        } else if id == "long" {
             let (alpha, omega) = self.leading();
             let angle = self.t.letter.clone();
             let own = [("alpha", &*alpha), ("omega", &omega), ("angle", &angle)];
@@ -661,6 +683,21 @@ impl<'d, 'a> Joined<'d, 'a> {
             self.say(name, &[&own[..], pieces.as_ref().map_or(&[], |p| &p[..])].concat());
         }
         Ok(())
+    }
+
+    /// The place at which a force has fallen to 0, by both methods.
+    fn where_it_leaves(&mut self, joint: usize) {
+        let force = self.t.of_joint(Quantity::Normal, joint);
+        let force = force.map_or_else(String::new, |f| self.t.names(&[f]));
+        let rate = self.t.names(&[self.t.rate]);
+        let j = self.j();
+        let found = self.t.leaving(joint, &j);
+        let name = if found.is_some() { "joined.leaves_closed" } else { "joined.leaves_solved" };
+        self.say(name, &[("force", &force), ("rate", &rate)]);
+        let Some([left, right, wave, is]) = found else { return };
+        let (line, value) = (self.t.equation(&left, &right), self.t.valued(&is, "1"));
+        let value = format!("{} = {}", self.t.tex(&wave), value.trim_matches('$'));
+        self.t.formulas([line, value]);
     }
 
     /// Symbols of the second and first derivative of the leading angle.
@@ -687,7 +724,13 @@ impl<'d, 'a> Joined<'d, 'a> {
         if self.t.symbols.value(rate).is_nan() {
             return Err(Beyond::Unfound.into());
         }
-        self.say("joined.rubs", &[("rate", &self.t.names(&[rate]))]);
+        let mu = self.t.scene.joints.iter().find_map(|joint| match joint.kind {
+            JointKind::Guide { mu_k, .. } => mu_k,
+            _ => None,
+        });
+        let mu = mu.map_or(ZERO, |mu| self.t.number(mu, r"\mu_k", "1"));
+        let pieces = [("rate", self.t.names(&[rate])), ("mu", self.t.tex(&mu))];
+        self.say("joined.rubs", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
         let shown = self.t.shown(rate);
         self.say("joined.rubs_rate", &[("rate", &shown)]);
         self.t.told(rate);
@@ -698,9 +741,18 @@ impl<'d, 'a> Joined<'d, 'a> {
     }
 
     fn why(&mut self) {
+        if self.leaves().is_some() {
+            self.t.begin_as("why", "which");
+            self.say("joined.why_leaves", &[("rate", &self.t.names(&[self.t.rate]))]);
+            return;
+        }
         self.t.begin("why");
         let (reactions, accelerations) = (self.t.reactions(), self.t.accelerations());
-        let mut rates: Vec<SymbolId> = vec![self.t.rate];
+        // Where the speed at the end is given, the place is asked.
+        let given = matches!(self.t.scene.end, End::Speed(..) | End::TurningPoint(_));
+        let place = self.t.turns[0].at[END].uses();
+        let what = place.first().copied().filter(|_| given).unwrap_or(self.t.rate);
+        let mut rates: Vec<SymbolId> = vec![what];
         rates.extend(self.t.bodies.iter().filter_map(|b| b.omega).filter(|o| *o != self.t.rate));
         let speeds: Vec<SymbolId> = self.t.bodies.iter().map(|b| b.v).collect();
         let newton = [reactions.clone(), accelerations, rates.clone()].concat();
@@ -708,7 +760,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         if let Some(pivot) = &self.t.pivot {
             // Moments about the pin ask for none of its forces.
             let (alpha, pin) = (self.t.names(&self.t.accelerations()), self.t.names(&pivot.force));
-            let few = self.t.names(&[self.t.rate]);
+            let few = self.t.names(&[what]);
             let many = format!("{alpha}, {few}");
             let count = [("n", "2"), ("many", &*many), ("k", "1"), ("few", &few)];
             self.say("pinned.why", &[&count[..], &[("pin", &pin), ("alpha", &alpha)]].concat());
@@ -720,7 +772,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         } else {
             self.t.phrase("joined.forces_of_joints", &[])
         };
-        self.t.compare(&newton, &energy, "joined.ties", Some(&forces));
+        self.t.compare(what, [&newton, &energy], Some("joined.ties"), Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
     }
@@ -739,7 +791,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         if self.instant() {
             let before = self.t.steps.len();
             let speeds = self.t.speeds();
-            self.inertia = self.t.inertia(&speeds);
+            self.inertia = self.t.inertia(END, &speeds);
             let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
             if !named.is_empty() {
                 let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
@@ -760,6 +812,34 @@ impl<'d, 'a> Joined<'d, 'a> {
                 self.t.unravel(Some(alpha));
             }
         }
+    }
+    /// The leading angular acceleration of several bodies, if it is asked, by the rate of the balance.
+    fn by_rate(&mut self, asked: &[Label]) -> Option<SymbolId> {
+        let (j, letter) = (self.t.j.filter(|_| !self.t.scene.is_still())?, self.t.letter.clone());
+        let (lead, rate) = (&self.t.bodies[self.t.lead], self.t.rate);
+        let alpha = lead
+            .alpha
+            .filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.t.lead)))?;
+        let [force, _] = self.t.derivatives(&|plane| plane.work())?;
+        let [growth, _] = self.t.derivatives(&|plane| {
+            let speeds = plane.speeds();
+            plane.value(&plane.inertia(END, &speeds).expr())
+        })?;
+        let [w, g] = [("W", "N m", force), ("J", "kg m^2", growth)].map(|(name, unit, value)| {
+            let symbol = self.t.unknown(&tagged(name, &letter), unit);
+            self.t.symbols.settle(symbol, value, 0.0);
+            symbol
+        });
+        let is = (w - ratio(1, 2) * g * square(rate)) / j;
+        let (here, there) = (self.t.value(&is), self.t.symbols.value(alpha));
+        if !(here - there).abs().le(&(DIFFERENCES_REL * there.abs())) {
+            return None;
+        }
+        let pieces =
+            [("alpha", self.t.names(&[alpha])), ("derivatives", [w, g].map(|s| self.t.shown(s)).join(", "))];
+        self.say("joined.by_rate", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
+        self.t.display(alpha, &is, "");
+        Some(alpha)
     }
     /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
     fn tell_values(&mut self, values: Vec<SymbolId>) {
@@ -925,24 +1005,28 @@ impl<'d, 'a> Joined<'d, 'a> {
     }
 
     /// Which way a body on a pin goes, and that it gets there.
-    fn gets_there(&mut self, pivot: &Pivot) {
+    fn gets_there(&mut self) {
         let [start, end] = [START, END].map(|which| self.angle(which));
         let sense = self.t.phrase(if self.t.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
         let [first, last] = self.t.turns[0].at.each_ref().map(|a| self.t.value(a));
-        let (square, moments) = (self.t.square(pivot), self.t.equations(0).swap_remove(0).0);
-        let drive = self.t.expanded(&moments);
+        // How often the moment changes its sense on the way.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
+        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
+        let places: Vec<f64> =
+            (0..=steps).map(|i| first + (last - first) * f64::from(i) / f64::from(steps)).collect();
+        let looked = self.t.varied(0.0, |plane| {
+            let square = plane.pivot.clone().map_or(ZERO, |pivot| plane.square(&pivot));
+            let drive = plane.expanded(&plane.equations(0).swap_remove(0).0);
+            [drive, square].map(|e| places.iter().map(|at| plane.along_way(&e, *at)).collect::<Vec<f64>>())
+        });
+        let Some([moments, squares]) = looked else { return };
         if self.t.first == ZERO {
-            let moment = self.t.along_way(&drive, first);
-            let moment = self.t.rough(moment, "N m");
+            let moment = self.t.rough(moments[0], "N m");
             self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
         } else {
             self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
         }
-        // How often the moment changes its sense on the way.
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
-        let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
-        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
-        let drives: Vec<f64> = (0..=steps).map(|i| self.t.along_way(&drive, at(i)) * self.t.sense).collect();
+        let drives: Vec<f64> = moments.iter().map(|moment| moment * self.t.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         let angle = [("angle", end.as_str())];
@@ -953,7 +1037,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         } else if turns <= 1 && drives[0] >= 0.0 {
             self.say("pinned.brakes_late", &angle);
         } else {
-            let least = (1..=steps).map(|i| self.t.along_way(&square, at(i))).fold(f64::INFINITY, f64::min);
+            let least = squares[1..].iter().copied().fold(f64::INFINITY, f64::min);
             self.say("pinned.never_rests", &[angle[0], ("least", &self.t.rough(least, "rad^2/s^2"))]);
         }
     }

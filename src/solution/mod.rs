@@ -11,6 +11,23 @@
 //! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
 //! A fault has a short page: `answers`, `given`, `beyond` with the reason.
+/// All that one thing can which another holds, that can too.
+macro_rules! stands_on {
+    ($who:ident.$field:ident: $what:ty) => {
+        impl<'d, 'a> std::ops::Deref for $who<'d, 'a> {
+            type Target = $what;
+            fn deref(&self) -> &Self::Target {
+                &self.$field
+            }
+        }
+        impl<'d, 'a> std::ops::DerefMut for $who<'d, 'a> {
+            fn deref_mut(&mut self) -> &mut Self::Target {
+                &mut self.$field
+            }
+        }
+    };
+}
+
 pub mod account;
 pub mod asked;
 pub mod beware;
@@ -252,7 +269,12 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
         };
         let found = draft.found_for(q.label);
         let symbol = match found {
-            Some(DerivedAnswer::Value(symbol)) => format!("${} = ", draft.symbols.tex(symbol)),
+            // In the unit of the formulas too, where that is another.
+            Some(DerivedAnswer::Value(symbol)) => {
+                let (name, shown) = (draft.symbols.tex(symbol), draft.symbols.shown(symbol));
+                let same = draft.symbols.is_degrees(symbol) || draft.symbols.unit(symbol) == q.unit.tex();
+                if same { format!("${name} = ") } else { format!("${name} = {shown} = ") }
+            }
             _ => "$".to_owned(),
         };
         told(draft, q, entry.value()).replacen('$', &symbol, 1)

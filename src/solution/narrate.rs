@@ -2,7 +2,7 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Made, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
 };
 use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
@@ -20,7 +20,7 @@ use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
-use std::ops::{Deref, DerefMut};
+use std::ops::DerefMut;
 
 /// What drives the lead or holds it back.
 const DRIVING: [ForceKind; 3] = [ForceKind::Given, ForceKind::Spring, ForceKind::Kinetic];
@@ -97,6 +97,7 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     let name = n.onward();
     n.say(name, &[]);
     n.end();
+    n.draft.steps = n.steps.clone();
     Ok(())
 }
 
@@ -105,6 +106,9 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.carried.is_some() {
+        return Err(Beyond::Carried.into());
+    }
     if draft.scene.lead().is_some() {
         return tell(&mut Joined::new(draft)?);
     }
@@ -357,18 +361,7 @@ struct Narrator<'d, 'a> {
     rolled: Vec<SolutionSection>,
 }
 
-impl<'d, 'a> Deref for Narrator<'d, 'a> {
-    type Target = Account<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.t
-    }
-}
-
-impl DerefMut for Narrator<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.t
-    }
-}
+stands_on!(Narrator.t: Account<'d, 'a>);
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     fn idea(&mut self) {
@@ -399,10 +392,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 }
             }
             if !cords.is_empty() {
-                self.say("idea.cords", &[]);
+                let what = if cords.iter().all(|t| self.is_cord(*t)) { "cords" } else { "rims" };
+                self.say(&format!("idea.{what}"), &[]);
                 if self.short == Short::Energy {
                     let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                    self.say("idea.idle_cords", &[("forces", &self.names(&forces))]);
+                    self.say(&format!("idea.idle_{what}"), &[("forces", &self.names(&forces))]);
                 }
             }
         }
@@ -448,7 +442,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
             self.get(*label)?;
         }
-        let wanted = |q: Quantity| matches!(q, Quantity::Friction | Quantity::Tension | Quantity::Normal);
+        use Quantity::{Friction, Normal, RimForce, Tension};
+        let wanted = |q: Quantity| matches!(q, Friction | Tension | RimForce | Normal);
         for label in asked.iter().filter(|l| wanted(l.quantity)) {
             self.get(*label)?;
         }
@@ -514,7 +509,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 }
                 Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
                 Tie::Slip { body, .. } => self.slides_against(body)?,
-                Tie::Cord(c) => match c.to {
+                Tie::Cord(c) if c.made == Made::Cord => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
                     Far::Spring { rigid: false, .. } => {
                         self.spring_taut(tie)?;
@@ -565,7 +560,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             () if self.spring.is_some() => "onward.spring",
             () if wheel && pulled => "onward.pulled",
             () if wheel => "onward.wheel",
-            () if pulley && weighed => "onward.pulley",
+            () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
             () if self.held().is_some() => "onward.held",
             () => "onward.other",
         }
@@ -627,6 +622,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let between = |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Body(_)));
         let ties = self.scene.ties.iter().enumerate();
         ties.filter(|(_, t)| between(t)).map(|(t, _)| t).collect()
+    }
+    /// Is this no pair of rims?
+    fn is_cord(&self, tie: usize) -> bool {
+        matches!(&self.scene.ties[tie], Tie::Cord(c) if c.made == Made::Cord)
     }
     fn held(&self) -> Option<(usize, usize)> {
         self.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
@@ -709,11 +708,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say(start, &[]);
         let links = self.links(false, |n, c| n.m.speed(c));
         self.formula(self.balance(&self.distance()));
+        self.tell_frictions();
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
-        }
-        if !self.kinetic_frictions().is_empty() {
-            self.tell_frictions();
         }
         // The speed, or the way, with the acceleration put in.
         let target = if place { v } else { self.steps.last().map(|s| s.symbol) };
@@ -1046,9 +1043,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn integrate(&mut self, again: bool) {
         let a = self.acceleration();
         let v = self.speed();
+        let gain = ratio(1, 2) * (square(&self.v) - square(&self.v0));
         let pieces = [
-            ("v", self.names(&[v])),
             ("a", self.names(&[a])),
+            ("gain", self.equation(&gain, &(a * &self.s))),
             ("ds", if self.straight() { r"\mathrm{d}s".to_owned() } else { r"\mathrm{d}\varphi".to_owned() }),
             ("d", self.inline(&self.s)),
             ("vv", format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
@@ -1065,6 +1063,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
                     self.say("motion.grows", &[]);
                     self.tell(grown);
                     self.say("motion.over_time_grows", &pieces);
+                    if self.turns_back {
+                        self.say("thrown.turns_back", &[]);
+                    }
                 }
                 // What comes after the acceleration.
                 let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
@@ -1385,7 +1386,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let even = self.hidden().is_empty() && self.spring.is_none();
         self.begin_as("why", if even { "which" } else { "why" });
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
-        let (accelerations, speeds) = (self.accelerations(), self.speeds());
+        let (accelerations, mut speeds, own) = (self.accelerations(), self.speeds(), self.speed());
+        // Where the speed at the end is given, the place is asked.
+        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let what = if placed { own } else { self.s.uses().first().copied().unwrap_or(own) };
+        speeds.iter_mut().filter(|s| **s == own).for_each(|s| *s = what);
         let newton: Vec<SymbolId> =
             [reactions.clone(), rubs.clone(), normals.clone(), accelerations, speeds.clone()].concat();
         let pressing: Vec<SymbolId> = if rubs.is_empty() { Vec::new() } else { normals.clone() };
@@ -1395,14 +1400,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let (n, k) = (newton.len().to_string(), energy.len().to_string());
             self.say("why.neither", &[("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)]);
         } else {
-            let ties = match (!self.rolling().is_empty() || self.held().is_some(), !self.cords().is_empty()) {
-                (true, true) => "why.ties_both",
-                (true, false) => "why.ties_roll",
-                (false, true) => "why.ties_cord",
-                (false, false) => "why.ties_none",
-            };
+            let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
             let gone = (!self.gone.is_empty()).then(|| self.names(&reactions));
-            self.t.page.compare(&newton, &energy, ties, gone.as_deref());
+            self.t.page.compare(what, [&newton, &energy], tied.then_some("why.ties"), gone.as_deref());
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
@@ -1538,14 +1538,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let ends = self.extremes(body)?;
             let [a, b] = ends.map(|f| self.symbols.value(f).abs());
             largest = if a >= b { ends[0] } else { ends[1] };
-            let both = ends.map(|f| self.shown(f));
+            let both = ends.map(|f| self.names(&[f]));
             let far = match self.scene.span {
                 Span::ToEnd => "end",
                 Span::ToTurningPoint => "turn",
             };
             let range = self.phrase(&format!("holds.range.{far}"), &[]);
             self.say("holds.extremes", &[("range", &range), ("one", &both[0]), ("two", &both[1])]);
-            self.skip_new();
+            self.tell_new();
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
@@ -1628,9 +1628,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Ok(());
         }
         let distance = self.inline(&self.distance());
-        let shown = self.shown(turn);
-        self.skip_new();
-        self.say("holds.reaches", &[("d", &distance), ("turn", &shown)]);
+        let known = self.is_told(turn);
+        let far = if known { self.shown(turn) } else { self.names(&[turn]) };
+        self.say("holds.reaches", &[("d", &distance), ("turn", &far)]);
+        if !known {
+            self.tell([turn]);
+        }
         Ok(())
     }
 

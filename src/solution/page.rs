@@ -8,7 +8,6 @@ use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
-use std::ops::{Deref, DerefMut};
 
 /// Widest formula that stands within a sentence.
 pub const WITHIN: f64 = 34.0;
@@ -46,18 +45,7 @@ pub struct Page<'d, 'a> {
     told: Vec<SymbolId>,
 }
 
-impl<'a> Deref for Page<'_, 'a> {
-    type Target = Draft<'a>;
-    fn deref(&self) -> &Self::Target {
-        self.draft
-    }
-}
-
-impl DerefMut for Page<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        self.draft
-    }
-}
+stands_on!(Page.draft: Draft<'a>);
 
 impl<'d, 'a> Page<'d, 'a> {
     /// Nothing yet.
@@ -116,18 +104,20 @@ impl<'d, 'a> Page<'d, 'a> {
         let solution = system.solve().ok()?;
         Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
     }
-    /// An equation, solved for a quantity that is a factor of its terms: term by term, no fraction in a fraction.
-    pub fn isolated(&self, (left, right): &(Expr, Expr), symbol: SymbolId) -> Option<Expr> {
+    /// An equation, solved for what is a factor of its terms: term by term, no fraction in a fraction.
+    pub fn isolated(&self, (left, right): &(Expr, Expr), factor: impl Into<Expr>) -> Option<Expr> {
+        let factor = factor.into();
+        let symbols = factor.uses();
+        let holds = |e: &Expr| e.uses().iter().any(|s| symbols.contains(s));
         let flat = |e: &Expr| if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
         let all = flat(right).into_iter().chain(flat(left).into_iter().map(|t| -t));
-        let (own, rest): (Vec<Expr>, Vec<Expr>) =
-            all.filter(|t| *t != ZERO).partition(|t| t.uses().contains(&symbol));
-        let share = Sum::of(own.iter().map(|t| (-t).factors().per(symbol))).expr();
+        let (own, rest): (Vec<Expr>, Vec<Expr>) = all.filter(|t| *t != ZERO).partition(holds);
+        let share = Sum::of(own.iter().map(|t| (-t).factors().per(&factor))).expr();
         let sense = self.value(&share);
-        if share.uses().contains(&symbol) || sense.abs() <= FLAT {
+        if holds(&share) || sense.abs() <= FLAT {
             return None;
         }
-        let share = in_sense(share, sense).factors().upright(&self.symbols);
+        let share = positive_first([in_sense(share, sense)]).factors().upright(&self.symbols);
         Some(positive_first(rest.into_iter().map(|t| in_sense(t, sense).over(&share))))
     }
     /// Has it been told?
@@ -234,12 +224,18 @@ impl<'d, 'a> Page<'d, 'a> {
             self.say("motion.of", &[("list", &whose.join(", "))]);
         }
     }
-    /// Unknowns and equations of both ways, counted alike; what has to be eliminated of the first.
-    pub fn compare(&mut self, newton: &[SymbolId], energy: &[SymbolId], ties: &str, gone: Option<&str>) {
-        let (many, few) = (self.names(newton), self.names(energy));
-        let ties = self.phrase(ties, &[]);
+    /// Unknowns and equations of both ways for a quantity, counted alike; what has to be eliminated of the first.
+    pub fn compare(
+        &mut self,
+        what: SymbolId,
+        [newton, energy]: [&[SymbolId]; 2],
+        ties: Option<&str>,
+        gone: Option<&str>,
+    ) {
+        let (what, many, few) = (self.names(&[what]), self.names(newton), self.names(energy));
+        let ties = ties.map_or_else(String::new, |ties| self.phrase(ties, &[]));
         let n = newton.len().to_string();
-        self.say("why.newton", &[("many", &many), ("n", &n), ("ties", ties.trim_end())]);
+        self.say("why.newton", &[("what", &what), ("many", &many), ("n", &n), ("ties", &ties)]);
         match gone {
             Some(forces) => self.say("why.eliminate", &[("forces", forces)]),
             None => self.say("why.no_reaction", &[]),
@@ -252,7 +248,11 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// `$12.3 N$`
     pub fn rough(&self, value: f64, unit: &str) -> String {
-        format!(r"${}\ {}$", self.digits(value, FIGURES), tex_of(unit))
+        format!("${}$", self.with_unit(value, unit))
+    }
+    fn with_unit(&self, value: f64, unit: &str) -> String {
+        let (digits, unit) = (self.digits(value, FIGURES), tex_of(unit));
+        if unit.is_empty() { digits } else { format!(r"{digits}\ {unit}") }
     }
     /// An expression in symbols.
     pub fn tex(&self, e: &Expr) -> String {
@@ -273,14 +273,13 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// `$e = 12.3 N$`
     pub fn relation(&self, e: &Expr, value: f64, unit: &str) -> String {
-        let (digits, unit) = (self.digits(value, FIGURES), tex_of(unit));
-        let unit = if unit.is_empty() { unit } else { format!(r"\ {unit}") };
-        format!("${} = {digits}{unit}$", self.tex(e))
+        format!("${} = {}$", self.tex(e), self.with_unit(value, unit))
     }
     /// The same with the value of the expression itself.
     pub fn valued(&self, e: &Expr, unit: &str) -> String {
         match e {
             Expr::Symbol(s) => self.shown(*s),
+            Expr::Number(..) => self.rough(self.value(e), unit),
             e => self.relation(e, e.value(&self.symbols), unit),
         }
     }

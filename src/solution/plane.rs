@@ -6,8 +6,8 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
-    RotaryInertia, Spot, StrutEnd, Surface,
+    Acts, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
+    Spot, StrutEnd, Surface,
 };
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
@@ -20,7 +20,6 @@ use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{self, tagged};
 use crate::solution::written::width;
-use std::ops::{Deref, DerefMut};
 
 /// The start, and the place that is asked.
 pub const START: usize = 0;
@@ -270,17 +269,7 @@ pub struct Plane<'d, 'a> {
     g: Expr,
 }
 
-impl<'a, 'd> Deref for Plane<'d, 'a> {
-    type Target = Page<'d, 'a>;
-    fn deref(&self) -> &Self::Target {
-        &self.page
-    }
-}
-impl DerefMut for Plane<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.page
-    }
-}
+stands_on!(Plane.page: Page<'d, 'a>);
 
 fn beyond<T>() -> Result<T, DerivationStop> {
     Err(Beyond::Unfound.into())
@@ -333,6 +322,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         this.read_bodies();
         this.start_from()?;
         this.place()?;
+        if let (Some(symbol), Some((c, _))) = (this.spun, this.scene.start_speeds().next())
+            && let Some(turn) = this.bodies[c.body].turn
+        {
+            let from = this.turns[turn].rate[START].clone();
+            this.steps.push(Step { symbol, from });
+        }
         this.steps_of[0] = this.steps.len();
         this.rate = match this.bodies[lead].omega.filter(|_| this.arc().is_none()) {
             Some(omega) => omega,
@@ -375,7 +370,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let about = self.page.find(&[&own_name("I"), &own_name("J")], "kg m^2", about);
         let radial = self.problem.cases[self.variant.case].scene.pinned().is_some();
-        let plain = below(joint);
+        let plain = names::joint(self.scene, 0);
         let force = [["R", "O_r", "X"], ["S", "O_t", "Y"]].map(|[one, two, plane]| match radial {
             true => self.named(&[one, two], "N"),
             false => self.named(&[&tagged(plane, &plain)], "N"),
@@ -856,10 +851,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.letter.clone_from(&name);
         let last = match scene.end {
             End::AtOnce => first.clone(),
-            End::Angle(_, angle) => self.number(angle, &format!("{name}_1"), "deg"),
-            _ => {
-                let Some(way) = self.way_of_key() else { return beyond() };
-                let at = self.value(&first) + way;
+            End::Angle(_, angle) if self.varies.is_none() => self.number(angle, &format!("{name}_1"), "deg"),
+            end => {
+                let at = match end {
+                    End::Angle(_, angle) => self.datum(angle),
+                    _ => self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?,
+                };
+                let at = at + self.varies.unwrap_or(0.0);
                 let name = self.free(&[&format!("{name}_1"), &format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
@@ -1006,10 +1004,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         whole(self, &at, &place);
         placed[body] = true;
         if let Some((_, _, unit, radius)) = track {
-            let ahead = self.rates(&place, END);
-            let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
-            let rate = if planar.clockwise { ahead } else { ahead.opposite() };
-            self.ratio(body, turn, rate.expr());
+            self.ratio(body, turn, |this, which| {
+                let ahead = this.rates(&place, which);
+                let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
+                if planar.clockwise { ahead.expr() } else { ahead.opposite().expr() }
+            });
             return Ok(());
         }
         if let Some((other, through, unit)) = guided {
@@ -1018,9 +1017,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             let own = from_axis(&self.axis(turn), &reach);
             let line = dot(&plus(&place, &own), &normal);
             self.tie(body, &line, &dot(&through, &normal));
-            let over = self.rate(&dot(&place, &normal), END).opposite();
-            let under = self.rate(&dot(&own, &normal), END);
-            self.ratio(body, turn, over.expr().over(under.expr()));
+            self.ratio(body, turn, |this, which| {
+                let over = this.rate(&dot(&place, &normal), which).opposite();
+                over.expr().over(this.rate(&dot(&own, &normal), which).expr())
+            });
             return Ok(());
         }
         let Some((own, other, far)) = pair else { return Ok(()) };
@@ -1039,15 +1039,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tie(body, line, &Line::default());
         }
         // Along one of the two rods the other end of that rod does not move it.
-        let apart = self.rates(&less(&place, &far.1), END);
-        let [first_way, second_way] = [&one, &two].map(|p| self.places(p, END));
-        let [first_rate, second_rate] = [&one, &two].map(|p| self.rates(p, END));
-        let over = product(&apart, &second_way).opposite();
-        let of_one = over.expr().over(product(&first_rate, &second_way).expr());
-        let over = product(&apart, &first_way);
-        let of_two = over.expr().over(product(&second_rate, &first_way).expr());
-        self.ratio(body, turn, of_one);
-        self.ratio(other.body, turn + 1, of_two);
+        let apart = less(&place, &far.1);
+        for (body, turn, own, across, sense) in
+            [(body, turn, &one, &two, -1), (other.body, turn + 1, &two, &one, 1)]
+        {
+            self.ratio(body, turn, |this, which| {
+                let across = this.places(across, which);
+                let over = product(&this.rates(&apart, which), &across);
+                let over = over.times(Factors::one().signed(sense)).expr();
+                over.over(product(&this.rates(own, which), &across).expr())
+            });
+        }
         Ok(())
     }
 
@@ -1093,7 +1095,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             .collect();
         let at = [at[0].clone(), at[at.len() - 1].clone()];
         // Its own rate is 1 until it is known.
-        let turn = self.add_turn(planar, at, [ZERO, ONE]);
+        let turn = self.add_turn(planar, at, [ONE, ONE]);
         self.bodies[body].turn = Some(turn);
     }
     fn loops_of_bodies(&self) -> usize {
@@ -1111,8 +1113,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sides = [self.tex(&left), self.tex(&right)];
         self.loops.push((body, sides));
     }
-    /// Gives an angle its rate, as a ratio that has a name.
-    fn ratio(&mut self, body: usize, turn: usize, is: Expr) {
+    /// Gives an angle its rate, as a ratio that has a name; at the start without one.
+    fn ratio(&mut self, body: usize, turn: usize, of: impl Fn(&mut Self, usize) -> Expr) {
+        self.turns[turn].rate[START] = if self.first == ZERO { ZERO } else { of(self, START) };
+        let is = of(self, END);
         // In a dead centre it does not turn.
         if self.value(&is).abs() < ROUNDING {
             self.turns[turn].rate[END] = ZERO;
@@ -1191,8 +1195,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             };
             let (point, along) = (self.spot(push.at), self.frame(&along));
             let pull = self.pull(push.at.body, &point, size.clone(), along, None);
+            let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
             self.pulls.push(pull);
             if still {
+                continue;
+            }
+            if push.turns && self.pivot.is_some() {
+                // About a fixed pin its moment stays what it is.
+                let turned = self.turned();
+                self.works.push(moment.by(turned));
                 continue;
             }
             if push.turns {
@@ -1413,7 +1424,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             return;
         }
         for (j, joint) in scene.joints.iter().enumerate() {
-            let plain = below(joint);
+            let plain = names::joint(scene, j);
             let blow = scene.is_struck() && self.blow.is_none();
             let letters: &[&str] = match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["Jx", "Jy"],
@@ -1477,7 +1488,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                         Expr::Symbol(s) => s.into(),
                         is => self.page.find(&[r"\ell", "l"], "m", is).into(),
                     };
-                    let along = self.unit(&apart, &length, ["u", "w"], &format!(",{plain}"));
+                    let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
+                    let along = self.unit(&apart, &length, ["u", "w"], &tag);
                     let toward = Factors::one().per(&length);
                     self.add_hold(j, forces[0], &[(at, along)], Some(toward));
                 }
@@ -1565,7 +1577,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
         let point = self.spot(at);
         let pull = self.pull(at.body, &point, mu.factors(), along, Some(normal));
-        let name = tagged("F", &below(&self.scene.joints[joint]));
+        let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force));
         self.pulls.push(pull);
@@ -1573,8 +1585,11 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.
     pub fn spin(&self, body: usize) -> Expr {
+        self.spin_at(body, END)
+    }
+    fn spin_at(&self, body: usize, which: usize) -> Expr {
         match self.bodies[body].turn {
-            Some(turn) if self.scene.bodies[body].turns => self.turns[turn].rate[END].clone(),
+            Some(turn) if self.scene.bodies[body].turns => self.turns[turn].rate[which].clone(),
             _ => ZERO,
         }
     }
@@ -1706,14 +1721,50 @@ impl<'d, 'a> Plane<'d, 'a> {
             None => self.eliminated().map(|[power, _]| power.expr()),
         }
     }
-    /// By how much less the forces turn it per angle beside the equilibrium, N m/rad; of a single body.
-    pub fn stiffness(&mut self) -> Option<f64> {
-        let all = self.balanced()?;
-        let (all, at) = (self.page.expanded(&all), self.value(&self.turns[0].at[END]));
-        let step = 0.25;
-        let mut beside = |steps: f64| self.along_way(&all, at + steps * step);
-        let slope = 8.0 * (beside(1.0) - beside(-1.0)) - (beside(2.0) - beside(-2.0));
-        (self.bodies.len() == 1).then(|| -slope / (12.0 * step.to_radians()))
+    /// By how much less the forces turn the bodies per angle beside the equilibrium, N m/rad: the slope of the moments on a single
+    /// body, else the curvature of the potential energy along the way of the joints.
+    pub fn stiffness(&mut self) -> Option<SymbolId> {
+        let k = self.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
+        if self.bodies.len() > 1 {
+            let [_, curvature] = self.derivatives(&|plane| plane.work())?;
+            self.symbols.settle(k, -curvature, 0.0);
+        } else {
+            let all = self.balanced()?;
+            let angle = self.turns[0].at[END].uses().first().copied()?;
+            let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+            let per = half / self.draft.pi();
+            let slope = match -self.page.expanded(&all).slope(angle, &per) {
+                Expr::Sum(terms) => Sum::of(terms.iter().map(Factors::of)).expr(),
+                one => one.factors().expr(),
+            };
+            self.page.step(k, slope);
+        }
+        self.k = Some(k);
+        Some(k)
+    }
+    /// First and second derivative by the leading angle, at the asked place: central differences, exact up to the eighth power of
+    /// the step.
+    pub fn derivatives(&self, of: &dyn Fn(&mut Plane<'_, '_>) -> f64) -> Option<[f64; 2]> {
+        const STEP_DEG: f64 = 2.0;
+        const SHARES: [[f64; 2]; 4] = [
+            [4.0 / 5.0, 8.0 / 5.0],
+            [-1.0 / 5.0, -1.0 / 5.0],
+            [4.0 / 105.0, 8.0 / 315.0],
+            [-1.0 / 280.0, -1.0 / 560.0],
+        ];
+        let at = |steps: f64| self.varied(steps * STEP_DEG, of);
+        let (mut first, mut second) = (0.0, -205.0 / 72.0 * at(0.0)?);
+        for (steps, [one, two]) in [1.0, 2.0, 3.0, 4.0].into_iter().zip(SHARES) {
+            let (ahead, behind) = (at(steps)?, at(-steps)?);
+            first += one * (ahead - behind);
+            second += two * (ahead + behind);
+        }
+        let step = STEP_DEG.to_radians();
+        Some([first / step, second / (step * step)])
+    }
+    /// The work of all forces up to here.
+    pub fn work(&self) -> f64 {
+        self.value(&sum(self.works.clone()))
     }
 
     /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
@@ -1814,15 +1865,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.speeds.clone_from(&all);
         all
     }
-    /// The inertia of the motion, `J` in `1/2 J q'^2`.
-    pub fn inertia(&self, speeds: &[Expr]) -> Sum {
+    /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres; at the start in the symbols of the places.
+    pub fn inertia(&self, which: usize, speeds: &[Expr]) -> Sum {
         let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
             let centre = self.centre(b);
-            let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, END));
-            let plain = self.bodies.len() == 1 && !matches!(speeds[b], Expr::Symbol(_));
-            let own = if plain { product(&v, &v) } else { Sum::one(square(&speeds[b])) };
+            let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, which));
+            let named = |speed: &&Expr| self.bodies.len() > 1 || matches!(speed, Expr::Symbol(_));
+            let own = speeds.get(b).filter(named).map_or_else(|| product(&v, &v), |v| Sum::one(square(v)));
             let moving = Sum::of(own.terms().iter().map(|v| it.mass.times(v)));
-            let spin = self.spin(b);
+            let spin = self.spin_at(b, which);
             let turning = it.inertia.iter().map(move |i| i.times(square(&spin)));
             moving.terms().iter().cloned().chain(turning).collect::<Vec<_>>()
         });
@@ -1853,6 +1904,54 @@ impl<'d, 'a> Plane<'d, 'a> {
             power.terms().iter().map(|t| p.size.times(t)).collect::<Vec<_>>()
         });
         Some([Sum::of(powers.collect::<Vec<_>>()), bend])
+    }
+
+    /// Where a single body leaves what pushes it: both sides of the equation of motion along that force, which is 0, with the
+    /// square of the leading rate, and by (E) the wave of the angle that this gives; `j` is the inertia of the motion.
+    pub fn leaving(&mut self, joint: usize, j: &Expr) -> Option<[Expr; 4]> {
+        let symbol = self.turns[0].at[END].uses().first().copied()?;
+        let unit = self.holds.iter().find(|h| h.joint == joint)?.pulls[0].along.clone();
+        let [power, curve] = self.eliminated()?;
+        let (mass, centre) = (self.bodies[0].mass.clone(), self.centre(0));
+        let ahead = product(&unit, &self.rates(&centre, END));
+        let bends = product(&unit, &[self.bend(&centre[0]), self.bend(&centre[1])]).times(&mass);
+        let ahead = if self.value(&ahead.expr()).abs() < NOTHING { Sum::default() } else { ahead };
+        let ahead = ahead.times(mass.per(j));
+        let given = self.pulls.iter().flat_map(|p| {
+            product(&p.along, &unit).terms().iter().map(|t| t.times(&p.size)).collect::<Vec<_>>()
+        });
+        let given = Sum::of(given.collect::<Vec<_>>());
+        // The other joints may not push along this force.
+        let others = self.holds.iter().filter(|h| h.joint != joint).map(|h| &h.pulls[0].along);
+        if others
+            .map(|u| self.value(&product(u, &unit).expr()).abs())
+            .any(|share| share.is_nan() || share > NOTHING)
+        {
+            return None;
+        }
+        let by_rate = bends.plus(&ahead.by(&curve).opposite());
+        let by_rest = ahead.by(&power).plus(&given.opposite());
+        let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
+        let spread = |sum: &Sum, by: &Expr| {
+            let by = if let Expr::Sum(terms) = by { terms.clone() } else { vec![by.clone()] };
+            let all = by.iter().flat_map(|b| sum.terms().iter().map(|t| t.times(b)).collect::<Vec<_>>());
+            all.flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
+        };
+        let shared = |all: Vec<Factors>| {
+            let common = all.iter().skip(1).fold(all.first().cloned()?, |common, t| common.shared(t));
+            Some(Sum::of(all.iter().map(|t| t.per(&common)).collect::<Vec<_>>()))
+        };
+        let rest = spread(&by_rest, &ONE);
+        let with_rate = shared([spread(&by_rate, &square(self.rate)), rest.clone()].concat())?;
+        let (plus, minus): (Vec<Factors>, Vec<Factors>) =
+            with_rate.terms().iter().cloned().partition(|t| !matches!(t.expr(), Expr::Minus(_)));
+        let whole = shared([spread(&by_rate, &squared), rest].concat())?;
+        let whole = sum(whole.terms().iter().map(Factors::expr));
+        let waves = [cosine(symbol), sine(symbol)];
+        let (wave, is) =
+            waves.into_iter().find_map(|w| Some((w.clone(), self.isolated(&(whole.clone(), ZERO), w)?)))?;
+        let closed = !self.page.expanded(&is).uses().contains(&symbol);
+        closed.then(|| [Sum::of(plus).expr(), Sum::of(minus).opposite().expr(), wave, is])
     }
 
     /// The quantity of a label once the place that is asked is solved.
@@ -1941,7 +2040,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
             }
             (
-                Q::Normal | Q::Tension | Q::PinX | Q::PinY | Q::PinForce | Q::Moment | Q::Friction,
+                Q::Normal
+                | Q::Tension
+                | Q::PinX
+                | Q::PinY
+                | Q::PinForce
+                | Q::PinAngle
+                | Q::Moment
+                | Q::Friction,
                 Owner::Joint(j),
             ) => {
                 return self.of_joint(label.quantity, j).ok_or_else(none);
@@ -1957,7 +2063,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
             (Q::KineticEnergy, _) => {
                 let speeds = self.speeds();
-                let j = self.j.map_or_else(|| self.inertia(&speeds).expr(), Expr::from);
+                let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
                 let is = ratio(1, 2).by(&j).by(square(&rate));
                 new(self, ["E_{k}", r"E_{\mathrm{kin}}"], is)
             }
@@ -2052,8 +2158,9 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let frequency = of(self, Q::OmegaSmall)?;
                 ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
             }
-            Q::T if self.scene.end != End::AtOnce && !self.turns[0].at[END].uses().is_empty() => {
-                let (t, time) = (self.named(&["t", "t_1"], "s"), self.time());
+            Q::T if self.scene.end != End::AtOnce => {
+                let time = self.varied(0.0, |plane| plane.time()).unwrap_or(f64::NAN);
+                let t = self.named(&["t", "t_1"], "s");
                 self.symbols.settle(t, time, 0.0);
                 return Ok(Some(self.page.step(t, t.into())));
             }
@@ -2105,7 +2212,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn spring_inertia(&mut self) -> Expr {
         let speeds = self.speeds();
-        self.inertia(&speeds).expr()
+        self.inertia(END, &speeds).expr()
     }
     /// The impulse of a joint, to the right or up where it has both.
     fn impulse_of(
@@ -2131,6 +2238,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let couples = self.scene.couples.iter();
         let each = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
         positive_first(each.collect::<Vec<_>>())
+    }
+    /// What is made of the same scene, its asked angle as one that varies, so much away.
+    pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
+        let d = &*self.page.draft;
+        let mut draft = Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
+        draft.varies = Some(by_deg);
+        Plane::new(&mut draft).ok().map(|mut plane| of(&mut plane))
     }
     /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
     pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
@@ -2177,8 +2291,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         match quantity {
             Quantity::PinForce => {
                 let [x, y, ..] = own[..] else { return None };
-                let name = tagged("R", &below(&self.scene.joints[joint]));
+                let name = tagged("R", &names::joint(self.scene, joint));
                 Some(self.page.find(&[&name], "N", root(square(x) + square(y))))
+            }
+            Quantity::PinAngle => {
+                let [x, y, ..] = own[..] else { return None };
+                let angle = arc_cosine(x / root(square(x) + square(y)));
+                let angle = in_sense(angle, self.symbols.value(y));
+                Some(self.page.find(&[&tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),
@@ -2239,12 +2359,6 @@ impl From<crate::num::gauss::Unsettled> for Wrong {
 /// 1 or -1, or 0.
 fn sign(of: f64) -> Factors {
     if of.abs() < NOTHING { Factors::zero() } else { Factors::one().signed(if of < 0.0 { -1 } else { 1 }) }
-}
-
-/// What stands below the symbols of a joint.
-fn below(joint: &Joint) -> String {
-    let plain: String = joint.name.chars().filter(char::is_ascii_alphanumeric).collect();
-    format!(r"\mathrm{{{plain}}}")
 }
 
 /// Is there a sum in it?

@@ -61,9 +61,10 @@ macro_rules! beyond {
     };
 }
 beyond! {
+    Carried "carried";
     GrowingForce "growing_force";
     Mechanism "mechanism";
-    Mesh "mesh";
+    Resting "resting";
     Unfound "unfound";
 }
 

@@ -40,6 +40,11 @@ impl<'w> Symbols<'w> {
         Self { kept: Some(figures.max(1)), ..Self::new(words) }
     }
 
+    /// An empty one of the same reader.
+    pub const fn anew(&self) -> Self {
+        Self { words: self.words, lines: Vec::new(), kept: self.kept }
+    }
+
     /// What is kept of a found value, and how far that may be off: half a unit of the last figure.
     fn kept(&self, value: f64) -> (f64, f64) {
         let Some(figures) = self.kept else { return (value, 0.0) };

@@ -4,7 +4,7 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Quantity,
+    Aim, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Quantity,
     RotaryInertia, Shape, Slope, Start, Tie,
 };
 use crate::solution::asked;
@@ -139,7 +139,8 @@ impl Terms {
     fn act(&mut self, draft: &mut Draft, rolled: Option<usize>) {
         let scene = draft.scene;
         let contacts = scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
-        let tensed = scene.cords_with(Quantity::Tension).count();
+        let of = |force| scene.cords_with(force).count();
+        let tensed = of(Quantity::Tension) + of(Quantity::RimForce);
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
@@ -202,6 +203,25 @@ impl Terms {
         [along, arm]: [Factors; 2],
     ) {
         self.actions.push(Action { source, kind, contact, body, force, along, arm });
+    }
+
+    /// Share of a direction to the right, or up.
+    pub fn component(&self, draft: &mut Draft, aim: Aim, upright: bool) -> Factors {
+        match aim {
+            Aim::Level(right) if !upright => Factors::one().signed(if right { 1 } else { -1 }),
+            Aim::Upright(up) if upright => Factors::one().signed(if up { 1 } else { -1 }),
+            Aim::Level(_) | Aim::Upright(_) => Factors::zero(),
+            Aim::Along(body, forward) => {
+                let scene = draft.scene;
+                let [climb, level] = slope(draft, &scene.bodies[body]);
+                let way = if forward { 1 } else { -1 };
+                if upright {
+                    climb.factors().signed(way * self.parts[body].up)
+                } else {
+                    level.factors().signed(way)
+                }
+            }
+        }
     }
 
     /// The weights of the bodies on slopes.

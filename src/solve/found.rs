@@ -1,16 +1,18 @@
 //! The inverse question: of a datum that was measured, the solution with the value of another datum that gives just this
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
 use crate::num::dd::pow2;
-use crate::num::{Real, ball};
+use crate::num::{Real, ball, root};
 use crate::scene::{Found, Label};
 use crate::solve::outcome::{Refusal, Road, Said};
 
 /// Places of the stated range at which a change of sign is looked for.
 const PLACES: u32 = 16;
-/// Steps of the search between two places.
-const STEPS: u32 = 100;
+/// Halvings of a place of the range at whose one end there is nothing to measure.
+const HALVINGS: u32 = 50;
 /// Relative step of the last correction: the solution is linear over it up to 2^-78.
 const STEP: f64 = pow2(-26);
+/// The last correction may not be larger than this: beyond it what is linear over a step no longer tells the root.
+const NEAR: f64 = pow2(-34);
 /// Half-widths that are tried about the root, as powers of 2 of its size.
 const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
 /// Enclosures of parts of the range that are spent on showing that there is no other root.
@@ -51,9 +53,15 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> R
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
     let share = -(y0 / (y1 - y0));
+    if !T::is_double() && !(share.size() * STEP < NEAR) {
+        return Err(Refusal::NotFound);
+    }
     let correct = |said: &mut Said<T>| {
-        if let Some(other) = beside.get(said.label) {
-            said.value = said.value + share * (other.value - said.value);
+        // What is endless stays so.
+        if let Some(step) =
+            beside.get(said.label).map(|other| other.value - said.value).filter(|s| s.is_finite())
+        {
+            said.value = said.value + share * step;
         }
     };
     near.said.iter_mut().for_each(correct);
@@ -62,11 +70,15 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> R
 
 /// The root to a few units of doubles, in the first place of the range where the sign changes.
 fn search<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Option<f64> {
-    let mut at = data.to_vec();
     let printed: f64 = found.measured.value(data);
-    let mut miss = |x: f64| {
+    let miss = |x: f64| {
+        let mut at = data.to_vec();
         at[found.unknown.datum] = x;
         forward.rough(&at, found.label) - printed
+    };
+    let between = |low: (f64, f64), high: (f64, f64)| {
+        let value = |x: f64| Ok::<_, ()>(miss(x));
+        root::between_values(low.0, high.0, high.1 > 0.0, &value).ok()
     };
     let [low, high] = found.range;
     // A wrong method may come to a value beyond the range; what is published may not.
@@ -74,52 +86,44 @@ fn search<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Opt
     let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| T::is_double()));
     for (low, high) in tried {
         let mut before: Option<(f64, f64)> = None;
+        let step = (high - low) / f64::from(PLACES);
         for i in 0..=PLACES {
-            let x = low + (high - low) * f64::from(i) / f64::from(PLACES);
-            let y = miss(x);
-            if y == 0.0 {
-                return Some(x);
+            let now = (low + step * f64::from(i), miss(low + step * f64::from(i)));
+            if now.1 == 0.0 {
+                return Some(now.0);
             }
-            if let Some((x0, y0)) = before.filter(|(_, y0)| y0 * y < 0.0) {
-                return Some(between((x0, y0), (x, y), &mut miss));
+            let Some(last) = before.replace(now) else { continue };
+            // Where there is nothing to measure at one end, what is measured may still pass the printed value before that.
+            let [from, to] = match (last.1.is_nan(), now.1.is_nan()) {
+                (true, true) => continue,
+                (false, false) => [last, now],
+                (true, false) => [edge(last.0, now, &miss), now],
+                (false, true) => [last, edge(now.0, last, &miss)],
+            };
+            if from.1 * to.1 <= 0.0 {
+                return between(from, to);
             }
-            before = (!y.is_nan()).then_some((x, y));
         }
     }
     None
 }
 
-#[expect(clippy::float_cmp, reason = "a place between two neighbouring doubles is one of them")]
-fn ends(x: f64, a: f64, b: f64) -> bool {
-    x == a || x == b
-}
-
-/// Regula falsi after Dowell and Jarratt (1971, Illinois), with halving where that is slow.
-fn between(mut a: (f64, f64), mut b: (f64, f64), miss: &mut dyn FnMut(f64) -> f64) -> f64 {
-    let mut kept = 0;
-    for step in 0..STEPS {
-        let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
-        let inside = (a.0.min(b.0)..=a.0.max(b.0)).contains(&secant);
-        let x = if inside && step % 3 != 2 { secant } else { f64::midpoint(a.0, b.0) };
-        if ends(x, a.0, b.0) {
-            break;
-        }
-        let y = miss(x);
-        if y == 0.0 || y.is_nan() {
-            return x;
-        }
-        if y * b.1 < 0.0 {
-            a = b;
-            kept = 0;
+/// The place with a value, next to one that has none or of the other sign than at a place with a value.
+fn edge(mut nowhere: f64, mut place: (f64, f64), miss: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let sign = place.1;
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(nowhere, place.0);
+        let now = miss(middle);
+        if now.is_nan() {
+            nowhere = middle;
         } else {
-            kept += 1;
-            if kept > 1 {
-                a.1 *= 0.5;
+            place = (middle, now);
+            if now * sign <= 0.0 {
+                break;
             }
         }
-        b = (x, y);
     }
-    b.0
+    place
 }
 
 /// The road over an interval about the root, which is shown to hold every root of the range.
@@ -136,7 +140,10 @@ fn enclosed<T: Real>(
         at[unknown] = middle;
         let radius = (high - middle).max(middle - low);
         let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, || forward.exact(at)));
-        let missed = road.ok().and_then(|road| miss(found, &road, at))?;
+        let Some(missed) = miss(found, &road.ok()?, at) else {
+            // All over it there is nothing to measure.
+            return (!doubt).then_some(f64::NAN);
+        };
         let size = missed.f64().abs();
         (!doubt && size.is_finite() && size > missed.radius()).then(|| missed.sign())
     };

@@ -156,6 +156,10 @@ pub enum CheckKind {
     /// Switch: whether static friction could hold what is thrown, where the end comes before that is put to the test. Required, the
     /// friction that rolling needs, N; available `mu_s N`. It always holds, the margin is how far they are apart.
     StaticLimit,
+    /// A contact or a cord of joined bodies holds at a blow: required 0, available its impulse, N s.
+    HoldsBlow,
+    /// A spring that only pushes or pulls acts before the end: required, the way until it does, rad; available, that to the end.
+    Met,
 }
 
 impl CheckKind {
@@ -174,6 +178,8 @@ impl CheckKind {
         Self::SlipEnds,
         Self::UnderWay,
         Self::StaticLimit,
+        Self::HoldsBlow,
+        Self::Met,
     ];
     /// Name in JSON and in tables of refusals.
     pub const fn name(self) -> &'static str {
@@ -191,6 +197,8 @@ impl CheckKind {
             Self::SlipEnds => "slip_ends",
             Self::UnderWay => "under_way",
             Self::StaticLimit => "static_limit",
+            Self::HoldsBlow => "holds_blow",
+            Self::Met => "met",
         }
     }
     /// Unit of SI of what is required and available.
@@ -205,6 +213,8 @@ impl CheckKind {
             | Self::StaticLimit => "N",
             Self::SlipDirection => "m/s^2",
             Self::StartsSlipping | Self::UnderWay => "m/s",
+            Self::HoldsBlow => "N*s",
+            Self::Met => "rad",
             Self::SlipEnds => "s",
             Self::Reaches => scene.measure(),
             Self::Slack if scene.ending_coordinate().degree == Degree::Turn => "rad",
@@ -213,7 +223,7 @@ impl CheckKind {
     }
     /// Is its margin a share that says how far it holds? That of the others is 1 or -1.
     pub const fn is_share(self) -> bool {
-        !matches!(self, Self::Pressed | Self::Taut | Self::SlipDirection)
+        !matches!(self, Self::Pressed | Self::Taut | Self::HoldsBlow | Self::SlipDirection)
     }
 }
 
@@ -547,8 +557,10 @@ pub enum Unsupported {
     PinnedInCompany,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
-    /// A torsion spring that is wound by half a turn or more at the start.
+    /// A torsion spring that is wound by half a turn or more.
     Overwound,
+    /// Rods of a linkage come to lie in one line, from where they could go on in two ways.
+    InLine,
 }
 
 /// What one road says of one quantity.
@@ -627,6 +639,11 @@ pub enum Held<P> {
     Thrown(Throw),
     /// A guide that can only push: index of the joint, least normal force on the way and the greatest magnitude, N.
     Touching(usize, f64, f64),
+    /// The same at a blow: its impulse and the sum of those that strike, N s.
+    Jolted(usize, f64, f64),
+    /// A spring that only pushes or pulls: index of the strut, way up to which it does not act, infinite if it never does, and way to
+    /// the end, rad.
+    Met(usize, f64, f64),
 }
 
 /// What becomes of the slip of a thrown body, on one road. The senses are decided by that road in its own arithmetic; the
@@ -716,6 +733,11 @@ impl<T: Real> Road<T> {
         let said = Vec::with_capacity(asked.quantities.count().min(24));
         let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
         Self { said, open: Vec::new(), course: None, held }
+    }
+    /// The road without what is not told of the scene.
+    pub fn telling(mut self, scene: &Scene) -> Self {
+        self.said.retain(|said| scene.tells(said.label));
+        self
     }
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {

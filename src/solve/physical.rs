@@ -126,6 +126,22 @@ pub fn judge<P: Real>(
                 available: *least,
                 margin: if *least > 0.0 { *least / *most } else { -1.0 },
             }),
+            Held::Jolted(joint, impulse, all) => checks.push(Check {
+                kind: CheckKind::HoldsBlow,
+                of: *joint,
+                ok: *impulse > 0.0,
+                required: 0.0,
+                available: *impulse,
+                margin: if *impulse > 0.0 { *impulse / *all } else { -1.0 },
+            }),
+            Held::Met(strut, met, end) => checks.push(Check {
+                kind: CheckKind::Met,
+                of: *strut,
+                ok: met < end,
+                required: *met,
+                available: *end,
+                margin: if met.is_finite() { margin(Dd::new(*end), Dd::new(*met)) } else { -1.0 },
+            }),
             Held::Rolling(tie, most, Some(available)) => {
                 let holds = most.status(*available) <= 0.0;
                 slips |= !holds;

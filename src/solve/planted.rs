@@ -1,10 +1,10 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Acts, Arm, Attach, Body, Branch, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
-    GivenForce, Growth, Joint, JointKind, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place, Planar,
-    Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie,
-    Zero,
+    Acts, Arm, Attach, Body, Branch, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
+    GivenForce, Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place,
+    Planar, Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface,
+    Tie, Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -39,7 +39,7 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
     let attach = wound.map_or(Attach::Centre, |r| {
         Attach::Wound(f(r.abs()), if r > 0.0 { Side::Top } else { Side::Bottom })
     });
-    CordEnd { body, attach, forward }
+    CordEnd { body, attach, forward, upright: None }
 }
 
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
@@ -53,6 +53,7 @@ fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: Vec::new(),
+        carried: None,
         start: Vec::new(),
         end,
         heading: None,
@@ -242,6 +243,13 @@ fn hanging() -> Scene {
     scene
 }
 
+/// The same on what moves up an incline, ever faster.
+fn carried(mut scene: Scene) -> Scene {
+    let (slope, speed_m_s, acceleration_m_s2) = (Slope::Degrees(f(20.0)), f(0.7), f(1.3));
+    scene.carried = Some(Carrier { slope, speed_m_s, acceleration_m_s2 });
+    scene
+}
+
 /// One scene of each kind, all data constants.
 fn scenes() -> Vec<(&'static str, Scene)> {
     let wheel = || body("wheel", Some(25.0), 40.0, Some(0.22));
@@ -330,8 +338,8 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             let mut scene = scene(vec![wheel()], vec![roll(0.2), pull], 1.0);
             scene.couples = vec![Couple { body: 0, moment_n_m: f(4.0), forward: false }];
             scene.growths = vec![
-                Growth { of: GivenForce::Pull(1), per_second: f(30.0) },
-                Growth { of: GivenForce::Couple(0), per_second: f(2.5) },
+                Growth { of: GivenForce::Pull(1), law: Law::EVEN, rate: f(30.0), unit: f(1.0) },
+                Growth { of: GivenForce::Couple(0), law: Law::EVEN, rate: f(2.5), unit: f(1.0) },
             ];
             scene.start.push(Start::Speed(along, f(0.8)));
             scene.end = End::Time(along, f(1.5));
@@ -342,6 +350,20 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("thrown, still slipping", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(0.4)))),
         ("thrown, rolling since long", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(5.0)))),
         ("thrown and braked", braked),
+        (
+            "pulled-rolling, carried",
+            carried(scene(
+                vec![wheel()],
+                vec![roll(0.2), cord((0, Some(0.4), true), Far::Pull(f(300.0)))],
+                2.0,
+            )),
+        ),
+        ("thrown, carried", carried(ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(0.4))))),
+        ("rod in two guides, carried", carried(guided(None, 38.0))),
+        (
+            "rod in two guides, carried at rest",
+            carried(Scene { end: End::Equilibrium, ..guided(None, 38.0) }),
+        ),
         ("lamina", lamina),
         ("hoist at an instant", {
             let bodies =

@@ -31,7 +31,12 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             contact,
             Tie::Cord(Cord {
                 name: "cord".into(),
-                from: CordEnd { body: 0, attach: Attach::Wound(d(1), Side::Top), forward: true },
+                from: CordEnd {
+                    body: 0,
+                    attach: Attach::Wound(d(1), Side::Top),
+                    forward: true,
+                    upright: None,
+                },
                 to: Far::Pull(d(6)),
                 made: Made::Cord,
             }),
@@ -41,6 +46,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),

@@ -19,9 +19,11 @@ fn odd() -> Bank {
 
 /// Scenes of textbooks: banks of one problem each.
 fn textbook() -> Vec<Bank> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes");
-    let mut files: Vec<_> =
-        std::fs::read_dir(folder).expect("scenes").map(|f| f.expect("a file").path()).collect();
+    let in_folder = |name: &str| {
+        let folder = format!("{}/tests/{name}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_dir(folder).expect("scenes").map(|f| f.expect("a file").path())
+    };
+    let mut files: Vec<_> = ["scenes", "carried"].into_iter().flat_map(in_folder).collect();
     files.sort();
     let read = |file: &std::path::PathBuf| {
         let text = std::fs::read_to_string(file).expect("a bank is text");

@@ -8,7 +8,7 @@ use slipstick::grade::verdict::Verdict;
 use slipstick::picture::{Outline, Picture, Role, symbol};
 use slipstick::problem::make_key;
 use slipstick::problem::maker::{Maker, Variant};
-use slipstick::scene::Quantity;
+use slipstick::scene::{End, Quantity};
 use slipstick::sheet::statement::{Common, Scratch, Statement};
 use slipstick::template::Templates;
 use slipstick::words::Words;
@@ -553,4 +553,109 @@ fn the_spin_of_a_rigid_body_of_particles_is_drawn_in_its_sense() {
         senses[usize::from(negative)] += 1;
     }
     assert!(senses.iter().all(|n| *n > 3), "{senses:?}");
+}
+
+/// The problem of a built-in bank, with one variant.
+fn drawn(id: &str) -> (Problem, Variant) {
+    let problem = support::banks().into_iter().flat_map(|b| b.problems).find(|p| p.id == id).expect(id);
+    let variant = Maker::new(&problem, 5, "sentences").variant("0").unwrap_or_else(|u| panic!("{u}"));
+    (problem, variant)
+}
+
+/// Where a contact ends both methods are needed, and together they say where in closed form: two thirds of the first cosine or sine.
+/// Both pages called energy the short method and gave a number.
+#[test]
+fn the_place_at_which_a_contact_ends_is_told_in_closed_form() {
+    for (id, start) in [("off-a-cylinder", "phi0"), ("sliding-ladder", "theta0")] {
+        let (problem, variant) = drawn(id);
+        let first = datum(&problem, &variant, start).to_radians();
+        let value = if id == "off-a-cylinder" { first.cos() } else { first.sin() } * 2.0 / 3.0;
+        let value = slipstick::num::shown::significant(value, 4);
+        for language in &languages() {
+            let text = solution(&problem, &variant, language).replace("{,}", ".");
+            let closed = text.lines().find(|l| l.contains(r"\tfrac{2}{3}")).expect(&text);
+            assert!(closed.ends_with(&format!("= {value}$$")), "{closed}");
+            assert!(text.contains(language.0.get("solution.title.then_motion")), "{text}");
+        }
+    }
+}
+
+/// A datum that was measured stands for what would be asked otherwise: the formulas are solved backward, not by trial.
+#[test]
+fn a_measured_datum_is_followed_back() {
+    let (problem, variant) = drawn("mass-of-a-stone");
+    let of = |symbol| datum(&problem, &variant, symbol);
+    let a = 2.0 * of("y") / (of("t1") * of("t1"));
+    let mass = slipstick::num::shown::significant(0.5 * of("M") * a / (9.81 - a), 4);
+    for language in &languages() {
+        let text = solution(&problem, &variant, language).replace("{,}", ".");
+        assert!(text.contains(language.0.get("solution.asked.backward")), "{text}");
+        let line = text.lines().find(|l| l.starts_with("$$") && l.contains(r"m = \frac{")).expect(&text);
+        assert!(line.contains(&format!(r"= {mass}\ \mathrm{{kg}}")), "{line}");
+    }
+}
+
+/// The unknown that is counted is the one that is asked: where a speed is given, the way.
+#[test]
+fn the_count_names_what_is_not_given() {
+    let lines = bank(include_str!("../support/lines.yaml"));
+    let mut seen = [0, 0];
+    for problem in lines.problems.iter().chain(support::banks().iter().flat_map(|b| &b.problems)) {
+        let given = match problem.cases[0].scene.end {
+            End::Speed(..) | End::TurningPoint(_) => 1,
+            End::Travel(..) | End::Position(..) => 0,
+            _ => continue,
+        };
+        let variant = Maker::new(problem, 8, "lines").variant("0").unwrap_or_else(|u| panic!("{u}"));
+        let text = solution(problem, &variant, &languages()[0]);
+        let Some((_, what)) = text.split_once("Count for $") else { continue };
+        let what = what.split('$').next().expect("a symbol");
+        assert_eq!(
+            what.starts_with('v') || what.starts_with(r"\omega"),
+            given == 0,
+            "{}: {what}",
+            problem.id
+        );
+        seen[given] += 1;
+    }
+    assert!(seen.iter().all(|n| *n > 0), "{seen:?}");
+}
+
+/// Which way a body on a pin sets off is checked where the asked angle is 0 as anywhere else: the moments were taken at that angle,
+/// where there are none.
+#[test]
+fn a_body_that_swings_to_the_lowest_place_is_seen_to_get_there() {
+    let text = "
+bank: lowest
+title: Lowest
+problems:
+  pendulum:
+    title: A pendulum
+    data: {m: {name: mass, unit: kg, draw: 1 to 9 step 1}}
+    scene:
+      bodies: {body: {mass: m, radius of gyration: 0.3 m, pinned: {distance: 0.4 m}, angle: from hanging}}
+      start: {body: {angle: 30 deg}}
+      end: {angle: {of: body, reaches: 0 deg}}
+    questions: {omega: {ask: omega}, t: {ask: time}}
+    statement: s
+";
+    let bank = bank(text);
+    let problem = &bank.problems[0];
+    let variant = Maker::new(problem, 1, "lowest").variant("0").unwrap_or_else(|u| panic!("{u}"));
+    let moment = 9.81 * 0.4 * 0.5 * datum(problem, &variant, "m");
+    let told = format!(r"$-{}\ ", slipstick::num::shown::significant(moment, 4));
+    for language in &languages() {
+        let text = solution(problem, &variant, language).replace("{,}", ".");
+        assert!(text.contains(&told), "{told}: {text}");
+    }
+}
+
+/// An answer in degrees stands beside the radians of the formulas.
+#[test]
+fn an_answer_in_degrees_is_told_in_radians_too() {
+    let (problem, variant) = drawn("off-a-cylinder");
+    let text = solution(&problem, &variant, &languages()[0]);
+    let answer =
+        text.lines().find(|l| l.starts_with("> ")).and_then(|l| l.split(" · ").next()).expect("answers");
+    assert!(answer.contains(r"\mathrm{rad} = ") && answer.ends_with(r"^\circ$"), "{answer}");
 }

@@ -367,3 +367,84 @@ fn a_motion_without_end_has_no_turning_point() {
     let turns = told("turns");
     assert!(turns.contains("holds without slipping up to the turning point:"), "{turns}");
 }
+
+/// A couple that grows with the turn and a pull with the square of the time: their pages are short and say why, the figure writes the law.
+/// The force of an axle is worked.
+#[test]
+fn what_grows_by_other_laws_is_told_and_what_an_axle_bears_is_worked() {
+    let drum = |forces: &str, pull: &str, end: &str, question: &str| {
+        format!(
+            "    data:
+      m: {{name: mass of the drum, unit: kg, draw: 5 to 9 step 0.5}}
+      m1: {{name: mass of the load, unit: kg, draw: 1.0 to 3.0 step 0.1}}
+      c: {{name: growth, unit: '{}', draw: 20 to 40 step 1}}
+    scene:
+      bodies:
+        drum: {{mass: m, shape: {{disc: 0.3 m}}, radii: {{rim: 0.3 m, hub: 0.2 m}}, moves: about a fixed axle}}
+        load: {{mass: m1, moves: vertically, positive: down}}
+      ties:
+        - cord: {{name: rope, from: {{body: load, tied at: centre, leaves: up}}, to: {{body: drum, wound on: rim, leaves: back down}}}}
+{pull}{forces}      start: at rest
+      end: {end}
+    questions:
+      omega: {{quantity: drum.omega, ask: the angular speed, unit: rad/s}}
+      {question}
+",
+            if forces.is_empty() { "N/s^2" } else { "N*m/rad" }
+        )
+    };
+    let couple = "      forces: [couple: {on: drum, moment: 20 N*m, growing by: {rate: c, with: phi}}]\n";
+    let pull = "        - cord: {name: p, from: {body: drum, wound on: hub, leaves: top forward}, pulled with: 60 N, growing by: {rate: c, with: t^2}}\n";
+    let problems = [
+        one(
+            "turned",
+            &drum(
+                couple,
+                "",
+                "{turn: {of: drum, by: 3 rad}}",
+                "v: {quantity: load.v, ask: the speed, unit: m/s}",
+            ),
+        ),
+        one(
+            "timed",
+            &drum(
+                "",
+                pull,
+                "{time: {of: load, is: 2 s}}",
+                "bears: {quantity: drum.pin_force, ask: the force of the axle, unit: N}",
+            ),
+        ),
+        one(
+            "borne",
+            &drum(
+                couple,
+                "",
+                "at once",
+                "way: {quantity: drum.pin_y, ask: the upright force of the axle, unit: N}",
+            )
+            .replace(couple, "")
+            .replace("      c: {name: growth, unit: 'N*m/rad', draw: 20 to 40 step 1}\n", ""),
+        ),
+    ];
+    let room = Room(TempDir::new().unwrap());
+    fs::write(room.path("bank.yaml"), bank(&problems)).unwrap();
+    fs::write(room.path("roster.csv"), "student\n1\n2\n").unwrap();
+    let (bank, roster) = (room.path("bank.yaml"), room.path("roster.csv"));
+    for language in Words::languages() {
+        let words = Words::of(language).unwrap();
+        let (set, out) = (room.path(&format!("set-{language}")), room.path(&format!("out-{language}")));
+        let generate = ["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set];
+        let made = room.run(&[generate.as_slice(), &["--language", language]].concat());
+        assert_eq!(made.exit, Exit::Fine, "{}", made.err);
+        let ran = room.run(&["solutions", &set, "--out", &out, "--format", "md"]);
+        assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+        let text = room.read(&format!("out-{language}/1/solution.md"));
+        assert_eq!(text.matches(words.get("solution.title.beyond")).count(), 2, "{text}");
+        assert!(text.contains(r"O_y = m\,g + T = "), "{text}");
+        assert_eq!(text.matches(words.get("solution.beyond.growing_force")).count(), 2, "{text}");
+        for (problem, law) in [(1, ">φ<"), (2, ">t<")] {
+            let figure = room.read(&format!("set-{language}/students/1/problem-{problem}.svg"));
+            assert!(figure.contains(law), "{figure}");
+        }
+    }
+}

@@ -277,7 +277,7 @@ fn composed(dice: &mut Dice) -> Scene {
         } else {
             Attach::Centre
         };
-        CordEnd { body, attach, forward: dice.one_in(2) }
+        CordEnd { body, attach, forward: dice.one_in(2), upright: None }
     };
     for b in 1..count {
         if !dice.one_in(4) {
@@ -310,6 +310,7 @@ fn composed(dice: &mut Dice) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths,
+        carried: None,
         start,
         end: End::AtOnce,
         heading: None,
@@ -687,6 +688,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: Vec::new(),
+        carried: None,
         start: vec![Start::Lamina {
             body: 0,
             particle: 0,

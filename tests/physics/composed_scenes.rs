@@ -140,7 +140,7 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
             continue;
         }
         let Some((_, _, want, size)) = told.values.iter().find(|v| v.0 == name && v.1 == of) else {
-            if !["mu_required", "friction_if_rolled"].contains(&name) {
+            if !["mu_required", "friction_if_rolled", "pin_angle"].contains(&name) {
                 faults.push(format!("{name} of {of:?}: {:e} is published, the judge has none", e.value()));
             }
             continue;

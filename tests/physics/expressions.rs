@@ -444,3 +444,125 @@ problems:
     assert_eq!(none.unsolved, Some(slipstick::solve::outcome::Refusal::NotFound));
     assert!(drawn("0.31 to 2 step 0.01").is_ok(), "one distance");
 }
+
+#[test]
+fn what_is_found_does_not_hang_on_its_range() {
+    // A block that starts down an incline stops after d = v^2 / (2 g (mu cos - sin)); an Atwood machine falls by L in t.
+    let stopping = "bank: b
+title: B
+problems:
+  p:
+    title: A block
+    data:
+      d: {name: stopping distance, unit: m, draw: always 2.65, measured: distance}
+      v: {name: speed, unit: m/s, draw: always 2}
+      mu: {name: friction, unit: '1', unknown: RANGE step 0.01}
+    scene:
+      surfaces: {ramp: {slope: 16 deg}}
+      bodies: {block: {mass: 3 kg, moves: along ramp, positive: down}}
+      ties: [{slides: {body: block, mu_k: mu}}]
+      start: {block: {speed: v}}
+      end: {turning point: block}
+    questions: {x: {value: mu, unit: '1', ask: mu}}
+    statement: s
+";
+    let atwood = "bank: b
+title: B
+problems:
+  p:
+    title: Two weights
+    data:
+      t1: {name: time, unit: s, draw: always 2.04, measured: t}
+      m: {name: mass, unit: kg, unknown: RANGE step 0.1}
+    scene:
+      bodies: {A: {mass: 5 kg, moves: vertically}, B: {mass: m, moves: vertically, positive: down}}
+      ties: [cord: {from: {body: A, tied at: centre, leaves: up}, to: {body: B, tied at: centre, leaves: up}}]
+      start: at rest
+      end: {travel: {of: B, by: 1 m, heading: down}}
+    questions: {x: {value: m, unit: kg, ask: m}}
+    statement: s
+";
+    let slope = 16f64.to_radians();
+    let mu = (4.0 / (2.0 * 9.81 * 2.65) + slope.sin()) / slope.cos();
+    let a = 2.0 / (2.04 * 2.04);
+    let mass = 5.0 * (9.81 + a) / (9.81 - a);
+    let cases = [
+        (stopping, mu, ["0.29 to 0.55", "0.2868 to 0.5468", "0.3 to 0.9", "0.36 to 0.37"]),
+        (atwood, mass, ["5.1 to 15.7", "5.5 to 6", "5.2 to 100", "5.2 to 5.6"]),
+    ];
+    for (text, expected, ranges) in cases {
+        for range in ranges {
+            let bank = read(&text.replace("RANGE", range)).expect("a bank");
+            let variant = drawn(&bank.problems[0], "s");
+            let entry = variant.solved.get(bank.problems[0].questions[0].label).expect("an answer");
+            assert!((entry.value() - expected).abs() < 1e-14 * expected, "{range}: {entry:?} {expected}");
+            assert!(entry.cond < 100.0, "{range}: {entry:?}");
+        }
+    }
+    // A range that begins where nothing is measured, for the weights move the other way: its root is found all the same.
+    let wide = read(&atwood.replace("RANGE", "1.3 to 15.7")).expect("a bank");
+    let scene = &wide.problems[0].cases[0].scene;
+    let mut data = vec![2.04, 0.0];
+    data.resize(wide.problems[0].data.len(), 9.81);
+    let solved = slipstick::solve::agree::solve(scene, &data).expect("both roads find it");
+    let entry = solved.get(wide.problems[0].questions[0].label).expect("an answer");
+    assert!((entry.value() - mass).abs() < 1e-14 * mass, "{entry:?} {mass}");
+}
+
+/// A ball is rolling when it comes to an incline: as if that were smooth it would keep its spin and lose `2 g d sin` of the square of
+/// its speed, not 10/7 of `g d sin`. What would need the spin that it keeps, or a cord on its rim, is refused.
+#[test]
+fn a_ball_that_rolls_onto_ice_keeps_its_spin() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: A ball
+    data:
+      v0: {name: speed at the foot, unit: m/s, draw: 6.0 to 9.0 step 0.1}
+      d:  {name: way up the incline, unit: m, draw: 0.5 to 2.0 step 0.1}
+    scene:
+      surfaces: {incline: {slope: 30 deg}}
+      bodies: {ball: {mass: 2 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along incline}}
+      ties: [rolls: {body: ball, on its: rim}]
+      start: {ball: {speed: v0}}
+      end: {travel: {of: ball, by: d}}
+    questions:
+      v:    {ask: the speed, unit: m/s}
+      ice:  {quantity: v, if: smooth, unit: m/s, ask: the speed on ice}
+      back: {quantity: a, if: smooth, unit: m/s^2, ask: the acceleration on ice}
+      soon: {quantity: t, if: smooth, unit: s, ask: the time on ice}
+    statement: s
+";
+    let bank = read(text).unwrap_or_else(|f| panic!("{f:#?}"));
+    for i in 0..20 {
+        let variant = drawn(&bank.problems[0], &format!("s{i}"));
+        let (v0, d, g) = (variant.data[0], variant.data[1], 9.81);
+        let told = |id: &str| {
+            let label = slipstick::bank::asked::label(&bank.problems[0].cases[0].scene, id).expect("asked");
+            let entry = variant.solved.get(label).expect("an answer");
+            assert!(entry.energy.is_some(), "{id} on both roads");
+            entry.value()
+        };
+        let v = (v0 * v0 - g * d).sqrt();
+        for (found, expected) in
+            [(told("ice"), v), (told("back"), -g / 2.0), (told("soon"), 2.0 * (v0 - v) / g)]
+        {
+            assert!((found - expected).abs() < 1e-13 * expected.abs().max(1.0), "{found} {expected}");
+        }
+    }
+    let refused = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        read(&text.replace(from, to))
+            .expect_err("a finding")
+            .iter()
+            .map(ToString::to_string)
+            .collect::<String>()
+    };
+    let energy =
+        refused("{quantity: v, if: smooth, unit: m/s,", "{quantity: kinetic_energy, if: smooth, unit: J,");
+    assert!(energy.contains("spin that a body keeps"), "{energy}");
+    let cord = "ties: [rolls: {body: ball, on its: rim}, cord: {from: {body: ball, wound on: rim, leaves: top forward}, pulled with: 3 N}]";
+    let wound = refused("ties: [rolls: {body: ball, on its: rim}]", cord);
+    assert!(wound.contains("as if it were smooth"), "{wound}");
+}

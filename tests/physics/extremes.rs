@@ -171,7 +171,8 @@ fn scene(kind: Kind) -> Scene {
     let d = Num::Datum;
     let along = Coordinate { body: 0, degree: Degree::Along };
     let cord = |radius, to| {
-        let from = CordEnd { body: 0, attach: Attach::Wound(d(radius), Side::Top), forward: true };
+        let from =
+            CordEnd { body: 0, attach: Attach::Wound(d(radius), Side::Top), forward: true, upright: None };
         Tie::Cord(Cord { name: "cord".into(), from, to, made: slipstick::scene::Made::Cord })
     };
     let (ties, end, heading) = match kind {
@@ -214,6 +215,7 @@ fn scene(kind: Kind) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end: End::Travel(along, end),
         heading,

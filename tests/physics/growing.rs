@@ -1,5 +1,5 @@
-//! Forces that grow evenly with time. The third witness knows scenes with constant forces only: as the acceleration is linear in
-//! the forces, that of a growing force lies evenly between those of its first and its last value.
+//! Forces that grow with a power of time or place. The third witness knows scenes with constant forces only: as the acceleration is linear
+//! in the forces, that of a growing force lies between those of its first and its last value, in the share that has grown.
 use crate::composed::Lot;
 use crate::support;
 use slipstick::bank::load;
@@ -29,101 +29,196 @@ const SCENES: [&str; 2] = [
       end: {time: {of: load, is: t1}}",
 ];
 
+/// How forces grow: written for a pull and for a couple, their units, the power, and whether over the way.
+struct Grows {
+    with: [&'static str; 2],
+    units: [&'static str; 2],
+    power: f64,
+    place: bool,
+}
+
+const fn grows(with: [&'static str; 2], units: [&'static str; 2], power: f64, place: bool) -> Grows {
+    Grows { with, units, power, place }
+}
+
+const LAWS: [Grows; 9] = [
+    grows([""; 2], ["N/s", "N*m/s"], 1.0, false),
+    grows(["t^2"; 2], ["N/s^2", "N*m/s^2"], 2.0, false),
+    grows(["sqrt(t)"; 2], ["N", "N*m"], 0.5, false),
+    grows(["t^3"; 2], ["N/s^3", "N*m/s^3"], 3.0, false),
+    grows(["t^1.5"; 2], ["N/s", "N*m/s"], 1.5, false),
+    grows(["x", "phi"], ["N/m", "N*m/rad"], 1.0, true),
+    grows(["x^2", "phi^2"], ["N/m^2", "N*m/rad^2"], 2.0, true),
+    grows(["sqrt(x)", "sqrt(phi)"], ["N", "N*m"], 0.5, true),
+    grows(["x^3", "phi^3"], ["N/m^3", "N*m/rad^3"], 3.0, true),
+];
+
 struct Case {
     scene: usize,
+    law: usize,
     force: f64,
     moment: f64,
     growths: Option<[f64; 2]>,
     speed: f64,
-    time: f64,
+    /// Time, s, or way, m.
+    extent: f64,
 }
 
 fn text(case: &Case) -> String {
-    let grows = |k: usize, unit: &str| {
-        case.growths.map_or_else(String::new, |g| format!(", growing by: {} {unit}", g[k]))
+    let law = &LAWS[case.law];
+    let grows = |k: usize| {
+        case.growths.map_or_else(String::new, |g| {
+            let rate = format!("{} {}", g[k], law.units[k]);
+            if law.with[k].is_empty() {
+                format!(", growing by: {rate}")
+            } else {
+                format!(", growing by: {{rate: {rate}, with: {}}}", law.with[k])
+            }
+        })
     };
-    let scene = SCENES[case.scene]
+    let mut scene = SCENES[case.scene]
         .replace("FORCE", &case.force.to_string())
         .replace("MOMENT", &case.moment.to_string())
-        .replace(" GROWTH", &grows(0, "N/s"))
-        .replace(" TURNING", &grows(1, "N*m/s"))
+        .replace(" GROWTH", &grows(0))
+        .replace(" TURNING", &grows(1))
         .replace("SPEED", &case.speed.to_string());
+    let unit = if law.place { "m" } else { "s" };
+    if law.place {
+        scene = scene.replace("time: {", "travel: {").replace("is: t1", "by: t1");
+    }
     format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{t1: {{name: time, unit: s, draw: always 5}}}}\n    scene:{scene}\n    questions: {{work: {{ask: W}}}}\n    statement: x\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{t1: {{name: extent, unit: {unit}, draw: always 5}}}}\n    scene:{scene}\n    questions: {{work: {{ask: W}}}}\n    statement: x\n"
     )
 }
 
 fn solved(case: &Case) -> Solved {
     let text = text(case);
     let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
-    solve(&bank.problems[0].cases[0].scene, &[case.time, 9.81]).unwrap_or_else(|e| panic!("{e:?}\n{text}"))
+    solve(&bank.problems[0].cases[0].scene, &[case.extent, 9.81]).unwrap_or_else(|e| panic!("{e:?}\n{text}"))
+}
+
+fn find(solved: &Solved, name: &str) -> Option<f64> {
+    let of = |e: &&slipstick::solve::outcome::Entry| e.label.quantity.name() == name;
+    let entry = solved.entries.iter().find(of)?;
+    assert!(entry.energy.is_some(), "{name} on both roads");
+    Some(entry.value())
 }
 
 fn value(solved: &Solved, name: &str) -> f64 {
-    let of = |e: &&slipstick::solve::outcome::Entry| e.label.quantity.name() == name;
-    let entry = solved.entries.iter().find(of).unwrap_or_else(|| panic!("no {name}"));
-    assert!(entry.energy.is_some(), "{name} on both roads");
-    entry.value()
+    find(solved, name).unwrap_or_else(|| panic!("no {name}"))
 }
 
 #[test]
 fn a_growing_force_is_between_its_first_and_its_last_value() {
-    let mut compared = 0;
-    for seed in 0..support::seeds(2_000) {
+    let mut compared = [0; LAWS.len()];
+    for seed in 0..support::seeds(3_000) {
         let mut lot = Lot::new(u64::from(seed));
+        let law_of = seed as usize / 2 % LAWS.len();
+        let law = &LAWS[law_of];
         let mut between = |low: f64, high: f64| {
             let steps = lot.below(1000) as f64 / 1000.0;
             ((low + (high - low) * steps) * 100.0).round() / 100.0
         };
+        let scene = (seed % 2) as usize;
         let case = Case {
-            scene: (seed % 2) as usize,
+            scene,
+            law: law_of,
             force: between(40.0, 160.0),
             moment: between(0.0, 6.0),
             growths: Some([between(0.0, 40.0), between(0.0, 3.0)]),
             speed: between(3.0, 6.0),
-            time: between(0.2, 1.0),
+            extent: between(0.2, 1.0),
         };
         let [c, q] = case.growths.unwrap();
-        let t = case.time;
+        let (x, p) = (case.extent, law.power);
+        // What pull and couple have gone through on their own.
+        let own = |k: usize| if law.place { x * [pull_ratio(scene), turn_ratio(scene)][k] } else { x };
+        let [pull, moment] = [c * own(0).powf(p), q * own(1).powf(p)];
         let first = solved(&Case { growths: None, ..case });
         let last =
-            solved(&Case { growths: None, force: case.force + c * t, moment: case.moment + q * t, ..case });
+            solved(&Case { growths: None, force: case.force + pull, moment: case.moment + moment, ..case });
         let grown = solved(&case);
         let (a0, a1) = (value(&first, "a"), value(&last, "a"));
-        let v = case.speed + t * f64::midpoint(a0, a1);
-        let s = t * (case.speed + t * (2.0 * a0 + a1) / 6.0);
-        if [&first, &last].iter().any(|s| !s.entries.iter().any(|e| e.label.quantity.name() == "work"))
-            || v < 0.5
-        {
+        let rate = |share: f64| a0 + (a1 - a0) * share.powf(p);
+        // Over time the mean acceleration is a gain of speed, over the way one of half its square.
+        let mean = |share: f64| share * (a0 + (a1 - a0) * share.powf(p) / (p + 1.0));
+        let speed = |share: f64| match law.place {
+            false => case.speed + x * mean(share),
+            true => (case.speed * case.speed + 2.0 * x * mean(share)).sqrt(),
+        };
+        let least = (0..=100).map(|i| speed(f64::from(i) / 100.0)).fold(f64::INFINITY, f64::min);
+        if find(&first, "work").is_none() || find(&last, "work").is_none() || least.is_nan() || least < 0.5 {
             continue;
         }
-        compared += 1;
-        let near = |name: &str, expected: f64| {
+        compared[law_of] += 1;
+        let near = |name: &str, expected: f64, by: f64| {
             let found = value(&grown, name);
             let gap = (found - expected).abs();
-            assert!(gap <= 1e-11 * expected.abs().max(1.0), "{name}: {found}, {expected}\n{}", text(&case));
+            assert!(gap <= by * expected.abs().max(1.0), "{name}: {found}, {expected}\n{}", text(&case));
         };
-        near("v", v);
-        near("a", a1);
-        near("displacement", s);
-        near("impulse", grown_mass(case.scene) * (v - case.speed));
-        let force = ["friction", "tension"][case.scene];
-        near(force, value(&last, force));
-        // The work of the pull, from the speeds at many times.
-        let speed = |x: f64| case.speed + x * (a0 + (a1 - a0) * x / (2.0 * t));
+        let v = speed(1.0);
+        near("v", v, 1e-11);
+        near("a", rate(1.0), 1e-11);
+        near("impulse", grown_mass(scene) * (v - case.speed), 1e-11);
+        let force = ["friction", "tension"][scene];
+        near(force, value(&last, force), 1e-11);
         let steps = 2_000;
-        let power = (0..steps).map(|i| {
-            let x = t * (f64::from(i) + 0.5) / f64::from(steps);
-            (case.force + c * x) * speed(x) * t / f64::from(steps)
-        });
-        let (work, expected) = (value(&grown, "work_pull"), power.sum::<f64>() * pull_ratio(case.scene));
-        assert!((work - expected).abs() <= 1e-6 * expected.abs(), "{work}, {expected}\n{}", text(&case));
+        let shares = || (0..steps).map(|i| (f64::from(i) + 0.5) / f64::from(steps));
+        let sum = |f: &dyn Fn(f64) -> f64| shares().map(f).sum::<f64>() / f64::from(steps);
+        // The work of pull and couple from their powers at many times, or their sizes at many places.
+        let going = |share: f64| if law.place { x } else { speed(share) * x };
+        near("displacement", sum(&going), 1e-6);
+        let works = [
+            ("work_pull", sum(&|s| (case.force + pull * s.powf(p)) * going(s)) * pull_ratio(scene)),
+            ("work_couple", sum(&|s| (case.moment + moment * s.powf(p)) * going(s)) * turn_ratio(scene)),
+        ];
+        for (name, expected) in works {
+            near(name, expected, 1e-4);
+        }
+        assert_eq!(find(&grown, "t").is_none(), law.place);
     }
-    assert!(compared > support::seeds(2_000) / 2, "{compared}");
+    assert!(compared.iter().all(|n| *n > 0), "{compared:?}");
+    assert!(compared.iter().sum::<u32>() > support::seeds(3_000) / 2, "{compared:?}");
+}
+
+/// Textbook cases from rest, by hand: `M = c t^2` on a disc on its axle, `P = c sqrt(t)` on a block of no weight along the way, `M = c phi`.
+#[test]
+fn what_begins_at_nothing() {
+    let solved = |forces: &str, end: &str| {
+        let text = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:
+      bodies: {{disc: {{mass: 10 kg, shape: {{disc: 0.4 m}}, radii: {{rim: 0.4 m}}, moves: about a fixed axle}}}}
+      ties: [{{cord: {{from: {{body: disc, wound on: rim, leaves: top forward}}, pulled with: 0 N{}}}}}]
+      forces: [couple: {{on: disc, moment: 0 N*m{}}}]
+      start: at rest
+      end: {end}
+    questions: {{omega: {{ask: w, unit: rad/s}}}}\n    statement: x\n",
+            forces.strip_prefix('P').unwrap_or_default(),
+            forces.strip_prefix('M').unwrap_or_default(),
+        );
+        let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+        let solved =
+            solve(&bank.problems[0].cases[0].scene, &[9.81]).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
+        assert!(solved.checks.iter().all(|c| c.ok && c.margin > 0.5), "{:?}", solved.checks);
+        value(&solved, "omega")
+    };
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-13 * b, "{a} {b}");
+    // I = 0.8: omega = c t^3 / (3 I).
+    near(solved("M, growing by: {rate: 3 N*m/s^2, with: t^2}", "{time: {of: disc, is: 2 s}}"), 10.0);
+    // omega = R c t^(3/2) / (1.5 I).
+    near(solved("P, growing by: {rate: 6 N, with: sqrt(t)}", "{time: {of: disc, is: 4 s}}"), 16.0);
+    // I omega^2 = c phi^2, and of the pull c x^2 with x = R phi.
+    near(solved("M, growing by: {rate: 5 N*m/rad, with: phi}", "{turn: {of: disc, by: 4 rad}}"), 10.0);
+    near(solved("P, growing by: {rate: 45 N/m, with: x}", "{turn: {of: disc, by: 5 rad}}"), 15.0);
 }
 
 const fn grown_mass(scene: usize) -> f64 {
     [12.0, 5.0][scene]
+}
+
+/// Turn of the body of the couple per metre of the body that ends the motion.
+fn turn_ratio(scene: usize) -> f64 {
+    [1.0 / 0.4, 1.0 / 0.3][scene]
 }
 
 /// Travel of the pulled end of the cord per metre of the body that ends the motion.
@@ -132,8 +227,16 @@ fn pull_ratio(scene: usize) -> f64 {
 }
 
 #[test]
-fn what_does_not_grow_evenly_is_refused_by_name() {
-    let case = Case { scene: 0, force: 90.0, moment: 1.0, growths: Some([5.0, 0.5]), speed: 1.0, time: 1.0 };
+fn what_does_not_grow_as_it_could_is_refused_by_name() {
+    let case = Case {
+        scene: 0,
+        law: 0,
+        force: 90.0,
+        moment: 1.0,
+        growths: Some([5.0, 0.5]),
+        speed: 1.0,
+        extent: 1.0,
+    };
     for (from, to) in [
         ("time: {of: wheel, is: t1}", "speed: {of: wheel, reaches: 9 m/s}"),
         (
@@ -146,4 +249,14 @@ fn what_does_not_grow_evenly_is_refused_by_name() {
         let found = format!("{:?}", load::scenes_only(&text.replace(from, to), "test").unwrap_err());
         assert!(found.contains("grows with time"), "{found}");
     }
+    let refused = |text: &str| format!("{:?}", load::scenes_only(text, "test").unwrap_err());
+    let placed = text(&Case { law: 5, ..case });
+    let timed = placed.replace("travel: {of: wheel, by: t1}", "turning point: wheel");
+    assert!(refused(&timed).contains("grows with place"), "{}", refused(&timed));
+    let mixed = placed.replace("with: phi", "with: phi^2").replace("0.5 N*m/rad", "0.5 N*m/rad^2");
+    assert!(refused(&mixed).contains("two forces grow in different ways"), "{}", refused(&mixed));
+    let odd = placed.replace("with: phi", "with: phi^4");
+    assert!(refused(&odd).contains("one of sqrt(t), t, t^1.5"), "{}", refused(&odd));
+    let unit = placed.replace("5 N/m", "5 N/s");
+    assert!(refused(&unit).contains("the growth of a force"), "{}", refused(&unit));
 }

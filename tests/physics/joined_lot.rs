@@ -111,6 +111,8 @@ pub struct Machine {
     /// Angular acceleration with which the leading body is driven, as it counts, rad/s^2.
     pub alpha: Option<f64>,
     pub gravity: f64,
+    /// Acceleration of what carries all of it, to the right and up.
+    pub carried: V2,
     body_text: Vec<String>,
     joint_text: Vec<String>,
     force_text: Vec<String>,
@@ -297,6 +299,16 @@ fn grid(lot: &mut Lot, low: f64, high: f64, decimals: i32) -> f64 {
     (a + lot.below((b - a) as usize + 1) as f64) / scale
 }
 
+/// Now and then a truck or a lift carries it.
+fn carrier(seed: u64) -> V2 {
+    let by = grid(&mut Lot::new(seed ^ 0x0ca4_41ed), -6.0, 6.0, 1);
+    match seed % 10 {
+        3 => [by, 0.0],
+        7 => [0.0, by],
+        _ => [0.0; 2],
+    }
+}
+
 /// The mechanism of a seed: `None` where its parts do not meet.
 pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
     let mut lot = Lot::new(seed);
@@ -313,6 +325,7 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         end: Ending::AtOnce,
         alpha: None,
         gravity: l.of(&[9.81, 9.81, 9.81, 1.62]),
+        carried: carrier(seed),
         body_text: Vec::new(),
         joint_text: Vec::new(),
         force_text: Vec::new(),
@@ -711,6 +724,8 @@ pub fn yaml(m: &Machine) -> String {
     };
     let (quantity, unit) = match m.end {
         Ending::Equilibrium => ("phi", "rad"),
+        _ if m.carried != [0.0; 2] && m.bodies[m.lead].turns => ("omega", "rad/s"),
+        _ if m.carried != [0.0; 2] => ("a_x", "m/s^2"),
         _ if m.bodies.len() == 1 => ("kinetic_energy", "J"),
         _ => ("v_x", "m/s"),
     };
@@ -726,13 +741,18 @@ pub fn yaml(m: &Machine) -> String {
     } else {
         format!("      forces:\n{}", list(&m.force_text, "- "))
     };
+    let carried = match m.carried {
+        [0.0, 0.0] => String::new(),
+        [0.0, up] => format!("      carried: {{along: vertical, acceleration: {up} m/s^2}}\n"),
+        [right, _] => format!("      carried: {{along: horizontal, acceleration: {right} m/s^2}}\n"),
+    };
     let joints = if m.joint_text.is_empty() {
         String::new()
     } else {
         format!("      joints:\n{}", list(&m.joint_text, ""))
     };
     format!(
-        "bank: lot\ntitle: t\ngravity: {:.2} m/s^2\nproblems:\n  p:\n    title: t\n    data: {{{}}}\n    scene:\n      bodies:\n{}{joints}{forces}      start: {{{}}}\n      end: {end}\n    questions: {{q: {{quantity: {quantity}, ask: q, unit: {unit}}}}}\n",
+        "bank: lot\ntitle: t\ngravity: {:.2} m/s^2\nproblems:\n  p:\n    title: t\n    data: {{{}}}\n    scene:\n{carried}      bodies:\n{}{joints}{forces}      start: {{{}}}\n      end: {end}\n    questions: {{q: {{quantity: {quantity}, ask: q, unit: {unit}}}}}\n",
         m.gravity,
         m.data.join(", "),
         list(&m.body_text, ""),

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use slipstick::bank::load;
 use slipstick::scene::{Owner, Quantity};
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::{Refusal, Solved};
+use slipstick::solve::outcome::{Check, CheckKind, Refusal, Solved, Unsupported};
 use std::collections::BTreeMap;
 
 /// A condition on velocities, `row . v = 0`, as it stands at a place; `right` is what `row . a` is.
@@ -185,7 +185,18 @@ impl<'m> Judge<'m> {
                 row,
             });
         }
-        self.balance(&self.forces(q), &conditions)
+        // On the ground: what holds the bodies accelerates with what carries it.
+        let with = self.carried();
+        for c in &mut conditions {
+            c.right += c.row.iter().zip(&with).map(|(r, a)| r * a).sum::<f64>();
+        }
+        let (a, forces) = self.balance(&self.forces(q), &conditions)?;
+        Some((a.iter().zip(&with).map(|(a, with)| a - with).collect(), forces))
+    }
+    /// Acceleration of the carrier for each coordinate.
+    fn carried(&self) -> Vec<f64> {
+        let [x, y] = self.m.carried;
+        self.m.bodies.iter().flat_map(|_| [x, y, 0.0]).collect()
     }
     /// `M a = Q + sum of force x multiplier`, `row . a = right`; `None` where the conditions are not independent.
     fn balance(&self, forces: &[f64], conditions: &[Condition]) -> Option<Answer> {
@@ -264,7 +275,8 @@ impl<'m> Judge<'m> {
     /// What drives what leads, and the inertia over it, at rest: both for its angle, by the velocities that go with its rate.
     fn drive(&self, q: &[f64]) -> Option<(f64, f64)> {
         let v = self.start(q, 1.0)?;
-        let drive = self.forces(q).iter().zip(&v).map(|(f, v)| f * v).sum();
+        let mut drive: f64 = self.forces(q).iter().zip(&v).map(|(f, v)| f * v).sum();
+        drive -= self.inertias().zip(self.carried()).zip(&v).map(|((m, a), v)| m * a * v).sum::<f64>();
         Some((drive, self.inertias().zip(&v).map(|(m, v)| m * v * v).sum()))
     }
     /// Where it stands when the leading body has turned on by this much.
@@ -287,7 +299,9 @@ impl<'m> Judge<'m> {
         let Some((first, _)) = self.drive(&q) else { return singular };
         let going = first.signum();
         let mut steps = 0;
+        let mut springs = Springs::default();
         loop {
+            self.look(&q, &mut springs);
             let Some(next) = self.turned_on(&q, going * STEP) else { return singular };
             let Some((drive, _)) = self.drive(&next) else { return singular };
             if drive * going <= 0.0 {
@@ -311,6 +325,16 @@ impl<'m> Judge<'m> {
             if drive * going > 0.0 { low = middle } else { high = middle }
         }
         let Some(q) = self.turned_on(&q, going * high) else { return singular };
+        self.look(&q, &mut springs);
+        // The differences below may not go across where a spring is met.
+        let all_but_met = |load: &Load| {
+            let Load::Spring(at, far, stiffness, natural, acts) = *load else { return false };
+            let whole = self.spring(&q, &Load::Spring(at, far, stiffness, natural, 0.0));
+            acts != 0.0 && whole.is_some_and(|(tension, _)| (tension / stiffness).abs() < 0.02)
+        };
+        if self.m.loads.iter().any(all_but_met) {
+            return Verdict::Beyond("a spring just met");
+        }
         let slope = |h: f64| {
             let [ahead, behind] = [h, -h].map(|h| self.turned_on(&q, h).and_then(|q| self.drive(&q)));
             Some((ahead?.0 - behind?.0) / (2.0 * h))
@@ -333,7 +357,7 @@ impl<'m> Judge<'m> {
         if self.least(&forces).0 < 0.0 {
             return Verdict::NotReached;
         }
-        Verdict::Ends(End { frequency: stiffness.sqrt(), ..End::of(q, still, none, 0.0) })
+        Verdict::Ends(End { frequency: stiffness.sqrt(), springs, ..End::of(q, still, none, 0.0) })
     }
     /// The angle that leads and its rate, counter-clockwise: of the leading body's axis, or of its centre seen from the axis of the
     /// cylinder that it touches.
@@ -458,11 +482,28 @@ struct End {
     impulses: Option<Vec<f64>>,
     /// Of small oscillations.
     frequency: f64,
+    /// What springs have gone through.
+    springs: Springs,
+}
+
+/// Which springs have acted on the way, by their place among the springs, and how far torsion springs were wound.
+#[derive(Clone, Default)]
+struct Springs {
+    acted: Vec<bool>,
+    wound: f64,
 }
 
 impl End {
     fn of(places: Vec<f64>, velocities: Vec<f64>, senses: Vec<f64>, time: f64) -> Self {
-        Self { places, velocities, senses, time, impulses: None, frequency: f64::NAN }
+        Self {
+            places,
+            velocities,
+            senses,
+            time,
+            impulses: None,
+            frequency: f64::NAN,
+            springs: Springs::default(),
+        }
     }
 }
 
@@ -510,6 +551,28 @@ impl Judge<'_> {
             })
             .fold(0.0, f64::max);
         error.is_finite().then_some((next, error))
+    }
+
+    /// Notes what springs do here.
+    fn look(&self, q: &[f64], springs: &mut Springs) {
+        let mut at = 0;
+        for load in &self.m.loads {
+            let acts = match *load {
+                Load::Spring(.., acts) => {
+                    acts == 0.0 || self.spring(q, load).is_some_and(|(tension, _)| tension != 0.0)
+                }
+                Load::Torsion(b, _, relaxed) => {
+                    springs.wound = springs.wound.max((q[3 * b + 2] - relaxed).abs());
+                    true
+                }
+                _ => continue,
+            };
+            if springs.acted.len() == at {
+                springs.acted.push(false);
+            }
+            springs.acted[at] |= acts;
+            at += 1;
+        }
     }
 
     /// What becomes of it.
@@ -600,14 +663,20 @@ impl Judge<'_> {
         }
         let mut y = [m.start.clone(), v].concat();
         let (mut t, mut h) = (0.0, 1e-3);
+        let mut springs = Springs::default();
+        let ends = |q: &[f64], v: &[f64], t: f64, mut springs: Springs| {
+            self.look(q, &mut springs);
+            Verdict::Ends(End { springs, ..End::of(q.to_vec(), v.to_vec(), senses.clone(), t) })
+        };
         for _ in 0..20_000 {
+            self.look(&y[..self.n], &mut springs);
             if let Ending::Time(end) = m.end
                 && t + h >= end
             {
                 h = end - t;
                 if h <= 1e-12 {
                     let (q, v) = y.split_at(self.n);
-                    return Verdict::Ends(End::of(q.to_vec(), v.to_vec(), senses, end));
+                    return ends(q, v, end, springs);
                 }
             }
             let Some((next, error)) = self.step(&y, &senses, h) else {
@@ -648,11 +717,9 @@ impl Judge<'_> {
                     _ => false,
                 };
                 return match (now, leaves) {
-                    ([false, true, false, _], _) if m.end == Ending::Turns => {
-                        Verdict::Ends(End::of(q.to_vec(), v.to_vec(), senses, t + high))
-                    }
+                    ([false, true, false, _], _) if m.end == Ending::Turns => ends(q, v, t + high, springs),
                     ([true, false, false, false], _) | ([false, false, true, _], true) => {
-                        Verdict::Ends(End::of(q.to_vec(), v.to_vec(), senses, t + high))
+                        ends(q, v, t + high, springs)
                     }
                     // Where it turns back, what slides does too.
                     ([false, false, false, true], _) if self.leading(q, v).1.abs() > 1e-6 => {
@@ -741,10 +808,17 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
         Err(refusal @ (Refusal::Disagree { .. } | Refusal::Inadmissible(_))) => {
             return Err(format!("{refusal:?}"));
         }
+        Err(Refusal::Unsupported(Unsupported::Overwound)) if matches!(&verdict, Verdict::Ends(end) if !end.springs.acted.is_empty() && end.springs.wound < 3.1) =>
+        {
+            return Err("no torsion spring comes near half a turn".into());
+        }
         Err(other) => return Ok(Outcome::Refused(format!("{other:?}"))),
     };
     prove(&case.scene, &data, &mut solved);
     let reached = !solved.entries.is_empty();
+    // Whether springs are met is judged by itself.
+    let met: Vec<Check> = solved.checks.iter().filter(|c| c.kind == CheckKind::Met).copied().collect();
+    solved.checks.retain(|c| c.kind != CheckKind::Met);
     match verdict {
         Verdict::Beyond(what) if what.starts_with("friction") && reached && solved.all_hold() => {
             Err(format!("{what}, and it is published"))
@@ -756,6 +830,10 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
             Err(format!("it gets there; {:?} {:?}", solved.regime, solved.checks))
         }
         Verdict::Ends(end) => {
+            let acted = |c: &Check| end.springs.acted.get(c.of).copied();
+            if let Some(wrong) = met.iter().find(|c| c.margin.abs() > 1e-3 && acted(c) != Some(c.ok)) {
+                return Err(format!("{wrong:?}, the springs that act: {:?}", end.springs.acted));
+            }
             compare(m, &solved, &end)?;
             Ok(Outcome::Published)
         }
@@ -797,8 +875,8 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             }
             ("v_x", Owner::Body(b)) => (v[3 * b], fastest),
             ("v_y", Owner::Body(b)) => (v[3 * b + 1], fastest),
-            ("a_x", Owner::Body(b)) => (a[3 * b], steepest),
-            ("a_y", Owner::Body(b)) => (a[3 * b + 1], steepest),
+            ("a_x", Owner::Body(b)) => (a[3 * b] + m.carried[0], steepest),
+            ("a_y", Owner::Body(b)) => (a[3 * b + 1] + m.carried[1], steepest),
             ("omega", Owner::Body(b)) => (v[3 * b + 2].abs(), fastest),
             ("alpha", Owner::Body(b)) => (a[3 * b + 2] * m.bodies[b].sense, steepest),
             ("phi", Owner::Body(_)) => ((judge.leading(q, v).0 - judge.leading(&m.start, v).0).abs(), 1.0),
@@ -815,6 +893,18 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             ("pin_x" | "normal" | "tension", Owner::Joint(j)) => (forces[first[j]], pulls),
             ("pin_y", Owner::Joint(j)) => (forces[first[j] + 1], pulls),
             ("pin_force", Owner::Joint(j)) => (length([forces[first[j]], forces[first[j] + 1]]), pulls),
+            ("pin_angle", Owner::Joint(j)) => {
+                let [x, y] = [forces[first[j]], forces[first[j] + 1]];
+                // Where it hardly acts its direction hangs on the last digits, and half a turn is both of its ends.
+                let (want, got) = (libm::atan2(y, x), e.value());
+                let near = (1e-7 * pulls / length([x, y])).min(4.0);
+                let off = (got - want).abs();
+                let off = off.min((off - 2.0 * std::f64::consts::PI).abs());
+                if off > near + 1e-9 {
+                    faults.push(format!("{name} of {:?}: {got:e}, {want:e} by the judge", e.label.of));
+                }
+                continue;
+            }
             ("friction", Owner::Joint(j)) => match m.holds[j] {
                 Hold::Guide(_, _, direction, _, Some(mu)) => {
                     let u = unit(radians(direction));
@@ -846,7 +936,8 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
         }
     }
     let has = |quantity: Quantity| solved.entries.iter().any(|e| e.label.quantity == quantity);
-    if ![Quantity::KineticEnergy, Quantity::AX, Quantity::Phi].into_iter().any(has) {
+    let told = [Quantity::KineticEnergy, Quantity::AX, Quantity::Phi, Quantity::Omega];
+    if m.carried == [0.0; 2] && !told.into_iter().any(has) {
         faults.push("nothing is published".into());
     }
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }

@@ -774,7 +774,7 @@ impl<'s> System<'s> {
             // Velocities as they are, accelerations and forces; nothing of what comes later.
             let at_once =
                 ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
-            told.values.retain(|v| at_once.contains(&v.0));
+            told.values.retain(|v| at_once.contains(&v.0) || v.0.starts_with("pin_"));
             told.values.extend(velocities);
         }
         Verdict::Told(told)
@@ -1077,6 +1077,47 @@ impl<'s> System<'s> {
                         check("taut", t, a.min(b), forces);
                     }
                 }
+            }
+        }
+        // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
+        // it leaves. Nobody knows the direction of one that goes round a corner.
+        let onward = |e: &End| dot(leaves(s, &self.frames, e).1, self.frames[e.body].forward) > 0.0;
+        let on_slope =
+            |e: &&End| matches!(s.bodies[e.body].way, Way::Along(k) if s.surfaces[k].slope.is_some());
+        for (b, body) in s.bodies.iter().enumerate() {
+            if !matches!(body.way, Way::Axle) || matches!(body.spread, Spread::Moment(_)) {
+                continue;
+            }
+            let own = Owner::Body(b);
+            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, true, false);
+            for (t, tie) in s.ties.iter().enumerate() {
+                let Tie::Cord { from, far } = tie else { continue };
+                let to = if let Far::To(end) = far { Some(end) } else { None };
+                let (end, other) = match to {
+                    Some(end) if end.body == b => (end, Some(from)),
+                    _ if from.body == b => (from, to),
+                    _ => continue,
+                };
+                let pull = match far {
+                    Far::Pulled(p) => Some(p.si),
+                    Far::Spring { .. } => Some(if moves && arrived { stretch_at(at) } else { tension }),
+                    Far::Fast | Far::To(_) => there.reactions[t],
+                };
+                shared |= pull.is_none();
+                let mut along = leaves(s, &self.frames, end).1;
+                if let Some(other) = other.filter(on_slope).filter(|_| along.1.abs() < 1e-12) {
+                    // Forward is to the right: of what counts positive down a picture may show either side.
+                    told &= onward(end) != onward(other) && self.frames[other.body].forward.0 > 0.0;
+                    along = times(-1.0, leaves(s, &self.frames, other).1);
+                }
+                (x, y) = (x - pull.unwrap_or(0.0) * along.0, y - pull.unwrap_or(0.0) * along.1);
+            }
+            if told && shared {
+                open.extend(["pin_x", "pin_y", "pin_force", "pin_angle"].map(|name| (name, own)));
+            } else if told {
+                say("pin_x", own, x, forces);
+                say("pin_y", own, y, forces);
+                say("pin_force", own, x.hypot(y), forces);
             }
         }
         if let Some((_, row, ks, _, rigid)) = &self.spring {

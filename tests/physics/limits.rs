@@ -357,6 +357,14 @@ fn a_boundary_in_the_printed_decimals_is_a_boundary() {
         assert_eq!(s.regime.word(), "rolls_at_start", "{radius}");
         assert!(value(&s, Quantity::A) < 0.0);
     }
+    // On the level nothing pushes it then.
+    for (radius, v, w) in [(0.3, 2.1, 7.0), (0.1, 0.3, 3.0), (0.7, 2.1, 3.0), (0.11, 3.3, 30.0)] {
+        let s = scene(&format!(
+            "      surfaces: {{lane: level}}\n      bodies: {{ball: {{mass: m, shape: {{sphere: {radius:?} m}}, moves: along lane}}}}\n      ties: [{{slips: {{body: ball, on its: rim, mu_s: 0.3, mu_k: 0.2}}}}]\n      start: {{ball: {{speed: {v:?} m/s, spin: {w:?} rad/s}}}}\n      end: {{time: {{of: ball, is: 1 s}}}}"
+        ));
+        near(&s, Quantity::Impulse, 0.0);
+        near(&s, Quantity::V, v);
+    }
 }
 
 /// A rigid spring: from rest to the turning point takes half a period, however far that is; a soft spring on a cord that never

@@ -12,7 +12,9 @@
 mod support;
 
 mod at_once;
+mod axles;
 mod big;
+mod carried;
 mod catalogue;
 mod composed;
 mod composed_scenes;
@@ -20,6 +22,7 @@ mod expressions;
 mod extremes;
 mod growing;
 mod joined;
+mod joined_edges;
 mod joined_lot;
 mod joined_scenes;
 mod ladder;

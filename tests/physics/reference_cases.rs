@@ -32,7 +32,12 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
     let cord = |radius, to| {
         Tie::Cord(Cord {
             name: "cord".into(),
-            from: CordEnd { body: 0, attach: Attach::Wound(Num::Datum(radius), Side::Top), forward: true },
+            from: CordEnd {
+                body: 0,
+                attach: Attach::Wound(Num::Datum(radius), Side::Top),
+                forward: true,
+                upright: None,
+            },
             to,
             made: Made::Cord,
         })
@@ -46,6 +51,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end: End::Travel(along(0), Num::Datum(7)),
         heading: None,
@@ -343,6 +349,7 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end: End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4)),
         heading: None,

@@ -151,6 +151,7 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
         end: End::Angle(turn, d(5)),
         heading: None,

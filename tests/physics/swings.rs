@@ -34,6 +34,7 @@ fn swinging(from: Zero, start: f64, end: End) -> Scene {
         pushes: Vec::new(),
         struts: Vec::new(),
         growths: vec![],
+        carried: None,
         start: vec![],
         end,
         heading: None,

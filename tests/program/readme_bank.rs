@@ -64,7 +64,10 @@ fn around(kind: &str, item: &str) -> String {
     match kind {
         "bodies" => bodies += &format!("        another_{item}\n"),
         "ties" => {
-            bodies += "        yoyo: {mass: m, radius of gyration: k, radii: {hub: r}, moves: vertically, positive: down}\n";
+            bodies += "        yoyo: {mass: m, radius of gyration: k, radii: {hub: r}, moves: vertically, positive: down}\n        \
+                       plank: {mass: m, moves: along incline}\n        \
+                       front: {mass: m, shape: {disc: R}, moves: along incline}\n        \
+                       rear: {mass: m, shape: {disc: R}, moves: along incline}\n";
             ties = indent(item, "        ");
         }
         "ends" if item.contains("rolling") => {
@@ -72,6 +75,7 @@ fn around(kind: &str, item: &str) -> String {
             ties = "        - slips: {body: wheel, on its: hub, mu_s: mu_s, mu_k: mu_k}\n".to_owned();
             start = "{wheel: {speed: v1, spin: 3 rad/s}}";
         }
+        "forces" => rest = format!("      forces:\n{}", indent(item, "        ")),
         "ends" => end = item.trim_start_matches("- ").to_owned(),
         "bounds" | "cases" => rest = format!("    {kind}:\n{}", indent(item, "      ")),
         _ => panic!("no fragment of kind {kind}"),
@@ -101,6 +105,7 @@ fn swinging(scene: &str) -> String {
         ("ks", "N/m"),
         ("l0", "m"),
         ("kt", "N*m/rad"),
+        ("a0", "m/s^2"),
         ("phi0", "deg"),
         ("w0", "rad/s"),
         ("phi1", "deg"),
@@ -144,7 +149,7 @@ fn the_examples_of_readme_and_manual_are_banks() {
             let item = item.split("   #").next().unwrap_or(item).trim_end();
             let text = around(kind, item);
             let place = match kind {
-                "bodies" | "ties" => format!("scene.{kind}"),
+                "bodies" | "ties" | "forces" => format!("scene.{kind}"),
                 "ends" => "scene.end".to_owned(),
                 other => format!("p.{other}"),
             };

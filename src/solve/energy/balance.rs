@@ -6,8 +6,12 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::scene::{Attach, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Numbers, Scene, Side, Tie};
-use crate::solve::energy::speeds::Mode;
+use crate::scene::{
+    Attach, BodyNumbers, Carried, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers,
+    Scene, Side, Tie,
+};
+use crate::solve::energy::speeds::{self, Mode};
+use crate::solve::outcome::Grip;
 use smallvec::{SmallVec, smallvec};
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
@@ -25,7 +29,11 @@ pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
 
 /// Force that presses a body on its surface, by a virtual displacement out of it: `N dy - m g cos dy = 0`.
 pub fn normal<T: Real>(n: &Numbers<T>, body: usize) -> T {
-    plant!("energy: weight against the surface", n.bodies[body].mass * n.gravity) * n.bodies[body].level
+    let BodyNumbers { mass, level, carried, .. } = n.bodies[body];
+    let weight = plant!("energy: weight against the surface", mass * n.gravity) * level;
+    // Carried out of its surface it gains momentum.
+    let gained = |out: Carried<T>| plant!("energy: momentum out of the surface", mass * out.acceleration);
+    carried.map_or(weight, |[_, out]| weight.balance(gained(out)))
 }
 
 /// One number for each tie.
@@ -50,6 +58,11 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
         if !climb.is_zero() {
             let power = -plant!("energy: work of the weight", body.mass * n.gravity * climb);
             list.push(Power { tie: None, power });
+        }
+        if let Some([forward, _]) = body.carried {
+            // Of 1/2 m (V + v)^2 the part m V v grows with V, at the cost of the motion on the carrier.
+            let shared = plant!("energy: energy shared with the carrier", body.mass * mode.v[b]);
+            list.push(Power { tie: None, power: -(shared * forward.acceleration) });
         }
     }
     for c in &scene.couples {
@@ -77,24 +90,39 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
 
 /// How much a force or couple has grown at the end.
 pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T> {
-    scene.growth(of).map(|(rate, time)| plant!("energy: growth of a force", n.get(time)) * n.massive(rate))
+    let growth = scene.growth(of)?;
+    let extent = plant!("energy: growth of a force", n.get(scene.growing_for()?).abs());
+    let own = match growth.law.with {
+        Grows::Time => extent,
+        // What the ties let its point move while the ending coordinate does.
+        Grows::Place => {
+            let modes = speeds::modes(scene, n, Grip::Declared, &[]);
+            let mode = modes.first()?;
+            (works_along(scene, n, mode, of) / mode.of(scene.ending_coordinate()) * extent).abs()
+        }
+    };
+    Some(n.massive(growth.rate) * growth.law.of(own, n.get(growth.unit)))
 }
 
-/// Power in a mode of what the forces that grow with time have grown by at the end.
+/// Rate of the point of a given force along it in a mode; of a couple that of its body.
+fn works_along<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, of: GivenForce) -> T {
+    match of {
+        GivenForce::Pull(t) => match &scene.ties[t] {
+            Tie::Cord(cord) => mode.point(n, &cord.from),
+            _ => T::zero(),
+        },
+        GivenForce::Couple(i) => {
+            let couple = &scene.couples[i];
+            mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
+        }
+    }
+}
+
+/// Power in a mode of what the forces that grow have grown by at the end.
 pub fn grown_power<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>) -> T {
     scene.growths.iter().fold(T::zero(), |sum, growth| {
         let Some(force) = grown(scene, n, growth.of) else { return sum };
-        let rate = match growth.of {
-            GivenForce::Pull(t) => match &scene.ties[t] {
-                Tie::Cord(cord) => mode.point(n, &cord.from),
-                _ => T::zero(),
-            },
-            GivenForce::Couple(i) => {
-                let couple = &scene.couples[i];
-                mode.w[couple.body].signed(if couple.forward { 1.0 } else { -1.0 })
-            }
-        };
-        sum + force * rate
+        sum + force * works_along(scene, n, mode, growth.of)
     })
 }
 
@@ -123,7 +151,7 @@ impl<T> std::ops::Index<usize> for Reactions<T> {
 /// velocity cancels, and what is left holds for every virtual velocity of that body.
 ///
 /// `rate` are the accelerations of all coordinates; `varying` the tension of the spring, or the share of their growth that
-/// forces of time have.
+/// forces that grow have.
 pub fn reactions<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
@@ -165,6 +193,11 @@ pub fn reactions<T: Real>(
             };
             let mut surplus = weight + gain;
             let mut size = weight.size() + gain.size();
+            if let (Degree::Along, Some([forward, _])) = (degree, numbers.carried) {
+                let with = numbers.mass * forward.acceleration;
+                surplus = surplus - plant!("energy: momentum of one body with the carrier", with);
+                size += with.size();
+            }
             let row = rows.row();
             let mut act = |t: usize, lever: T, known: Option<T>| match known {
                 Some(force) => {

@@ -22,7 +22,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     };
     for (b, body) in scene.bodies.iter().enumerate() {
         if body.line.is_some() {
-            say(Quantity::V, Owner::Body(b), motion.v[b].abs());
+            let speed = n.bodies[b].carried.map(|[forward, _]| forward.speed);
+            let seen = speed.map_or(motion.v[b], |with| motion.v[b].balance(with));
+            say(Quantity::V, Owner::Body(b), seen.abs());
         }
         if body.spins() {
             say(Quantity::Omega, Owner::Body(b), motion.w[b].abs());

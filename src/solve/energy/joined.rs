@@ -246,8 +246,8 @@ impl<'a, T: Real> Account<'a, T> {
         let apart = plant!("energy: equimomental particles", gyration);
         [centre + apart, centre - apart].map(|along| poses[body].point([along, T::zero()]))
     }
-    /// Length of a spring; of a torsion spring the angle of its body from where that is relaxed.
-    fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
+    /// From one end of a spring to the other; of a torsion spring the angle of its body from where that is relaxed.
+    fn apart(&self, poses: &Poses<T>, s: usize) -> pose::Point<T> {
         let Strut { at, to, .. } = &self.scene.struts[s];
         let near = self.point(poses, *at);
         let far = match to {
@@ -257,7 +257,8 @@ impl<'a, T: Real> Account<'a, T> {
                 let turned = |p| pose::turned_from(p, axis.map(|x| x.value), self.relaxed[s]);
                 let (first, second) = poses[at.body].turn();
                 let value = planar.map_or_else(T::zero, turned);
-                return Jet { value, first: first.signed(sense), second: second.signed(sense) };
+                let angle = Jet { value, first: first.signed(sense), second: second.signed(sense) };
+                return [angle, Jet::fixed(T::zero())];
             }
             StrutEnd::Ground(place) => pose::ground(self.n, *place).map(Jet::fixed),
             StrutEnd::Spot(spot) => self.point(poses, *spot),
@@ -267,10 +268,23 @@ impl<'a, T: Real> Account<'a, T> {
                 pose::foot(near, through, along)
             }
         };
-        let (x, y) = (far[0] - near[0], far[1] - near[1]);
-        (x * x + y * y).root()
+        [far[0] - near[0], far[1] - near[1]]
+    }
+    /// Length of a spring; of a torsion spring that angle.
+    fn length(&self, poses: &Poses<T>, s: usize) -> Jet<T> {
+        let [x, y] = self.apart(poses, s);
+        if self.scene.struts[s].twists() { x } else { (x * x + y * y).root() }
     }
 
+    /// The first way up to which a torsion spring is wound by half a turn.
+    fn overwinds(&self, far: (T, T)) -> Option<T> {
+        ball::unwatched(|| {
+            let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
+            let ways =
+                all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, self.sense, far));
+            ways.reduce(|one, other| least(one, &other))
+        })
+    }
     /// Does a spring of this length press, or pull, where it can do but one of them?
     fn bears(&self, s: usize, length: T) -> bool {
         match self.scene.struts[s].acts {
@@ -439,10 +453,15 @@ impl<'a, T: Real> Account<'a, T> {
         }
     }
 
-    /// Adds what the leading angle moves, at this rate: the turn of the body, or its centre about the axis of a cylinder.
+    /// Adds what the leading angle moves, at this rate: the turn of the body, its centre about the axis of a cylinder, or its way
+    /// along guides.
     fn leading(&self, poses: &Poses<T>, rows: &mut Equations<T>, rate: T) {
         let (columns, at) = (3 * self.scene.bodies.len(), 3 * self.lead);
         let (mut along, mut turn) = ([T::zero(); 2], T::of(1.0));
+        if let Some(unit) = self.layout.glide() {
+            let centre = [self.centres[self.lead].0, T::zero()];
+            (along, turn) = (unit, about(poses, self.lead, centre, unit));
+        }
         if let Some(arc) = self.layout.arc()
             && let Some(spot) = self.scene.joints[arc.joint].kind.spots().next()
         {
@@ -457,6 +476,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn unit(&self, poses: &Poses<T>) -> T {
         match self.layout.arc() {
             Some(arc) => arc.apart.square().signed(self.counts(self.lead)),
+            None if self.layout.glide().is_some() => T::of(1.0),
             None => poses[self.lead].turn().0,
         }
     }
@@ -531,11 +551,14 @@ impl<'a, T: Real> Account<'a, T> {
             return pushed.collect();
         }
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let [_, up] = self.velocity(poses, motion, b, self.centres[b].0);
+            let velocity = self.velocity(poses, motion, b, self.centres[b].0);
             powers.push(-plant!(
                 "energy: power of the weight in the plane",
-                numbers.mass * self.n.gravity * up
+                numbers.mass * self.n.gravity * velocity[1]
             ));
+            // Of 1/2 m (V + v)^2 the part m V . v grows with V, at the cost of the motion on the carrier.
+            let shared = self.n.carried.map(|a| numbers.mass * dot(a, velocity));
+            powers.extend(shared.map(|x| -plant!("energy: power shared with the carrier", x)));
         }
         powers.extend(pushed);
         powers.extend(self.drive.get().map(|moment| moment * motion[self.lead][2]));
@@ -599,9 +622,15 @@ impl<'a, T: Real> Account<'a, T> {
             size += w.size();
         };
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let height = |at: &Poses<T>| at[b].origin[1].value + at[b].axis[1].value * self.centres[b].0;
-            let fallen = height(from) - height(to);
+            let place =
+                |at: &Poses<T>, i: usize| at[b].origin[i].value + at[b].axis[i].value * self.centres[b].0;
+            let back = |i: usize| place(from, i) - place(to, i);
+            let fallen = back(1);
             add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
+            if let Some(a) = self.n.carried {
+                let shared = dot(a, [back(0), fallen]);
+                add(plant!("energy: energy shared with the carrier in the plane", numbers.mass * shared));
+            }
         }
         for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
             let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
@@ -885,6 +914,9 @@ impl<'a, T: Real> Account<'a, T> {
             End::Time(_, t) => Some(self.n.get(t)),
             _ => None,
         };
+        let limit = self.overwinds((far + T::of(STEP), T::of(STEP))).filter(|limit| limit.at_most(far));
+        // Short of half a turn of a torsion spring, beside which its moment has two signs.
+        far = limit.map_or(far, |limit| limit * T::of(1.0 - 1e-12));
         let begin = self.poses(T::zero())?;
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
@@ -927,6 +959,14 @@ impl<'a, T: Real> Account<'a, T> {
             }
             _ => None,
         };
+        let winds = match limit {
+            Some(_) if matches!(scene.end, End::Angle(..)) => found.is_some(),
+            Some(_) => found.is_none() && turning(far)?.is_none(),
+            None => false,
+        };
+        if winds && !backward && !proves && self.stays_in_touch(far, from)? {
+            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        }
         // What leaves another surface on the way does not get there.
         let found = match found {
             Some(way) if !self.stays_in_touch(way, from)? => None,
@@ -1150,8 +1190,12 @@ impl<'a, T: Real> Account<'a, T> {
         let first = |p: pose::Point<T>| p.map(|x| x.first);
         let mut sum = T::zero();
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let [_, up] = second(self.centre(poses, b));
-            sum = sum - plant!("energy: weight on the bend of a way", numbers.mass * self.n.gravity * up);
+            let bend = second(self.centre(poses, b));
+            sum =
+                sum - plant!("energy: weight on the bend of a way", numbers.mass * self.n.gravity * bend[1]);
+            if let Some(a) = self.n.carried {
+                sum = sum - plant!("energy: carrier on the bend of a way", numbers.mass * dot(a, bend));
+            }
         }
         for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
             let (at, u) = (self.point(poses, push.at), Self::push(poses, push, *direction));
@@ -1164,8 +1208,15 @@ impl<'a, T: Real> Account<'a, T> {
             sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
         }
         for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            let long = self.length(poses, s);
-            let bend = long.first.square() + (long.value - *natural) * long.second;
+            if !self.bears(s, self.length(poses, s).value) {
+                continue;
+            }
+            // Of (l - l0)^2 / 2 the square of the length bends evenly where the spring is at its anchor, the length does not.
+            let [x, y] = self.apart(poses, s);
+            let mut bend = (x * x + y * y).second.scale2(-1);
+            if !natural.is_zero() {
+                bend = bend - *natural * self.length(poses, s).second;
+            }
             sum = sum
                 - plant!("energy: spring on the bend of a way", self.n.massive(strut.stiffness_n_m)) * bend;
         }
@@ -1192,9 +1243,15 @@ impl<'a, T: Real> Account<'a, T> {
             Some(way) => {
                 let poses = self.poses(way)?;
                 let stiff = -self.softens(&poses);
-                // Where it is indifferent, rounding is left of it.
-                let nothing = 1e-9 * pose::pulls(self.scene, self.n) * pose::size(self.scene, self.n);
-                if T::of(nothing).below(stiff) { stiff / self.inertia(&poses) } else { T::zero() }
+                // Where it is indifferent, rounding is left of it; where a spring is just met, it is not even.
+                let size = pose::size(self.scene, self.n);
+                let nothing = 1e-9 * pose::pulls(self.scene, self.n) * size;
+                let met = |s: usize| {
+                    let apart = self.length(&poses, s).value - self.natural[s];
+                    self.scene.struts[s].acts != Acts::Both && apart.size() < 1e-12 * size
+                };
+                let met = (0..self.natural.len()).any(met);
+                if T::of(nothing).below(stiff) && !met { stiff / self.inertia(&poses) } else { T::zero() }
             }
             None => T::zero(),
         };
@@ -1202,6 +1259,12 @@ impl<'a, T: Real> Account<'a, T> {
             road.course = Some(Course::nowhere());
             return Ok(());
         };
+        self.sense = if sense == 0.0 { 1.0 } else { sense };
+        let wound = self.overwinds((way.abs(), T::of(STEP)));
+        self.sense = 1.0;
+        if wound.is_some() {
+            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        }
         let (of, frequency) = (Owner::Body(self.lead), stiffness.root());
         self.say(road, Quantity::OmegaSmall, of, frequency);
         self.say(road, Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
@@ -1254,7 +1317,11 @@ impl<'a, T: Real> Account<'a, T> {
             self.say(road, Quantity::VX, of, vx);
             self.say(road, Quantity::VY, of, vy);
             if let Some((moves, _)) = rates {
-                let [ax, ay] = moves(b, centre);
+                let [mut ax, mut ay] = moves(b, centre);
+                if let Some(with) = self.n.carried {
+                    let [x, y] = with.map(|a| plant!("energy: rate of the carrier in the plane", a));
+                    (ax, ay) = (ax.balance(x), ay.balance(y));
+                }
                 self.say(road, Quantity::AX, of, ax);
                 self.say(road, Quantity::AY, of, ay);
             }
@@ -1308,7 +1375,13 @@ impl<'a, T: Real> Account<'a, T> {
                 self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));
             }
             if let ([(x, _), (y, _), ..], [_, Quantity::PinY, ..]) = (forces.as_slice(), quantities) {
-                self.say(road, Quantity::PinForce, of, (x.square() + y.square()).root());
+                let pulls = pose::pulls(scene, self.n);
+                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
+                let force = (x.square() + y.square()).root();
+                self.say(road, Quantity::PinForce, of, force);
+                if !force.is_zero() {
+                    self.say(road, Quantity::PinAngle, of, trig::angle(y, x));
+                }
             }
         }
         for (s, (strut, natural)) in scene.struts.iter().zip(&self.natural).enumerate() {

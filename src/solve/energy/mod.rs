@@ -17,9 +17,9 @@ use crate::num::dd::Dd;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Fast, Real, ball};
+use crate::num::{Fast, Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Made, Numbers, Owner, Quantity,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Made, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, Tie,
 };
 use crate::solve::energy::account::{Account, Store};
@@ -69,6 +69,11 @@ impl<T: Real> Forward<T> for Here<'_> {
 
 /// [`road`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(of_kind(scene, data, asked)?.telling(scene))
+}
+
+/// Everything that it finds, by the kind of the scene.
+fn of_kind<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
         return Ok(joined::road(scene, &n, asked)?.0);
@@ -122,7 +127,7 @@ pub fn road_by<T: Real>(
         };
     }
     let (road, count) = alone_by(scene, data, points)?;
-    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
+    Ok((road.telling(scene).answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -177,7 +182,7 @@ struct Ledger<'a, T: Real> {
     /// Does anything move that is not held?
     free: bool,
     road: Road<T>,
-    /// Where forces grow with time: the integral of the speed, weighted with the share of the time that has gone by.
+    /// Where forces grow: the way, weighted with the share of their growth that they have there.
     late: Option<T>,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
@@ -301,14 +306,14 @@ impl<'a, T: Real> Ledger<'a, T> {
         // Rate of the first mode at the start, from the first given speed that it has; the others have to agree.
         let rate0 = modes.first().map_or_else(T::zero, |m| {
             let leads = scene.start_speeds().find(|(c, _)| !m.of(*c).is_zero());
-            leads.map_or_else(T::zero, |(c, v)| n.get(v) / m.of(c))
+            leads.map_or_else(T::zero, |(c, v)| n.start(c, v) / m.of(c))
         });
         for (c, v) in scene.start_speeds() {
             let follows = modes.first().map_or_else(T::zero, |m| rate0 * m.of(c));
-            outcome::consistent(c, n.get(v), follows)?;
+            outcome::consistent(c, n.start(c, v), follows)?;
         }
         // What is given as 0 is no speed.
-        let started = scene.start_speeds().any(|(_, v)| !n.get(v).is_zero());
+        let started = scene.start_speeds().any(|(c, v)| !n.start(c, v).is_zero());
         let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
         let loose = modes.first().cloned();
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
@@ -527,18 +532,17 @@ impl<'a, T: Real> Ledger<'a, T> {
         Ok((self.road, Count { evaluations, ..Count::default() }))
     }
 
-    /// The motion under forces that grow evenly with time: impulse and momentum give the speed, the work of the forces the
-    /// energy. `constant` is the power of all forces at the start per unit rate.
+    /// The motion under forces that grow with a power of time, by impulse and momentum, or of place, by their work. `constant` is the
+    /// power of all forces at the start per unit rate.
     fn grown(mut self, constant: T, doubled: T) -> Road<T> {
         let (zero, whole) = (T::zero(), T::of(1.0));
-        let time = match self.scene.end {
-            End::Time(_, t) => self.n.get(t),
-            _ => zero,
-        };
+        let law = self.scene.law().unwrap_or(Law::EVEN);
         let growth = balance::grown_power(self.scene, &self.n, &self.mode);
         let found = [self.v0, constant, growth].iter().map(|x| x.sign()).find(|s| *s != 0.0);
         let sense = found.unwrap_or(0.0);
-        let drive = (constant.signed(sense).larger(zero), (-constant.signed(sense)).larger(zero));
+        // What begins at nothing is driven by its growth.
+        let drives = if constant.is_zero() { growth } else { constant }.signed(sense);
+        let drive = (drives.larger(zero), (-drives).larger(zero));
         if sense == 0.0 {
             self.road.course = Some(Course { drive, ..Course::at_rest() });
             self.standing(whole);
@@ -546,31 +550,52 @@ impl<'a, T: Real> Ledger<'a, T> {
             self.grip(zero, whole);
             return self.road;
         }
-        let [u0, first, growth] = [self.v0, constant, growth].map(|x| x.signed(sense));
-        // The impulse of the forces up to a time, over what it moves.
-        let gained = |share: T| time * share * (first + growth * share.scale2(-1)) / doubled;
-        let turn = -first / growth;
-        let least = match first.sign() < 0.0 && turn.below(whole) {
-            true => u0 + gained(turn),
-            false => u0 + gained(whole),
+        let (extent, along) = match (self.scene.end, self.scene.growing_for()) {
+            (End::Position(..), Some(x)) => (self.n.get(x).signed(sense), true),
+            (end, x) => (x.map_or(zero, |x| self.n.get(x)), !matches!(end, End::Time(..))),
         };
-        let reached = least.sign() > 0.0 && (u0.sign() > 0.0 || first.not_negative());
-        let (asked, farthest) = (Some(time), T::of(f64::INFINITY));
+        let [u0, first, growth] = [self.v0, constant, growth].map(|x| x.signed(sense));
+        // The mean of a growth up to a place that is 1 at the end, and of what it has come to there.
+        let mean = plant!("energy: mean of a growth", whole / (whole + law.power::<T>()));
+        let energy0 = (doubled * u0.square()).scale2(-1);
+        // Impulse of the forces over time, or their work over the way, up to a share of it; over what it moves.
+        let gained = |share: T, grown: T| extent * share * (first + growth * grown * mean);
+        let turn = -first / growth;
+        let (share, grown) = match first.sign() < 0.0 && turn.below(whole) {
+            true if law == Law::EVEN => (turn, turn),
+            true => (T::of(trig::power(turn.f64(), 2.0 / f64::from(law.halves))), turn),
+            false => (whole, whole),
+        };
+        let held = if along { energy0 } else { doubled * u0 };
+        let least = held + gained(share, grown);
+        let declared = match self.scene.heading {
+            Some(Heading::Forward) => sense > 0.0,
+            Some(Heading::Back) => sense < 0.0,
+            None => true,
+        };
+        let sets_off = u0.sign() > 0.0 || first.not_negative();
+        let reached = declared && extent.not_negative() && least.sign() > 0.0 && sets_off;
+        let (asked, farthest) = (Some(extent), T::of(f64::INFINITY));
         self.road.course = Some(Course { sense, drive, asked, farthest, reached });
         self.grip(zero, whole);
-        if reached {
-            let u = u0 + gained(whole);
-            // Ways and mean ways, weighted with the share of the time that has gone by, from the sums of powers of time.
-            let push = time.square() / doubled;
-            let s = u0 * time + push * (first.scale2(-1) + growth / T::of(6.0));
-            let late = (u0 * time).scale2(-1) + push * (first / T::of(3.0) + growth.scale2(-3));
-            self.late = Some(late);
-            let work = first * s + growth * late;
-            let energy = (doubled * u0.square()).scale2(-1) + work;
-            self.arrived((doubled, u0, work), s, Summed { energy, u, time }, sense, whole);
-        } else {
+        if !reached {
             self.standing(whole);
+            return self.road;
         }
+        // The way, and the mean way of a force that grows with its growth, from the sums of powers.
+        let (s, late) = if along {
+            (extent, extent * mean)
+        } else {
+            let push = extent.square() / doubled;
+            let next = whole / (whole / mean + whole);
+            let s = u0 * extent + push * (first.scale2(-1) + growth * mean * next);
+            (s, u0 * extent * mean + push * (first * next + (growth * mean.square()).scale2(-1)))
+        };
+        self.late = Some(late);
+        let work = first * s + growth * late;
+        let energy = energy0 + work;
+        let u = if along { (energy.scale2(1) / doubled).root() } else { u0 + gained(whole, whole) / doubled };
+        self.arrived((doubled, u0, work), s, Summed { energy, u, time: extent }, sense, whole);
         self.road
     }
 
@@ -684,7 +709,8 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// No power at the start, no speed, no energy, ever.
     fn resting(&mut self, tension: T) {
         let rate = self.rate(tension);
-        if self.started || rate.v.iter().chain(&rate.w).any(|x| !x.is_zero()) {
+        if self.started || self.scene.carried.is_some() || rate.v.iter().chain(&rate.w).any(|x| !x.is_zero())
+        {
             return;
         }
         for (b, body) in self.scene.bodies.iter().enumerate() {
@@ -701,7 +727,10 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn say_rates(&mut self, rate: &Mode<T>) {
         for (b, body) in self.scene.bodies.iter().enumerate() {
             if body.line.is_some() {
-                self.say(Quantity::A, Owner::Body(b), rate.v[b]);
+                let forward = self.n.bodies[b].carried.map(|[forward, _]| forward);
+                let with = forward.map(|f| plant!("energy: rate of the carrier", f.acceleration));
+                let seen = with.map_or(rate.v[b], |with| rate.v[b].balance(with));
+                self.say(Quantity::A, Owner::Body(b), seen);
             }
             if body.turns {
                 self.say(Quantity::Alpha, Owner::Body(b), rate.w[b]);
@@ -714,8 +743,50 @@ impl<'a, T: Real> Ledger<'a, T> {
         self.road.open.push(Label { quantity, of });
     }
 
+    /// The force of a fixed axle, by what all forces would do if it gave way a little, to the right or up.
+    fn axle(&mut self, body: usize, held: &Reactions<T>, tension: T) {
+        let Some(pulls) = self.scene.axle_pulls(body) else { return };
+        let of = Owner::Body(body);
+        let mut lifts: SmallVec<[[T; 2]; 4]> = SmallVec::new();
+        lifts.push([
+            T::zero(),
+            plant!("energy: weight that is lifted with an axle", self.n.bodies[body].mass * self.n.gravity),
+        ]);
+        for (t, aim) in pulls {
+            let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
+            let force = match cord.to {
+                Far::Pull(force) => {
+                    let growth = balance::grown(self.scene, &self.n, GivenForce::Pull(t));
+                    growth.map_or_else(|| self.n.massive(force), |g| self.n.massive(force) + g * tension)
+                }
+                Far::Spring { .. } => tension,
+                Far::Body(_) | Far::Fixed if held.is_open(t) => {
+                    for q in [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle] {
+                        self.say_open(q, of);
+                    }
+                    return;
+                }
+                Far::Body(_) | Far::Fixed => held[t],
+            };
+            let given = plant!("energy: work of a cord as its axle gives way", -force);
+            lifts.push(aim.unit(&self.n).map(|u| u * given));
+        }
+        let sum = |i: usize| {
+            let size = lifts.iter().map(|l| l[i].size()).sum();
+            lifts.iter().fold(T::zero(), |sum, l| sum + l[i]).cleared(size)
+        };
+        let (right, up) = (sum(0), sum(1));
+        self.say(Quantity::PinX, of, right);
+        self.say(Quantity::PinY, of, up);
+        self.say(Quantity::PinForce, of, (right.square() + up.square()).root());
+        if !(right.is_zero() && up.is_zero()) {
+            self.say(Quantity::PinAngle, of, trig::angle(up, right));
+        }
+    }
+
     fn say_forces(&mut self, tension: T) {
         let held = self.reactions(tension);
+        (0..self.scene.bodies.len()).for_each(|b| self.axle(b, &held, tension));
         for (t, tie) in self.scene.ties.iter().enumerate() {
             match tie {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
@@ -744,18 +815,30 @@ impl<'a, T: Real> Ledger<'a, T> {
         let energy = if rest { T::zero() } else { there.energy };
         let u = if rest { T::zero() } else { there.u };
         let rate = self.rate(tension);
-        self.say(Quantity::T, Owner::Scene, there.time);
+        if !self.scene.grows_with_place() {
+            self.say(Quantity::T, Owner::Scene, there.time);
+        }
         self.say_rates(&rate);
         self.say_forces(tension);
         self.bound_of_gyration();
-        self.say(Quantity::KineticEnergy, Owner::Scene, energy);
+        let seen = energy.balance(self.shared(u.signed(sense), there.time));
+        self.say(Quantity::KineticEnergy, Owner::Scene, seen);
+        if self.scene.carried.is_some() {
+            let before = (doubled * u0.square()).scale2(-1).balance(self.shared(u0.signed(sense), T::zero()));
+            self.say(Quantity::Work, Owner::Scene, seen.balance(-before));
+        }
         let mut spinning = T::zero();
         for (b, body) in self.scene.bodies.iter().enumerate() {
             let (v, w) = (self.mode.v[b], self.mode.w[b]);
             if body.line.is_some() {
-                self.say(Quantity::V, Owner::Body(b), v.abs() * u);
-                let moved = plant!("energy: way of the centre", v) * s;
-                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
+                let mut speed = (v * u).signed(sense);
+                let mut moved = (plant!("energy: way of the centre", v) * s).signed(sense);
+                if let Some([forward, _]) = self.n.bodies[b].carried {
+                    speed = speed.balance(plant!("energy: speed of the carrier", forward.after(there.time)));
+                    moved = moved.balance(forward.way(there.time));
+                }
+                self.say(Quantity::V, Owner::Body(b), speed.abs());
+                self.say(Quantity::Displacement, Owner::Body(b), moved);
                 self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
             }
             if body.turns {
@@ -781,7 +864,11 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 Tie::Slide { body, .. } => {
                     let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
-                    heat = Some(heat.unwrap_or_else(T::zero) + force * self.mode.v[*body].abs() * s);
+                    let path = self.mode.v[*body].abs() * s;
+                    heat = Some(heat.unwrap_or_else(T::zero) + force * path);
+                    if self.scene.carried.is_some() {
+                        self.say(Quantity::SlipDistance, Owner::Body(*body), path);
+                    }
                 }
                 Tie::Cord(c) => {
                     let rate = self.mode.point(&self.n, &c.from).signed(sense);
@@ -803,6 +890,19 @@ impl<'a, T: Real> Ledger<'a, T> {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
         self.say_totals(plant!("energy: work of all forces", work), (s, u), u0, sense);
+    }
+
+    /// Kinetic energy that is seen from the ground beside that of the motion on the carrier, at a rate of the mode and a time:
+    /// `m V v` and `1/2 m V^2` of each body.
+    fn shared(&self, rate: T, time: T) -> T {
+        let mut sum = T::zero();
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            let Some(carried) = numbers.carried else { continue };
+            let [forward, out] = carried.map(|c| c.after(time));
+            sum = sum.balance(numbers.mass * forward * self.mode.v[b] * rate);
+            sum = sum.balance((numbers.mass * (forward.square() + out.square())).scale2(-1));
+        }
+        sum
     }
 
     /// The work of all forces, which the account knows, the momentum that they give and that which is there.
@@ -833,7 +933,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
             }
         }
-        if self.scene.spring().is_none() {
+        if self.scene.spring().is_none() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, work);
         }
     }

@@ -118,7 +118,8 @@ fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]
 /// Errors: a velocity that they leave open, or one that the start gives against them.
 pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refusal> {
     let mut motion = Mode::still(scene.bodies.len());
-    let given: SmallVec<[(Coordinate, T); 4]> = scene.start_speeds().map(|(c, v)| (c, n.get(v))).collect();
+    let given: SmallVec<[(Coordinate, T); 4]> =
+        scene.start_speeds().map(|(c, v)| (c, n.start(c, v))).collect();
     if given.is_empty() {
         return Ok(motion);
     }

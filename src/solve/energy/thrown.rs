@@ -12,7 +12,7 @@
 //! rolling needs is what keeps the slip at rest, `-Q_s`.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene, Thrown};
+use crate::scene::{Carried, Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::energy::{balance, speeds};
@@ -85,7 +85,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let roll = Weighed::new(scene, n, rolling, body);
     let slip = Weighed::new(scene, n, &slipping, body);
 
-    let (v0, w0) = (n.get(thrown.speed_m_s), n.get(thrown.spin_rad_s));
+    let along = Coordinate { body, degree: Degree::Along };
+    let (v0, w0) = (n.start(along, thrown.speed_m_s), n.get(thrown.spin_rad_s));
     let momentum = plant!("energy: momentum of the centre", numbers.mass * v0 * roll.v)
         .balance(plant!("energy: momentum of the turn", numbers.inertia * w0 * roll.w));
     let u0 = momentum / roll.inertia;
@@ -164,27 +165,37 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     };
     let own = Owner::Body(body);
     let up = if scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 };
+    let forward = numbers.carried.map(|[forward, _]| forward);
+    let with = |f: Carried<T>| plant!("energy: rate of the carrier of a thrown body", f.acceleration);
+    let seen = |a: T| forward.map_or(a, |f| a.balance(with(f)));
     say(Quantity::SlipSpeed, own, slip0.abs());
     say(Quantity::FrictionIfRolled, own, needed.signed(up));
     say(Quantity::MuRequired, own, needed.abs() / normal);
     say(Quantity::Normal, own, normal);
     if holds {
-        say(Quantity::ARolling, own, roll.v * gained);
+        say(Quantity::ARolling, own, seen(roll.v * gained));
     }
     let friction = if rolls { needed } else { kinetic.signed(-sense) };
     // The power of each mode, friction's among them in that of slipping, is the rate of its energy.
     let own_rate = if rolls { zero } else { rate(friction) };
-    say(Quantity::A, own, (roll.v * gained).balance(slip.v * own_rate));
+    say(Quantity::A, own, seen((roll.v * gained).balance(slip.v * own_rate)));
     say(Quantity::Alpha, own, (roll.w * gained).balance(slip.w * own_rate));
     say(Quantity::Friction, own, friction.signed(up));
     if let Some((state, slid, rolled)) = &ended {
         say(Quantity::T, Owner::Scene, state.t);
-        say(Quantity::V, own, state.v.abs());
+        let speed = |f: Carried<T>| plant!("energy: speed of the carrier of a thrown body", f.after(state.t));
+        say(Quantity::V, own, forward.map_or(state.v, |f| state.v.balance(speed(f))).abs());
         say(Quantity::Omega, own, state.w.abs());
-        say(Quantity::Displacement, own, state.x);
+        say(Quantity::Displacement, own, forward.map_or(state.x, |f| state.x.balance(f.way(state.t))));
         say(Quantity::Rise, own, state.x * numbers.climb);
         say(Quantity::Phi, own, state.phi.abs());
-        let energy = (roll.inertia * state.roll.square() + slip.inertia * state.slip.square()).scale2(-1);
+        let mut energy = (roll.inertia * state.roll.square() + slip.inertia * state.slip.square()).scale2(-1);
+        if let Some(carried) = numbers.carried {
+            // What both motions have in common, and the energy of being carried.
+            let [forward, out] = carried.map(|c| c.after(state.t));
+            energy = energy.balance(numbers.mass * forward * state.v);
+            energy = energy.balance((numbers.mass * (forward.square() + out.square())).scale2(-1));
+        }
         say(Quantity::KineticEnergy, Owner::Scene, energy);
         if !energy.is_zero() {
             let spinning = (numbers.inertia * state.w.square()).scale2(-1);

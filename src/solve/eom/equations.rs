@@ -11,17 +11,18 @@
 //! a - c alpha = 0                                    (rolls on c);   F = +- mu_k N  (slips or slides)
 //! sum e (a + s p alpha) = 0                          (a cord keeps its length)
 //! ```
+//! Where a belt or a lift carries the scene, `a` counts on it: `m (a + A)` stands on the left, `N - m g cos = m A_n`.
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, chapter 16 (equations of motion of a rigid body).
 use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
-use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Numbers, Scene, Tie};
+use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Numbers, Scene, Tie};
 use crate::solve::outcome::{Grip, Refusal};
 use smallvec::SmallVec;
 
 /// Right-hand side of the constant forces.
 pub const CONSTANT: usize = 0;
-/// Right-hand side of what varies: a unit tension in the spring's cord, or the whole growth of the forces that grow with time.
+/// Right-hand side of what varies: a unit tension in the spring's cord, or the whole growth of the forces that grow.
 pub const VARYING: usize = 1;
 
 /// How the contacts are taken.
@@ -87,6 +88,8 @@ pub struct Response<T> {
     solution: Solution<T>,
     /// Normal force on each body; 0 where it has no surface.
     normal: SmallVec<[T; 2]>,
+    /// What each force that grows has grown by at the end.
+    grown: SmallVec<[(GivenForce, T); 1]>,
 }
 
 impl<T: Real> Response<T> {
@@ -103,6 +106,10 @@ impl<T: Real> Response<T> {
     /// Normal force on a body.
     pub fn normal(&self, body: usize) -> T {
         self.normal[body]
+    }
+    /// How much a force or couple has grown at the end, where it grows.
+    pub fn grown(&self, of: GivenForce) -> Option<T> {
+        self.grown.iter().find(|g| g.0 == of).map(|g| g.1)
     }
     /// Friction of a contact (positive forward), or tension of a cord.
     pub fn reaction(&self, tie: usize, column: usize) -> T {
@@ -127,13 +134,47 @@ fn lever<T: Real>(n: &Numbers<T>, action: &Action) -> (f64, T) {
     (action.along, arm)
 }
 
-/// How much a force or couple has grown at the end.
-pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T> {
-    scene.growth(of).map(|(rate, time)| plant!("eom: growth of a force", n.massive(rate)) * n.get(time))
+/// Solves the equations of the scene. Where forces grow with place, their points go on in the ratios in which a unit force on the ending
+/// coordinate sets them off.
+pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Result<Response<T>, Refusal> {
+    let end = scene.ending_coordinate();
+    let probed = match scene.grows_with_place() {
+        true => Some(assembled(scene, n, &Setting { probe: Some(end), ..setting.clone() }, SmallVec::new())?),
+        false => None,
+    };
+    let extent = scene.growing_for().map_or_else(T::zero, |x| n.get(x).abs());
+    let grown = |growth: &Growth| {
+        let rate = plant!("eom: growth of a force", n.massive(growth.rate));
+        let own = match (&probed, growth.law.with) {
+            (Some(response), Grows::Place) => {
+                let moved = |c: Coordinate| response.acceleration(c, response.last());
+                let coordinate = |body: usize, degree: Degree| Coordinate { body, degree };
+                let along = |action: Action| {
+                    let (toward, arm) = lever(n, &action);
+                    let centre = moved(coordinate(action.body, Degree::Along)).signed(toward);
+                    centre.balance(arm * moved(coordinate(action.body, Degree::Turn)))
+                };
+                let own = match growth.of {
+                    GivenForce::Pull(t) => scene.ties[t].actions().next().map_or_else(T::zero, along),
+                    GivenForce::Couple(i) => moved(coordinate(scene.couples[i].body, Degree::Turn)),
+                };
+                (extent * own / moved(end)).abs()
+            }
+            _ => extent,
+        };
+        (growth.of, rate * growth.law.of(own, n.get(growth.unit)))
+    };
+    assembled(scene, n, setting, scene.growths.iter().map(grown).collect())
 }
 
 /// Assembles the rows that the scene has and solves them.
-pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Result<Response<T>, Refusal> {
+fn assembled<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    setting: &Setting,
+    growths: SmallVec<[(GivenForce, T); 1]>,
+) -> Result<Response<T>, Refusal> {
+    let grown = |of: GivenForce| growths.iter().find(|g| g.0 == of).map(|g| g.1);
     let layout = Layout::of(scene, setting);
     let mut rows = Linear::new(layout.count, layout.columns);
     let mut normals: SmallVec<[T; 2]> = SmallVec::new();
@@ -145,8 +186,17 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
             let weight = numbers.mass * n.gravity;
             rows.right(row, CONSTANT, -plant!("eom: weight along the line", weight * numbers.climb));
+            // What is carried accelerates with the carrier, besides what it does on it.
+            if let Some([forward, _]) = numbers.carried {
+                let taken = numbers.mass * forward.acceleration;
+                rows.right(row, CONSTANT, -plant!("eom: mass times acceleration of the carrier", taken));
+            }
             if scene.bodies[b].line.is_some_and(|l| l.surface) {
                 normal = plant!("eom: weight on the surface", weight * numbers.level);
+                if let Some([_, out]) = numbers.carried {
+                    let taken = plant!("eom: force that carries out of the surface", numbers.mass);
+                    normal = normal.balance(taken * out.acceleration);
+                }
             }
         }
         normals.push(normal);
@@ -158,7 +208,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
         if let Some(row) = layout.turn[c.body] {
             let moment = plant!("eom: moment of a couple", n.massive(c.moment_n_m));
             rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
-            if let Some(grown) = grown(scene, n, GivenForce::Couple(i)) {
+            if let Some(grown) = grown(GivenForce::Couple(i)) {
                 rows.right(row, VARYING, if c.forward { grown } else { -grown });
             }
         }
@@ -238,7 +288,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                         (Far::Pull(force), _) => {
                             let p = plant!("eom: force of a pull", n.massive(*force));
                             pull(&mut rows, &end, p, None, CONSTANT);
-                            if let Some(grown) = grown(scene, n, GivenForce::Pull(t)) {
+                            if let Some(grown) = grown(GivenForce::Pull(t)) {
                                 pull(&mut rows, &end, grown, None, VARYING);
                             }
                         }
@@ -269,5 +319,5 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
         let open = (0..layout.count).filter(|i| solution.is_open(*i)).count();
         return Err(Refusal::Singular { unknowns: layout.count, rank: layout.count - open });
     }
-    Ok(Response { layout, solution, normal: normals })
+    Ok(Response { layout, solution, normal: normals, grown: growths })
 }

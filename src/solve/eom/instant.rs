@@ -24,7 +24,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     for (b, body) in scene.bodies.iter().enumerate() {
         for (c, velocity) in struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.body == b) {
             let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
-            say(quantity, Owner::Body(b), velocity.abs(), velocity.f64().abs());
+            let carried = n.bodies[b].carried.filter(|_| c.degree == Degree::Along);
+            let seen = carried.map_or(*velocity, |[forward, _]| velocity.balance(forward.speed));
+            let scale = velocity.size() + carried.map_or(0.0, |[forward, _]| forward.speed.size());
+            say(quantity, Owner::Body(b), seen.abs(), scale);
             if c.degree == Degree::Turn && body.turns {
                 let spin = n.bodies[b].inertia * velocity.abs();
                 say(Quantity::AngularMomentum, Owner::Body(b), spin, spin.size());
@@ -145,7 +148,7 @@ fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> 
     let place = |c: Coordinate| out.coordinates.iter().position(|own| *own == c);
     for (c, given) in scene.start_speeds() {
         let Some(at) = place(c) else { continue };
-        let missing = n.get(given) - out.velocities[at];
+        let missing = n.start(c, given) - out.velocities[at];
         if let Some(blow) = blow(at, &blows)? {
             let impulse = missing / blow.own();
             for (v, b) in out.velocities.iter_mut().zip(&blow.velocities) {
@@ -157,7 +160,7 @@ fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> 
     }
     for (c, given) in scene.start_speeds() {
         let follows = place(c).map_or_else(T::zero, |at| out.velocities[at]);
-        outcome::consistent(c, n.get(given), follows)?;
+        outcome::consistent(c, n.start(c, given), follows)?;
     }
     for (at, c) in out.coordinates.iter().enumerate() {
         if scene.start_speeds().all(|(given, _)| given != *c) && blow(at, &blows)?.is_some() {

@@ -21,26 +21,37 @@ pub enum Event {
     Fall(f64),
     /// When the acceleration has fallen to 0.
     Level,
+    /// When what presses has fallen to 0.
+    Release,
 }
 
-/// A motion along its sense: `f(piece, s)` with the place at which piece 1 takes over from piece 0.
-pub struct Route<L> {
-    /// Acceleration at a distance; the first argument is the piece, 0 or 1.
+/// A motion along its sense: `f(piece, s, u)` with the place at which piece 1 takes over from piece 0.
+pub struct Route<'r, L> {
+    /// Acceleration at a distance and a speed; the first argument is the piece, 0 or 1.
     pub law: L,
+    /// The force that presses at a distance and a speed, for [`Event::Release`].
+    pub presses: &'r dyn Fn(f64, f64) -> f64,
     /// Where piece 1 begins.
     pub switch: Option<f64>,
     /// Speed at the start, >= 0.
     pub u0: f64,
     /// Rough time to the farthest event: what the first step is measured by.
     pub pace: f64,
-    /// Time to the last event in closed form; infinite if it is not known.
-    pub time: f64,
+    /// Time to the last event without steps, looked up for a run that goes on and on; infinite if it is not known.
+    pub time: &'r dyn Fn() -> f64,
 }
 
 /// A run with a fixed step that takes so many times the time of the motion has passed its event.
 const OVERDUE: f64 = 20.0;
+/// A run that takes so many times its rough time goes on and on.
+const LONG: f64 = 100.0;
 
-impl<L: Fn(usize, f64) -> f64> Route<L> {
+/// Nothing presses on this way.
+pub fn unpressed(_: f64, _: f64) -> f64 {
+    f64::NAN
+}
+
+impl<L: Fn(usize, f64, f64) -> f64> Route<'_, L> {
     /// The states at these events, which are given in the order in which they come, each with the distance at which it is
     /// expected (only to know on which side of the switch it lies).
     ///
@@ -53,19 +64,24 @@ impl<L: Fn(usize, f64) -> f64> Route<L> {
             return Err(Trouble::StepTooShort { step, steps: self.pace / step });
         }
         let piece = Cell::new(0);
-        let field = |_: f64, y: &[f64; 2]| [y[1], (self.law)(piece.get(), y[0])];
+        let field = |_: f64, y: &[f64; 2]| [y[1], (self.law)(piece.get(), y[0], y[1])];
         let formula = rung.method().formula().unwrap_or(Formula::Dop853);
         let mut run = Run::new(formula, field, 0.0, [0.0, self.u0], rung.pace(0.05 * self.pace));
-        if let Rung::Fixed(_, step) = rung
-            && self.time >= 0.0
-        {
-            run.give_up_at(OVERDUE * (self.time + step));
+        // Only a step of fixed length can go past its event for ever.
+        let mut step = match rung {
+            Rung::Fixed(_, step) => Some(step),
+            _ => None,
+        };
+        if let Some(step) = step {
+            run.give_up_at(LONG * (self.pace + step));
         }
         let turned = |_: f64, y: &[f64; 2]| -y[1];
         // The size of the accelerations and speeds to come, for the residuals.
         let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
-        let force = (0..=8).map(|i| (self.law)(0, 0.125 * f64::from(i) * farthest).abs()).fold(0.0, f64::max);
+        let force =
+            (0..=8).map(|i| (self.law)(0, 0.125 * f64::from(i) * farthest, 0.0).abs()).fold(0.0, f64::max);
         let speed = (self.u0 * self.u0 + 2.0 * force * farthest).sqrt();
+        let pressing = (self.presses)(0.0, self.u0).abs();
         let forever = |_: f64, _: &[f64; 2]| -1.0;
         let mut states = Vec::with_capacity(events.len());
         for (event, expected) in events {
@@ -76,20 +92,27 @@ impl<L: Fn(usize, f64) -> f64> Route<L> {
                 piece.set(1);
                 run.refresh();
             }
-            match *event {
-                Event::Place(s) => {
-                    run.until(&|_, y| y[0] - s, s.abs(), &turned)?;
-                }
-                Event::Time(t) => run.to(t)?,
-                Event::Rise(u) => {
-                    run.until(&|_, y| y[1] - u, speed, &turned)?;
-                }
-                Event::Fall(u) => {
-                    run.until_next(&|_, y| u - y[1], speed, &forever)?;
-                }
-                Event::Level => {
-                    let law = |s: f64| (self.law)(piece.get(), s);
-                    run.until(&|_, y| -law(y[0]), force, &turned)?;
+            let law = |_: f64, y: &[f64; 2]| -(self.law)(piece.get(), y[0], y[1]);
+            let pressed = |_: f64, y: &[f64; 2]| -(self.presses)(y[0], y[1]);
+            loop {
+                let landed = match *event {
+                    Event::Place(s) => run.until(&|_, y| y[0] - s, s.abs(), &turned).map(|_| ()),
+                    Event::Time(t) => run.to(t),
+                    Event::Rise(u) => run.until(&|_, y| y[1] - u, speed, &turned).map(|_| ()),
+                    Event::Fall(u) => run.until_next(&|_, y| u - y[1], speed, &forever).map(|_| ()),
+                    Event::Level => run.until(&law, force, &turned).map(|_| ()),
+                    Event::Release => run.until(&pressed, pressing, &turned).map(|_| ()),
+                };
+                match (landed, step.take()) {
+                    (Err(Trouble::Overdue { .. }), Some(step)) => {
+                        let time = (self.time)();
+                        run.give_up_at(if time >= 0.0 { OVERDUE * (time + step) } else { f64::INFINITY });
+                    }
+                    (landed, kept) => {
+                        step = kept;
+                        landed?;
+                        break;
+                    }
                 }
             }
             let [s, u] = run.y();
@@ -159,11 +182,12 @@ pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Resu
     let pace =
         [by_force, by_speed].into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
     let route = Route {
-        law: |piece: usize, s: f64| if piece == 0 { f0 - w2 * s } else { f1 },
+        law: |piece: usize, s: f64, _: f64| if piece == 0 { f0 - w2 * s } else { f1 },
+        presses: &unpressed,
         switch: slack.map(|(at, _)| at),
         u0,
         pace: if pace.is_finite() { pace } else { 1.0 },
-        time: travel.at(T::of(farthest)).time.f64(),
+        time: &|| travel.at(T::of(farthest)).time.f64(),
     };
     let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
     let (states, count) = route.states(&list, rung)?;

@@ -7,14 +7,18 @@
 //! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
 use crate::num::dd::pow2;
 use crate::num::gauss::{self, PerNode, Unsettled, long};
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
-use crate::scene::{End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
+use crate::scene::{Acts, End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
+use crate::solve::eom::STEPS;
+use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::planar::{Mechanism, Response, State};
+use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::SmallVec;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -38,6 +42,9 @@ const DEGREE: f64 = 32.0;
 /// A panel is no shorter than this share of the way: a singularity so far away is still seen.
 const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
 
+/// So far does a motion go at most before a torsion spring is wound by half a turn.
+const SHORT: f64 = 1.0 - SHORTEST;
+
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
@@ -60,8 +67,8 @@ struct Motion<'m, 'a, T: Real> {
     slides: SmallVec<[f64; 4]>,
     /// The same times the side of the guide to which it presses, 1 or -1: see [`rubbing`].
     rubs: SmallVec<[f64; 4]>,
-    /// Leading angles at which springs are met or let go of, from the start of the scene.
-    meets: SmallVec<[T; 4]>,
+    /// Springs that are met or let go of, and the leading angles at which, from the start of the scene.
+    meets: SmallVec<[(usize, T); 4]>,
     /// Panels that may still be made.
     panels: Cell<u32>,
 }
@@ -129,12 +136,19 @@ enum Why {
     Leaves(usize),
 }
 
-/// What the equations of motion say of what is asked in a scene of joined bodies.
+/// What the equations of motion say of what is asked in a scene of joined bodies; with the state at its end from the steps of a
+/// rung, if one is given, and what they cost.
 ///
-/// Errors: equations that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
+/// Errors: equations that do not determine the motion, a quadrature that does not settle, a run that does not reach its end.
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    asked: Scope,
+    by: Option<Rung>,
+) -> Result<(Road<T>, Count), Refusal> {
     let mechanism = Mechanism::new(scene, n)?;
-    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, road: Road::new(asked) };
+    let count = Count::default();
+    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, count, road: Road::new(asked) };
     let mut spin = mechanism.start_rate()?;
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
@@ -143,7 +157,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
             let jumps = mechanism.struck(&state)?;
             teller.tell_blow(&jumps);
             teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
-            return Ok(teller.road);
+            return Ok((teller.road, count));
         }
         if let Some(alpha) = scene.driven() {
             // From rest it sets off as it is driven.
@@ -160,7 +174,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
             teller.watch(&response, spin.square());
             let lead = mechanism.leading(&response);
             teller.tell(&state, &response, (spin, lead), &rubs)?;
-            return Ok(teller.road);
+            return Ok((teller.road, count));
         }
         let smooth = mechanism.respond(&state, &nothing)?;
         // What starts from rest slides as it would without friction, if friction lets it.
@@ -177,16 +191,16 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         let response = mechanism.respond(&state, &rubs)?;
         if spin.is_zero() && from_rest(&response) != slides {
             teller.road.course = Some(Course::at_rest());
-            return Ok(teller.road);
+            return Ok((teller.road, count));
         }
         teller.watch(&response, spin.square());
         let lead = mechanism.leading(&response);
         teller.tell(&state, &response, (spin, lead), &rubs)?;
-        return Ok(teller.road);
+        return Ok((teller.road, count));
     }
     if scene.end == End::Equilibrium {
         teller.tell_equilibrium(&nothing)?;
-        return Ok(teller.road);
+        return Ok((teller.road, count));
     }
     let state = mechanism.state(T::zero(), true)?;
     if scene.is_struck() {
@@ -212,7 +226,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         near: T::zero(),
         slides,
         rubs,
-        meets: mechanism.meets(sense, (horizon(), T::of(STRIDE / 16.0))),
+        meets: mechanism.meets(sense, (horizon(), look())),
         panels: Cell::new(PANELS),
     };
     // Friction may hold what would set off without it.
@@ -220,23 +234,27 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     let sets_off = a.balance(b * spin.square()).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
-        return Ok(teller.road);
+        return Ok((teller.road, count));
     }
     motion.set_off(&state)?.to_its_end(&mut teller)?;
-    Ok(teller.road)
+    Ok((teller.road, teller.count))
 }
 
 /// The angle up to which a motion is followed.
 fn horizon<T: Real>() -> T {
     T::constant(Dd::PI * Dd::new(2.0 * TURNS))
 }
+/// Step in which places on the way are looked for, radians.
+fn look<T: Real>() -> T {
+    T::of(STRIDE / 16.0)
+}
 
-/// The slope of a function, by differences over ever smaller spans from which the error is extrapolated.
-fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T) -> Result<T, Refusal> {
+/// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated.
+fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> Result<T, Refusal> {
     const SPANS: i32 = 7;
     let mut row: Vec<T> = Vec::new();
     for i in 0..SPANS {
-        let span = T::of(1.0).scale2(-4 - i);
+        let span = widest.scale2(-i);
         let mut next = vec![(value(at + span)? - value(at - span)?) / span.scale2(1)];
         for (k, coarse) in row.iter().enumerate() {
             let finer = next[k];
@@ -439,7 +457,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let least = width.size() * SHORTEST;
         while at.below(end) {
             let far = self.variable(self.way(at).0 + T::of(STRIDE));
-            let ahead = self.meets.iter().map(|angle| (*angle - self.start).signed(self.sense));
+            let ahead = self.meets.iter().map(|(_, angle)| (*angle - self.start).signed(self.sense));
             let meets =
                 ahead.filter(|way| way.sign() > 0.0).map(|way| self.variable(way)).filter(|x| at.below(*x));
             let next = meets.chain([at + width, far]).fold(end, |a, b| if b.below(a) { b } else { a });
@@ -459,6 +477,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             } else {
                 let panels = self.panels.get();
                 if panels == 0 || width.size() <= least {
+                    if self.mechanism.in_line(self.angle(self.way(next).0)) {
+                        return Err(Refusal::Unsupported(Unsupported::InLine));
+                    }
                     let value = panel.last.half_square.f64();
                     return Err(Unsettled { value, gap: f64::INFINITY }.into());
                 }
@@ -598,6 +619,57 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
     }
 
+    /// The state at the end by the steps of a rung in time, in doubles: what the angle is, or the half square of the rate that ends
+    /// the motion, is given.
+    fn stepped(&self, far: T, level: Option<T>, rung: Rung) -> Result<(Stop<T>, Count), Refusal> {
+        let scene = self.mechanism.scene;
+        let n = self.mechanism.n.in_doubles(scene);
+        let mechanism = Mechanism::new(scene, &n)?;
+        let state = RefCell::new(mechanism.state(self.start.f64(), true)?);
+        let respond = |way: f64| {
+            let mut state = state.borrow_mut();
+            mechanism.next(self.start.f64() + self.sense * way, &mut state).ok()?;
+            mechanism.respond(&state, &self.rubs).ok()
+        };
+        let law = |_: usize, way: f64, u: f64| {
+            let leading = respond(way).map(|response| mechanism.leading(&response));
+            leading.map_or(f64::NAN, |(a, b)| self.sense * (a + b * u * u))
+        };
+        let presses = |way: f64, u: f64| match scene.end {
+            End::Leaves(joint) => {
+                let parts = respond(way).and_then(|response| mechanism.push(&response, joint));
+                parts.map_or(f64::NAN, |(constant, share)| constant + share * u * u)
+            }
+            _ => f64::NAN,
+        };
+        let u0 = self.from.half_square.scale2(1).root().f64();
+        let (event, why) = match (scene.end, level) {
+            (End::Time(_, t), _) => (Event::Time(n.get(t)), Why::Far),
+            (End::Leaves(joint), _) => (Event::Release, Why::Leaves(joint)),
+            (End::TurningPoint(_), _) => (Event::Fall(0.0), Why::Rest),
+            (_, Some(level)) => {
+                let u = level.scale2(1).root().f64();
+                (if u0 < u { Event::Rise(u) } else { Event::Fall(u) }, Why::Speed)
+            }
+            _ => (Event::Place(far.f64()), Why::Far),
+        };
+        let expected = if let Event::Place(way) = event { way } else { STRIDE };
+        let force = law(0, 0.0, u0).abs().max(law(0, 0.5 * expected, u0).abs());
+        let pace = [(2.0 * expected / force).sqrt(), expected / u0];
+        let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
+        let pace = match event {
+            Event::Time(t) => t,
+            _ if pace.is_finite() => pace,
+            _ => 1.0,
+        };
+        let route = Route { law, presses: &presses, switch: None, u0, pace, time: &|| f64::INFINITY };
+        let run = route.states(&[(event, expected)], rung);
+        let (states, count) = run.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
+        let [x, u, time] = states.first().map_or([f64::NAN; 3], |end| [end.s, end.u, end.time]).map(T::of);
+        let half_square = if why == Why::Rest { T::zero() } else { u.square().scale2(-1) };
+        Ok((Stop { way: x, half_square, why, time: Some(time) }, count))
+    }
+
     /// Time over a way that ends at rest or not.
     fn time(&self, way: T, rest: bool) -> Result<T, Refusal> {
         if way.is_zero() {
@@ -645,6 +717,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             End::Leaves(joint) => Some(joint),
             _ => None,
         };
+        let limit =
+            self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
+        far = limit.map_or(far, |limit| limit * T::of(SHORT));
         // What does not push at the start is not touched.
         let weights = self.weights();
         let (first, begin) = self.at(T::zero())?;
@@ -662,14 +737,24 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
         let mut least = nothing.clone();
         let backward = far.sign() < 0.0;
-        let mut stop = if backward {
+        let by = teller.by.filter(|_| STEPS && !backward);
+        let mut stop = if let Some(rung) = by {
+            let (stop, count) = self.stepped(far, level, rung)?;
+            teller.count = count;
+            stop
+        } else if backward {
             Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None }
         } else {
             // Whether the time is asked changes no other answer, not even by its rounding.
             self.stop(far, level, matches!(scene.end, End::Time(..)), &mut least)?
         };
         let mut time = stop.time;
-        if let End::Time(_, t) = scene.end {
+        let overwound =
+            || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overwound)) } else { Ok(()) };
+        if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
+            overwound()?;
+        }
+        if let (End::Time(_, t), None) = (scene.end, by) {
             let t = n.get(t);
             let most = match time {
                 Some(time) => time,
@@ -684,6 +769,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 stop = Stop { why: Why::Far, ..self.stop(way, None, false, &mut least)? };
                 time = Some(t);
             } else {
+                if stop.why == Why::Far {
+                    overwound()?;
+                }
                 (stop.why, time) = (Why::Rest, None);
             }
         }
@@ -720,6 +808,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if !reached {
             return Ok(());
         }
+        teller.tell_met(&self.meets, stop.way)?;
         let rest = stop.why == Why::Rest;
         if teller.asked.quantities.has(Quantity::T) {
             let time = match time {
@@ -757,6 +846,8 @@ struct Teller<'t, 'a, T: Real> {
     n: &'t Numbers<'a, T>,
     mechanism: &'t Mechanism<'a, T>,
     asked: Scope,
+    by: Option<Rung>,
+    count: Count,
     road: Road<T>,
 }
 
@@ -783,7 +874,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let mut found = (sense == 0.0).then(T::zero);
         let (mut before, full) = (T::zero(), T::constant(Dd::PI.scale2(1)));
         while sense != 0.0 && found.is_none() && before.below(full) {
-            let next = before + T::of(STRIDE / 16.0);
+            let next = before + look();
             if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
                 let way = root::between_values(before, next, false, &|x| {
                     Ok::<_, Refusal>(drive(x.signed(sense))?.signed(sense))
@@ -793,7 +884,14 @@ impl<T: Real> Teller<'_, '_, T> {
             before = next;
         }
         let stiffness = match found {
-            Some(way) => -plant!("eom: slope of the acceleration at equilibrium", slope(&drive, way)?),
+            Some(way) => {
+                // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
+                let meets = [1.0, -1.0].into_iter().flat_map(|sense| mechanism.meets(sense, (full, look())));
+                let apart = meets.map(|(_, at)| (at - way).abs().scale2(-1));
+                let widest = apart.fold(look(), |one, other| if other.below(one) { other } else { one });
+                let slope = if widest.size() < SHORTEST { T::zero() } else { slope(&drive, way, widest)? };
+                -plant!("eom: slope of the acceleration at equilibrium", slope)
+            }
             None => T::zero(),
         };
         // Where it is indifferent, rounding is left of its stiffness.
@@ -804,6 +902,10 @@ impl<T: Real> Teller<'_, '_, T> {
             return Ok(());
         };
         self.gets_to(way)?;
+        if mechanism.overwinds(sense, (way.abs(), look())).is_some() {
+            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        }
+        self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
         self.say(Quantity::OmegaSmall, of, frequency);
         self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
@@ -833,11 +935,23 @@ impl<T: Real> Teller<'_, '_, T> {
             near: T::zero(),
             slides: nothing.clone().collect(),
             rubs: nothing.collect(),
-            meets: mechanism.meets(way.sign(), (way.abs(), T::of(STRIDE / 16.0))),
+            meets: mechanism.meets(way.sign(), (way.abs(), look())),
             panels: Cell::new(PANELS),
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
+        Ok(())
+    }
+
+    /// Is each spring that only pushes or pulls met on this way, if it does not act from the start?
+    fn tell_met(&mut self, meets: &[(usize, T)], way: T) -> Result<(), Refusal> {
+        let begin = self.mechanism.poses(T::zero(), true)?;
+        for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
+            let first =
+                meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
+            let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
+            self.road.held.push(Held::Met(s, met, way.f64()));
+        }
         Ok(())
     }
 
@@ -873,7 +987,7 @@ impl<T: Real> Teller<'_, '_, T> {
             if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
                 let [pull, all] =
                     [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
-                self.road.held.push(Held::Touching(j, pull, all));
+                self.road.held.push(Held::Jolted(j, pull, all));
             }
         }
     }
@@ -895,7 +1009,11 @@ impl<T: Real> Teller<'_, '_, T> {
             self.say_scaled(Quantity::VX, of, vx, fastest);
             self.say_scaled(Quantity::VY, of, vy, fastest);
             if let Some((response, pulls, _)) = response {
-                let [ax, ay] = mechanism.acceleration(response, b, rate.square());
+                let mut seen = mechanism.acceleration(response, b, rate.square());
+                for (a, with) in seen.iter_mut().zip(self.n.carried.iter().flatten()) {
+                    *a = a.balance(plant!("eom: acceleration of the carrier in the plane", *with));
+                }
+                let [ax, ay] = seen;
                 let size = ax.size()
                     + ay.size()
                     + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
@@ -968,8 +1086,12 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
             }
             if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
+                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
+                if !force.is_zero() {
+                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
+                }
             }
         }
         for (s, strut) in scene.struts.iter().enumerate() {

@@ -14,17 +14,17 @@ pub mod travel;
 use crate::num::dd::Dd;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Fast, Real};
+use crate::num::{Fast, Real, trig};
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Heading, Label, Made, Numbers, Owner,
-    Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
+    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
 };
-use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, grown, respond};
+use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
 use crate::solve::found;
 use crate::solve::found::Forward;
-use crate::solve::method::Rung;
+use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
@@ -66,9 +66,14 @@ impl<T: Real> Forward<T> for Here<'_> {
 
 /// [`road_of`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    Ok(of_kind(scene, data, asked)?.telling(scene))
+}
+
+/// Everything that it finds, by the kind of the scene.
+fn of_kind<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if scene.lead().is_some() {
-        return joined::road(scene, &n, asked);
+        return Ok(joined::road_by(scene, &n, asked, None)?.0);
     }
     if let Some((body, pin)) = scene.pinned() {
         return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
@@ -112,7 +117,7 @@ pub fn road_by<T: Real>(
         return Err(Refusal::NoMethod { method: rung.method() });
     }
     let (road, count) = alone_by(scene, data, rung, asked)?;
-    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
+    Ok((road.telling(scene).answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -122,10 +127,14 @@ fn alone_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
-    if scene.lead().is_some() {
-        return Err(Refusal::NoMethod { method: rung.method() });
-    }
     let n = Numbers::<T>::new(scene, data);
+    if scene.lead().is_some() {
+        // Its formula wants accelerations that do not hang on the speed.
+        return match rung.method() {
+            Method::Verlet => Err(Refusal::NoMethod { method: Method::Verlet }),
+            _ => joined::road_by(scene, &n, Scope::ALL, Some(rung)),
+        };
+    }
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }
@@ -173,8 +182,8 @@ struct Walk<'a, T: Real> {
     spring: Option<Spring<T>>,
     /// Does a tension or a given force vary on the way?
     varies: bool,
-    /// Speeds of the ending coordinate at the start, after half the time and at the end, where forces grow with time.
-    speeds: Option<[T; 3]>,
+    /// Where forces grow: the way of the ending coordinate, averaged over that growth.
+    early: Option<T>,
     /// Stretch of the spring at equilibrium, friction of sliding left out.
     x_eq: Option<T>,
     /// For each contact that is said to slip: as if it rolled.
@@ -197,7 +206,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let end = scene.ending_coordinate();
         // What is given as 0 is no speed.
         let given = scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, v) if !n.get(*v).is_zero() => Some((*c, n.get(*v))),
+            Start::Speed(c, v) if !n.start(*c, *v).is_zero() => Some((*c, n.start(*c, *v))),
             _ => None,
         });
         let started = given.is_some();
@@ -245,7 +254,7 @@ impl<'a, T: Real> Walk<'a, T> {
             return Err(Refusal::Unsupported(Unsupported::StartHeld));
         }
         for (c, v) in scene.start_speeds() {
-            outcome::consistent(c, n.get(v), velocity(&response, c).unwrap_or_else(T::zero))?;
+            outcome::consistent(c, n.start(c, v), velocity(&response, c).unwrap_or_else(T::zero))?;
         }
         let slipping: SmallVec<[usize; 2]> =
             (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
@@ -379,7 +388,7 @@ impl<'a, T: Real> Walk<'a, T> {
             n,
             end,
             varies: spring.is_some() || grows,
-            speeds: None,
+            early: None,
             spring,
             x_eq,
             rolled,
@@ -478,7 +487,7 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         self.contacts_if_rolled();
         if !self.scene.growths.is_empty() {
-            return Ok((self.grown(), Count::default()));
+            return Ok((self.grown(wrong_way), Count::default()));
         }
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
             self.road.course = Some(Course::at_rest());
@@ -585,14 +594,11 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say(Quantity::PeriodSmall, Owner::Body(self.end.body), turn / frequency);
     }
 
-    /// The motion under forces that grow evenly with time: the acceleration grows evenly too, and is integrated over time.
-    fn grown(mut self) -> Road<T> {
-        let zero = T::zero();
-        let whole = T::of(1.0);
-        let time = match self.scene.end {
-            End::Time(_, t) => self.n.get(t),
-            _ => zero,
-        };
+    /// The motion under forces that grow with a power of time or place: so does the acceleration, and is integrated over that.
+    fn grown(mut self, wrong_way: bool) -> Road<T> {
+        let (zero, whole) = (T::zero(), T::of(1.0));
+        let law = self.scene.law().unwrap_or(Law::EVEN);
+        let power = plant!("eom: power of a growth", law.power::<T>());
         let senses = [self.v0, self.acceleration(self.end, zero), self.acceleration(self.end, whole)];
         let sense = senses.iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
         if sense == 0.0 {
@@ -602,40 +608,59 @@ impl<'a, T: Real> Walk<'a, T> {
             self.grip(zero, whole);
             return self.road;
         }
+        let extent = self.scene.growing_for().map_or(zero, |x| self.n.get(x));
+        let extent = if matches!(self.scene.end, End::Position(..)) { extent.signed(sense) } else { extent };
         let [u0, f0, f1] = senses.map(|x| x.signed(sense));
         let growth = self.response.acceleration(self.end, VARYING).signed(sense);
-        let speed = |share: f64| {
-            let change = T::of(share) * time * f0.balance(growth * T::of(share / 2.0));
-            (change, u0.balance(change))
-        };
-        let ((_, middle), (change, u)) = (speed(0.5), speed(1.0));
+        // Over time the acceleration adds to the speed, over the way to half its square.
+        let from = if law.with == Grows::Time { u0 } else { u0.square().scale2(-1) };
+        let change = extent * f0.balance(growth / (power + whole));
+        let last = from.balance(change);
         // It must not stop on the way: where the acceleration changes its sign the speed is least, else at an end.
-        let turns = f0.sign() < 0.0 && f1.sign() > 0.0;
-        let least = if turns { u0 - (f0.square() * time / growth).scale2(-1) } else { u };
-        let reached = least.sign() > 0.0 && (u0.sign() > 0.0 || f0.not_negative());
-        let asked = Some(time);
-        let farthest = T::of(f64::INFINITY);
-        self.road.course = Some(Course { sense, drive: (zero, zero), asked, farthest, reached });
-        self.grip(zero, whole);
-        if reached {
-            let s = time * u0.balance(time * f0.balance(growth / T::of(3.0)).scale2(-1));
-            self.speeds = Some([u0, middle, u]);
-            self.arrived(&State { s, u, time }, sense, whole);
-            self.gained((change * (u + u0)).scale2(-1), change, (s, u), sense);
+        let least = if f0.sign() < 0.0 && f1.sign() > 0.0 {
+            let share = -f0 / growth;
+            let at =
+                if law == Law::EVEN { share } else { T::of(trig::power(share.f64(), 1.0 / power.f64())) };
+            from + extent * at * f0 * power / (power + whole)
         } else {
+            last
+        };
+        let reached = !wrong_way
+            && extent.not_negative()
+            && least.sign() > 0.0
+            && (u0.sign() > 0.0 || f0.not_negative());
+        let farthest = T::of(f64::INFINITY);
+        self.road.course =
+            Some(Course { sense, drive: (zero, zero), asked: Some(extent), farthest, reached });
+        self.grip(zero, whole);
+        if !reached {
             self.standing(whole);
+            return self.road;
         }
+        let two = power + T::of(2.0);
+        let (s, u, early, time) = if law.with == Grows::Time {
+            let bent = f0.scale2(-1).balance(growth / ((power + whole) * two));
+            let s = extent * u0.balance(extent * bent);
+            let part = f0 / two.scale2(1) + growth / ((power + whole).square() * two).scale2(1);
+            (s, last, power * extent * (u0 / (power + whole) + extent * part), extent)
+        } else {
+            (extent, last.scale2(1).root(), power * extent / (power + whole), zero)
+        };
+        self.early = Some(early);
+        self.arrived(&State { s, u, time }, sense, whole);
+        let (gain, change) = match law.with {
+            Grows::Time => ((change * (u + u0)).scale2(-1), change),
+            Grows::Place => (change, u.balance(-u0)),
+        };
+        self.gained(gain, change, (s, u), sense);
         self.road
     }
 
-    /// Work of a given force over this way of the ending coordinate, at which its point goes at `rate` times the speed of that.
+    /// Work of a given force over this way of the ending coordinate, at which its point goes at `rate` times the speed of that: its last
+    /// value over the whole way, less what it had not yet grown.
     fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> T {
-        match (self.speeds, growth, self.scene.end) {
-            (Some([u0, middle, u]), Some(growth), End::Time(_, time)) => {
-                // The power is a cubic in time, which Simpson's rule integrates exactly.
-                let (half, last) = (force + growth.scale2(-1), force + growth);
-                rate * self.n.get(time) * (force * u0 + (half * middle).scale2(2) + last * u) / T::of(6.0)
-            }
+        match (self.early, growth) {
+            (Some(early), Some(growth)) => rate * ((force + growth) * s - growth * early),
             _ => force * rate * s,
         }
     }
@@ -644,11 +669,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn couples(&self, body: usize, moment: T, rate: T, s: T) -> (T, T) {
         let acting = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body);
         let growth = acting.filter_map(|(i, c)| {
-            Some(grown(self.scene, &self.n, GivenForce::Couple(i))?.signed(if c.forward {
-                1.0
-            } else {
-                -1.0
-            }))
+            Some(self.response.grown(GivenForce::Couple(i))?.signed(if c.forward { 1.0 } else { -1.0 }))
         });
         let growth = growth.reduce(T::balance);
         (self.work(moment, growth, rate, s), growth.map_or(moment, |g| moment + g))
@@ -745,12 +766,19 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Sum of the magnitudes of the forces along the line of a body.
     fn friction_scale(&self, r: &Response<T>, body: usize, friction: T, tension: T) -> f64 {
         let n = &self.n.bodies[body];
-        let weight = n.mass * n.climb * self.n.gravity;
+        let weight = self.drawn(body);
         let a = self.along(body).map_or_else(T::zero, |c| self.at_tension(tension, |k| r.acceleration(c, k)));
         let inertial = n.mass * a;
         // The rest (pulls and tensions) follows from the force sum.
         let rest = inertial + weight - friction;
         inertial.f64().abs() + weight.f64().abs() + rest.f64().abs()
+    }
+
+    /// Weight of a body along its line, with what its mass takes to be carried.
+    fn drawn(&self, body: usize) -> T {
+        let n = &self.n.bodies[body];
+        let weight = n.mass * n.climb * self.n.gravity;
+        n.carried.map_or(weight, |[forward, _]| weight.balance(n.mass * forward.acceleration))
     }
 
     /// Normal forces, friction needed over the whole motion, tensions of the cords.
@@ -759,7 +787,8 @@ impl<'a, T: Real> Walk<'a, T> {
             return;
         }
         for b in 0..self.scene.bodies.len() {
-            if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
+            let label = Label { quantity: Quantity::Normal, of: Owner::Body(b) };
+            if self.scene.bodies[b].line.is_some_and(|l| l.surface) && self.scene.tells(label) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
                 let force = self.n.publish(Quantity::Normal, normal).f64();
@@ -833,7 +862,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let size = |x: T| x.f64().abs();
             let a = self.acceleration(c, spring);
             let mut others = match arm {
-                None => size(n.mass * a) + size(n.mass * n.climb * self.n.gravity),
+                None => size(n.mass * a) + size(self.drawn(b)),
                 Some(_) => size(n.inertia * a),
             };
             for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
@@ -877,7 +906,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Where nothing sets off, everything stays as it is: no speed, no energy.
     fn resting(&mut self, tension: T) {
         let moves = |c: Coordinate| !self.acceleration(c, tension).is_zero();
-        if self.started || self.scene.coordinates().any(moves) {
+        if self.started || self.scene.carried.is_some() || self.scene.coordinates().any(moves) {
             return;
         }
         for b in 0..self.scene.bodies.len() {
@@ -899,7 +928,13 @@ impl<'a, T: Real> Walk<'a, T> {
                 if let Some(c) = c {
                     let a = self.acceleration(c, tension);
                     let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.f64().abs() };
-                    self.say_scaled(q, Owner::Body(b), a, scale);
+                    match (c.degree, self.n.bodies[b].carried) {
+                        (Degree::Along, Some([forward, _])) => {
+                            let with = plant!("eom: acceleration of the carrier", forward.acceleration);
+                            self.say_scaled(q, Owner::Body(b), a.balance(with), scale + with.size());
+                        }
+                        _ => self.say_scaled(q, Owner::Body(b), a, scale),
+                    }
                 }
             }
         }
@@ -927,6 +962,10 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction of the contacts and tension of the cords at this tension of the spring.
     fn forces(&mut self, tension: T) {
+        use Quantity::{PinAngle, PinForce, PinX, PinY};
+        if self.asks(&[PinAngle, PinForce, PinX, PinY]) {
+            (0..self.scene.bodies.len()).for_each(|b| self.axle(b, tension));
+        }
         if !self.asks(&[Quantity::Friction, Quantity::Tension, Quantity::RimForce]) {
             return;
         }
@@ -959,13 +998,50 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
+    /// The force of a fixed axle: the forces on its body sum up to nothing.
+    fn axle(&mut self, body: usize, tension: T) {
+        let Some(pulls) = self.scene.axle_pulls(body) else { return };
+        let (of, quantities) =
+            (Owner::Body(body), [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle]);
+        let weight = plant!("eom: weight on an axle", self.n.bodies[body].mass * self.n.gravity);
+        let (mut x, mut y, mut size) = (T::zero(), weight, weight.size());
+        for (t, aim) in pulls {
+            let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
+            let pull = match cord.to {
+                Far::Pull(force) => {
+                    let growth = self.response.grown(GivenForce::Pull(t)).map(|growth| growth * tension);
+                    self.n.massive(force) + growth.unwrap_or_else(T::zero)
+                }
+                Far::Spring { .. } => tension,
+                _ if self.response.is_open(t) => {
+                    quantities.into_iter().for_each(|q| self.say_open(q, of));
+                    return;
+                }
+                _ => self.friction(t, tension),
+            };
+            let [right, up] = aim.unit(&self.n).map(|u| plant!("eom: pull on an axle", pull) * u);
+            (x, y, size) = (x - right, y - up, size + pull.size());
+        }
+        let [x, y] = [x, y].map(|f| f.cleared(size));
+        self.say_scaled(Quantity::PinX, of, x, size);
+        self.say_scaled(Quantity::PinY, of, y, size);
+        self.say_scaled(Quantity::PinForce, of, (x.square() + y.square()).root(), size);
+        if !(x.is_zero() && y.is_zero()) {
+            self.say(Quantity::PinAngle, of, trig::angle(y, x));
+        }
+    }
+
     /// Everything at the ending event.
     fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
         let (s, u) = (state.s, state.u);
         let mut energy = T::zero();
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         let (mut turning, mut whole) = (T::zero(), T::zero());
-        self.say(Quantity::T, Owner::Scene, state.time);
+        // Of what is carried: of constant forces, each over the way that is seen from the ground.
+        let mut work = T::zero();
+        if !self.scene.grows_with_place() {
+            self.say(Quantity::T, Owner::Scene, state.time);
+        }
         self.accelerations(tension);
         self.forces(tension);
         self.bound_of_gyration();
@@ -973,10 +1049,21 @@ impl<'a, T: Real> Walk<'a, T> {
             let n = self.n.bodies[b];
             if let Some(c) = self.along(b) {
                 let ratio = self.ratio(c);
-                let v = ratio.abs() * u;
-                self.say(Quantity::V, Owner::Body(b), v);
-                let moved = plant!("eom: displacement of the centre", ratio) * s;
-                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
+                let mut v = (ratio * u).signed(sense);
+                let mut moved = (plant!("eom: displacement of the centre", ratio) * s).signed(sense);
+                let mut sizes = [v.size(), moved.size()];
+                if let Some([forward, out]) = n.carried {
+                    let (with, way) = (forward.after(state.time), forward.way(state.time));
+                    v = v.balance(plant!("eom: speed of the carrier", with));
+                    moved = moved.balance(way);
+                    sizes = [sizes[0] + with.size(), sizes[1] + way.size()];
+                    energy = energy + (n.mass * out.after(state.time).square()).scale2(-1);
+                    let a = self.acceleration(c, tension).balance(forward.acceleration);
+                    work = work.balance(n.mass * a * moved);
+                    work = work.balance(n.mass * out.acceleration * out.way(state.time));
+                }
+                self.say_scaled(Quantity::V, Owner::Body(b), v.abs(), sizes[0]);
+                self.say_scaled(Quantity::Displacement, Owner::Body(b), moved, sizes[1]);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);
                 whole = whole + n.mass * ratio * ratio;
@@ -988,7 +1075,14 @@ impl<'a, T: Real> Walk<'a, T> {
                 self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
                 energy = energy + (n.inertia * w * w).scale2(-1);
                 turning = turning + n.inertia * ratio * ratio;
+                if self.scene.carried.is_some() {
+                    let alpha = plant!("eom: couple on what is carried", self.acceleration(c, tension));
+                    work = work.balance(n.inertia * alpha * (ratio * s).signed(sense));
+                }
             }
+        }
+        if self.scene.carried.is_some() {
+            self.say(Quantity::Work, Owner::Scene, work);
         }
         self.say(Quantity::KineticEnergy, Owner::Scene, energy);
         if !energy.is_zero() {
@@ -1011,13 +1105,16 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Slide { body, .. } => {
                     let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * path);
+                    if self.scene.carried.is_some() {
+                        self.say(Quantity::SlipDistance, Owner::Body(*body), path);
+                    }
                 }
                 Tie::Cord(c) => {
                     let rate = self.take_up(&c.from).signed(sense);
                     if let Far::Pull(force) = c.to {
                         let p = self.n.massive(force);
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                        let growth = grown(self.scene, &self.n, GivenForce::Pull(t));
+                        let growth = self.response.grown(GivenForce::Pull(t));
                         let last = growth.map_or(p, |growth| p + growth);
                         self.say(Quantity::WorkPull, Owner::Tie(t), self.work(p, growth, rate, s));
                         self.say(Quantity::PowerPull, Owner::Tie(t), last * rate * u);
@@ -1064,7 +1161,7 @@ impl<'a, T: Real> Walk<'a, T> {
             }
         }
         // With a spring it may be the small rest of large works, which what is printed does not determine.
-        if self.spring.is_none() {
+        if self.spring.is_none() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
         }
     }

@@ -285,8 +285,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
     }
 
-    /// What moves with the leading angle: the turn of the body, or its centre about the axis of a cylinder. The speed at its unit
-    /// rate comes with it.
+    /// What moves with the leading angle: the turn of the body, or its centre about the axis of a cylinder; or its way along guides. The
+    /// speed at its unit rate comes with it.
     fn leads(&self, poses: &Poses<T>) -> (Row<T>, T) {
         let zero = T::zero();
         let (end, speed) = match self.layout.arc() {
@@ -300,6 +300,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             None => {
                 let none = [zero; 2];
+                if let Some(along) = self.layout.glide() {
+                    let end = End { body: self.lead, along, lever: none, radius: zero };
+                    return (Row::new(0, end, None, zero), T::of(1.0));
+                }
                 (End { body: self.lead, along: none, lever: none, radius: T::of(1.0) }, T::of(1.0))
             }
         };
@@ -408,6 +412,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if !blows {
             for (force, numbers) in forces.iter_mut().zip(&self.n.bodies) {
                 force[1] = -plant!("eom: weight in the plane", numbers.mass * self.n.gravity);
+                // Seen from what carries it, a body is held back as by a weight.
+                for (force, a) in force.iter_mut().zip(self.n.carried.iter().flatten()) {
+                    *force = force.balance(-plant!("eom: inertia in the plane", numbers.mass * *a));
+                }
             }
         }
         let mut force = |body: usize, f: Vector<T>, r: Vector<T>| {
@@ -767,11 +775,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// How far a spring is longer than it naturally is, or the body of a torsion spring turned beyond where that is relaxed; 0 where it
     /// does not act.
     fn stretch(&self, poses: &Poses<T>, strut: usize) -> T {
-        let beyond = self.beyond(poses, strut);
+        if self.idles(poses, strut) { T::zero() } else { self.beyond(poses, strut) }
+    }
+    /// Is a spring that only pushes or pulls away from where it does?
+    pub fn idles(&self, poses: &Poses<T>, strut: usize) -> bool {
+        let beyond = self.beyond(poses, strut).sign();
         match self.scene.struts[strut].acts {
-            Acts::Pushes if beyond.sign() > 0.0 => T::zero(),
-            Acts::Pulls if beyond.sign() < 0.0 => T::zero(),
-            _ => beyond,
+            Acts::Both => false,
+            Acts::Pushes => beyond > 0.0,
+            Acts::Pulls => beyond < 0.0,
         }
     }
     fn beyond(&self, poses: &Poses<T>, strut: usize) -> T {
@@ -782,14 +794,25 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let (_, _, apart) = self.strut(poses, s.at, &s.to);
         dot(apart, apart).root().balance(-self.natural[strut])
     }
-    /// Where springs that only push or pull are met or let go of on a way from the start.
-    pub fn meets(&self, sense: f64, (far, step): (T, T)) -> SmallVec<[T; 4]> {
+    /// Where springs that only push or pull are met or let go of on a way from the start: which, and the leading angle.
+    pub fn meets(&self, sense: f64, (far, step): (T, T)) -> SmallVec<[(usize, T); 4]> {
         let one_sided = |s: &usize| self.scene.struts[*s].acts != Acts::Both;
         let all = (0..self.scene.struts.len()).filter(one_sided).flat_map(|s| {
             let value = |way: T| Ok::<_, Refusal>(self.beyond(&self.poses(way.signed(sense), false)?, s));
-            root::changes((far, step), &value).unwrap_or_default()
+            let ways = root::changes((far, step), &value).unwrap_or_default();
+            ways.into_iter().map(move |way| (s, way))
         });
-        all.map(|way| way.signed(sense)).collect()
+        all.map(|(s, way)| (s, way.signed(sense))).collect()
+    }
+    /// [`Layout::in_line`].
+    pub fn in_line(&self, way: T) -> bool {
+        self.layout.in_line(way)
+    }
+    /// The first way up to which a torsion spring is wound by half a turn.
+    pub fn overwinds(&self, sense: f64, far: (T, T)) -> Option<T> {
+        let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
+        let ways = all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, sense, far));
+        ways.reduce(|one, other| if other.below(one) { other } else { one })
     }
     /// Force of a spring, positive if it pulls; moment of a torsion spring against its stretch.
     pub fn tension(&self, state: &State<T>, strut: usize) -> T {

@@ -9,7 +9,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, elliptic, gauss, root, trig};
 use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
-use crate::solve::eom::integrate::{Event, Route};
+use crate::solve::eom::integrate::{Event, Route, unpressed};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
 use crate::solve::eom::{STEPS, couple_on};
@@ -132,14 +132,11 @@ pub fn road_by<T: Real>(
     let mut count = Count::default();
     let (place, speed, time) = if let Some(by) = by.filter(|_| STEPS) {
         let swung = turning.filter(|_| pendulum && swing.half_square.is_zero());
-        // Only a step of fixed length can go past its event for ever.
-        let known = if matches!(by.0, Rung::Fixed(..)) {
-            let speed = if rest { T::zero() } else { swing.gained(&place)?.scale2(1).root() };
-            swing.time(&place, rest, speed, pendulum)?.f64()
-        } else {
-            f64::INFINITY
+        let known = || {
+            let speed = if rest { T::zero() } else { swing.gained(&place).ok()?.scale2(1).root() };
+            Some(swing.time(&place, rest, speed, pendulum).ok()?.f64())
         };
-        let run = swing.stepped(scene, teller.n, (&place, swung, known), by)?;
+        let run = swing.stepped(scene, teller.n, (&place, swung, &known), by)?;
         count = run.count;
         if let Some((period, fastest)) = run.period {
             teller.replace(Quantity::Period, T::of(period));
@@ -277,7 +274,7 @@ impl<T: Real> Swing<T> {
         &self,
         scene: &Scene,
         n: &Numbers<T>,
-        (end, swung, known): (&Place<T>, Option<Place<T>>, f64),
+        (end, swung, known): (&Place<T>, Option<Place<T>>, &dyn Fn() -> Option<f64>),
         (rung, asked): Steps,
     ) -> Result<Stepped, Refusal> {
         let u0 = self.half_square.scale2(1).root();
@@ -301,16 +298,17 @@ impl<T: Real> Swing<T> {
         events.sort_by(|a, b| a.1.total_cmp(&b.1));
         let law = self.body.law();
         let sense = self.sense;
-        let law = move |_: usize, way: f64| sense * law.at(sense * way);
+        let law = move |_: usize, way: f64, _: f64| sense * law.at(sense * way);
         let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
-        let force = (0..=8).map(|i| law(0, 0.125 * f64::from(i) * farthest).abs()).fold(0.0, f64::max);
+        let force = (0..=8).map(|i| law(0, 0.125 * f64::from(i) * farthest, 0.0).abs()).fold(0.0, f64::max);
         let u0 = u0.f64();
         let pace = [(2.0 * farthest / force).sqrt(), farthest / u0];
         let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
         // The far turning point comes after half a period.
-        let half_period = if events.len() > 1 { 0.5 * self.period().0.f64() } else { 0.0 };
-        let time = if known > half_period { known } else { half_period };
-        let route = Route { law, switch: None, u0, pace: if pace.is_finite() { pace } else { 1.0 }, time };
+        let half_period = || if events.len() > 1 { 0.5 * self.period().0.f64() } else { 0.0 };
+        let time = || known().map_or(f64::INFINITY, |known| known.max(half_period()));
+        let pace = if pace.is_finite() { pace } else { 1.0 };
+        let route = Route { law, presses: &unpressed, switch: None, u0, pace, time: &time };
         let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
         let (states, count) = route
             .states(&list, rung)

@@ -97,7 +97,8 @@ pub fn road_by<T: Real>(
     let (needed, available) = (rolling.friction.abs(), n.get(thrown.mu_s) * normal);
     let holds = needed.at_most(available);
     let c = n.get(thrown.radius_m);
-    let (v0, w0) = (n.get(thrown.speed_m_s), n.get(thrown.spin_rad_s));
+    let along = Coordinate { body, degree: Degree::Along };
+    let (v0, w0) = (n.start(along, thrown.speed_m_s), n.get(thrown.spin_rad_s));
     let rim = plant!("eom: speed of the rim at the start", c * w0);
     let slip0 = v0.apart(rim);
     // A contact that is at rest and cannot be held begins to slip against the friction that it would need.
@@ -185,26 +186,39 @@ pub fn road_by<T: Real>(
     let size = |x: T| x.f64().abs();
     let numbers = &n.bodies[body];
     let weight = size(numbers.mass * n.gravity * numbers.climb);
+    let forward = numbers.carried.map(|[forward, _]| forward);
+    let with =
+        forward.map_or(zero, |f| plant!("eom: acceleration of the carrier of a thrown body", f.acceleration));
+    let seen = |a: T| forward.map_or(a, |_| a.balance(with));
+    let weight = weight + size(numbers.mass * with);
     let forces = |p: &Phase<T>| size(p.friction) + weight + size(numbers.mass * p.a);
     say(Quantity::SlipSpeed, own, slip0.abs(), size(v0) + size(rim));
     say(Quantity::FrictionIfRolled, own, rolling.friction.signed(up), forces(&rolling));
     say(Quantity::MuRequired, own, needed / normal, size(needed / normal));
     say(Quantity::Normal, own, normal, size(normal));
     if holds {
-        say(Quantity::ARolling, own, rolling.a, forces(&rolling) / size(numbers.mass));
+        say(Quantity::ARolling, own, seen(rolling.a), forces(&rolling) / size(numbers.mass));
     }
-    say(Quantity::A, own, now.a, forces(&now) / size(numbers.mass));
+    say(Quantity::A, own, seen(now.a), forces(&now) / size(numbers.mass));
     say(Quantity::Alpha, own, now.alpha, size(now.alpha));
     say(Quantity::Friction, own, now.friction.signed(up), forces(&now));
     if let (Some(state), Some((slides, _))) = (&state, ended) {
         say(Quantity::T, Owner::Scene, state.t, size(state.t));
-        say(Quantity::V, own, state.v.abs(), size(state.v));
+        let v = forward.map_or(state.v, |f| {
+            state.v.balance(plant!("eom: speed of the carrier of a thrown body", f.after(state.t)))
+        });
+        let carried = forward.map_or(zero, |f| f.way(state.t));
+        say(Quantity::V, own, v.abs(), size(state.v) + size(v - state.v));
         say(Quantity::Omega, own, state.w.abs(), size(state.w));
         let way = (size(v0) + size(state.v)) * size(state.t);
-        say(Quantity::Displacement, own, state.x, way);
+        let moved = forward.map_or(state.x, |_| state.x.balance(carried));
+        say(Quantity::Displacement, own, moved, way + size(carried));
         say(Quantity::Rise, own, state.x * numbers.climb, way * size(numbers.climb));
         say(Quantity::Phi, own, state.phi.abs(), size(state.phi));
-        let moving = numbers.mass * state.v.square();
+        let mut moving = numbers.mass * v.square();
+        if let Some([_, out]) = numbers.carried {
+            moving = moving + numbers.mass * out.after(state.t).square();
+        }
         let turning = numbers.inertia * state.w.square();
         let energy = (moving + plant!("eom: energy of a turning body", turning)).scale2(-1);
         say(Quantity::KineticEnergy, Owner::Scene, energy, size(energy));
@@ -221,7 +235,9 @@ pub fn road_by<T: Real>(
             impulse = impulse.balance(push);
         }
         say(Quantity::Distance, own, plant!("eom: path of the centre", gone), size(gone));
-        say(Quantity::Impulse, own, plant!("eom: impulse on a thrown body", impulse), size(impulse));
+        // A difference of two momenta.
+        let momentum = size(numbers.mass * v0) + size(impulse);
+        say(Quantity::Impulse, own, plant!("eom: impulse on a thrown body", impulse), momentum);
         let spin = plant!("eom: angular momentum of a thrown body", numbers.inertia) * state.w.abs();
         say(Quantity::AngularMomentum, own, spin, size(spin));
         if let Some(moment) = couple_on(scene, n, body) {

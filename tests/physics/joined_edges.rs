@@ -1,0 +1,203 @@
+//! Joined bodies at the edges of what is followed: springs at their anchors and at half a turn, contacts at a blow, rods in one line.
+use crate::joined::{CRATE, all_near, constants, solved, told};
+use slipstick::bank::load;
+use slipstick::inspect::sentences;
+use slipstick::solve::agree;
+use slipstick::solve::outcome::{CheckKind, Refusal, Unsupported};
+
+/// The stable equilibrium of one freedom and the square of its frequency, from energy and inertia alone: the minimum by trisection, the
+/// second derivative by differences.
+fn least(energy: &dyn Fn(f64) -> f64, inertia: f64, (mut low, mut high): (f64, f64)) -> (f64, f64) {
+    for _ in 0..200 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if energy(a) < energy(b) { high = b } else { low = a }
+    }
+    let (at, h) = (f64::midpoint(low, high), 1e-3);
+    let second = |h: f64| (energy(at + h) - 2.0 * energy(at) + energy(at - h)) / (h * h);
+    (at, (second(h) + (second(h) - second(2.0 * h)) / 3.0) / inertia)
+}
+
+/// A spring without length of its own draws the end of a bar onto its anchor: `V = k L^2 (1 - cos)` is smooth there.
+#[test]
+fn a_spring_of_no_length_rests_at_its_anchor() {
+    let level = "
+bodies: {bar: {mass: 6 kg, shape: {rod: 0.5 m}, moves: in a horizontal plane, angle: from right}}
+joints: {O: {pins: bar.A}}
+forces: [spring: {on: bar.B, to: [0 m, 0.5 m], stiffness: 40 N/m, natural length: 0 m}]
+start: {bar: {angle: 25 deg}}
+end: equilibrium
+";
+    let found = told(level, &["phi", "omega_small", "spring.spring_force"]);
+    all_near(&found, &[f64::to_radians(65.0), (3.0f64 * 40.0 / 6.0).sqrt(), 0.0], 1e-12);
+    let hanging = level
+        .replace("a horizontal plane", "the plane")
+        .replace("0.5 m]", "-0.5 m]")
+        .replace("25 deg", "-30 deg");
+    let square: f64 = 3.0 * 40.0 / 6.0 + 1.5 * 9.81 / 0.5;
+    all_near(&told(&hanging, &["phi", "omega_small"]), &[f64::to_radians(60.0), square.sqrt()], 1e-12);
+}
+
+/// A crate on two rough corners is under way: friction 0.2 m g against it, and more of the weight on the corner ahead.
+#[test]
+fn a_crate_starts_with_a_speed() {
+    let push = "forces: [force: {on: crate.P, magnitude: 600 N, direction: right}]\n";
+    assert!(CRATE.contains(push));
+    for speed in [3.0, -3.0f64] {
+        let crate_text =
+            CRATE.replace(push, "").replace("angle: 0 deg", &format!("angle: 0 deg, speed: {speed} m/s"));
+        let found = told(
+            &crate_text,
+            &["v_x", "a_x", "a.normal", "b.normal", "alpha", "kinetic_energy", "a.friction"],
+        );
+        let (weight, way) = (50.0 * 9.81, speed.signum());
+        // The friction 0.2 m g acts 0.5 m below G, the corners 0.5 m off it on either side.
+        let [behind, ahead] = [0.5 * weight * 0.8, 0.5 * weight * 1.2];
+        let [a, b] = if way > 0.0 { [behind, ahead] } else { [ahead, behind] };
+        all_near(&found, &[speed, -way * 0.2 * 9.81, a, b, 0.0, 225.0, -way * 0.2 * a], 1e-13);
+    }
+    // A spin is none of its motions.
+    let spun = CRATE.replace("angle: 0 deg", "angle: 0 deg, spin: 1 rad/s");
+    let bank = constants(&spun);
+    let refused = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
+    assert!(matches!(refused, Err(Refusal::Freedoms(_))), "{refused:?}");
+}
+
+const BUFFER: &str = "
+bodies: {bar: {mass: 6 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right clockwise}}
+joints: {O: {pins: bar.A}}
+forces: [spring: {name: buffer, on: bar.B, to: [1 m, -0.5 m], stiffness: 900 N/m, natural length: 0.4 m, only: pushes}]
+start: {bar: {angle: 0 deg}}
+end: equilibrium
+";
+
+/// A bar falls onto a buffer and rests on it; one that it never meets makes no variant.
+#[test]
+fn an_equilibrium_rests_on_a_buffer() {
+    let energy = |stiffness: f64, q: f64| {
+        let long = f64::hypot(1.0 - q.cos(), q.sin() - 0.5);
+        let pressed = f64::max(0.0, 0.4 - long);
+        -6.0 * 9.81 * 0.5 * q.sin() + 0.5 * stiffness * pressed * pressed
+    };
+    let (at, square) = least(&|q| energy(900.0, q), 2.0, (0.0, 0.5));
+    let found = told(BUFFER, &["phi", "omega_small", "buffer.spring_force", "O.pin_y"]);
+    let long = f64::hypot(1.0 - at.cos(), at.sin() - 0.5);
+    let force = 900.0 * (long - 0.4);
+    let pin = 6.0 * 9.81 + force * (0.5 - at.sin()) / long;
+    all_near(&found[..1], &[at], 1e-7);
+    all_near(&found[1..], &[square.sqrt(), force, pin], 2e-6);
+    let (_, far) = solved(&BUFFER.replace("-0.5 m]", "-3 m]"));
+    let failed: Vec<CheckKind> = far.checks.iter().filter(|c| !c.ok).map(|c| c.kind).collect();
+    assert_eq!(failed, [CheckKind::Met]);
+}
+
+/// What would have to pull at a blow is told by its impulse; a blow at the centre of percussion gives the pin nothing, though the
+/// decimals 0.8 and 1.2 are no multiples of each other in binary.
+#[test]
+fn impulses_are_told_in_their_unit() {
+    let ladder = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from horizontal}}
+joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, wall: {guides: rod.B, along: vertical, pushes: left}}
+forces: [impulse: {on: rod.A, magnitude: 4 N*s, direction: left}]
+start: {rod: {angle: 60 deg}}
+end: at once
+";
+    let (bank, struck) = solved(ladder);
+    let scene = &bank.problems[0].cases[0].scene;
+    let failed = struck.checks.iter().filter(|c| !c.ok).map(|c| sentences::check(scene, &struck.checks, c));
+    let failed: Vec<String> = failed.collect();
+    // Along the floor the foot moves L sin, the centre falls half of L cos: m v = -3/2 J sin cos.
+    let expected = "at the blow the rod is not pressed on `floor`: -2.5981 N*s, required more than 0 N*s";
+    assert!(failed.iter().any(|s| s == expected), "{failed:?}");
+    let percussion = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from hanging, points: {O: 0 m, P: 0.8 m}}}
+joints: {O: {pins: rod.O}}
+forces: [impulse: {on: rod.P, magnitude: 4.1 N*s, direction: right}]
+start: {rod: {angle: 0 deg}}
+end: at once
+";
+    assert_eq!(told(percussion, &["O.impulse_x", "O.impulse_y"]), [0.0, 0.0]);
+}
+
+/// A torsion spring that comes to half a turn, or would pass it, is refused by name; up to there it holds, and a motion that turns
+/// back before does not care. `m w^2 L^2/6 = M q - k q^2/2`.
+#[test]
+fn a_torsion_spring_is_wound_by_less_than_half_a_turn() {
+    let rod = |moment: f64, end: &str| {
+        format!("
+bodies: {{rod: {{mass: 3 kg, shape: {{rod: 1 m}}, moves: in a horizontal plane, angle: from right}}}}
+joints: {{O: {{pins: rod.A}}}}
+forces: [couple: {{on: rod, moment: {moment} N*m}}, torsion: {{on: rod.A, stiffness: 2 N*m/rad, relaxed at: 0 deg}}]
+start: {{rod: {{angle: 0 deg}}}}
+end: {end}
+")
+    };
+    let refused = |text: &str| {
+        let bank = constants(text);
+        agree::solve(&bank.problems[0].cases[0].scene, &[9.81]).err()
+    };
+    let overwound = Some(Refusal::Unsupported(Unsupported::Overwound));
+    for end in [
+        "{angle: {of: rod, reaches: 180 deg}}",
+        "{angle: {of: rod, reaches: 200 deg}}",
+        "{turning point: rod}",
+        "{time: {of: rod, is: 30 s}}",
+        "{speed: {of: rod, reaches: 40 rad/s}}",
+    ] {
+        assert_eq!(refused(&rod(9.0, end)), overwound, "{end}");
+    }
+    let q = f64::to_radians(179.0);
+    let speed = (2.0 * (9.0 * q - q * q)).sqrt();
+    all_near(&told(&rod(9.0, "{angle: {of: rod, reaches: 179 deg}}"), &["omega"]), &[speed], 1e-12);
+    // It turns at q = M, before half a turn.
+    all_near(&told(&rod(3.0, "{turning point: rod}"), &["phi"]), &[3.0], 1e-12);
+    all_near(&told(&rod(5.0, "equilibrium"), &["phi"]), &[2.5], 1e-12);
+    let none = solved(&rod(7.0, "equilibrium")).1;
+    assert!(none.checks.iter().any(|c| !c.ok), "{:?}", none.checks);
+}
+
+/// A parallelogram of equal rods lies in one line after 60 degrees: beyond it could go on as an antiparallelogram.
+#[test]
+fn rods_in_one_line_are_refused_by_name() {
+    let rods = "
+bodies:
+  crank: {mass: 1 kg, shape: {rod: 0.3 m}, moves: in the plane, angle: from right}
+  coupler: {mass: 2 kg, shape: {rod: 0.8 m}, moves: in the plane}
+  follower: {mass: 1 kg, shape: {rod: 0.3 m}, moves: in the plane}
+joints:
+  O: {pins: crank.A}
+  C: {pins: follower.A, at: [0.8 m, 0 m]}
+  A: {hinges: [crank.B, coupler.A]}
+  B: {hinges: [coupler.B, follower.B]}
+start: {crank: {angle: 60 deg, spin: -4 rad/s}}
+end: {angle: {of: crank, reaches: -10 deg}}
+";
+    let bank = constants(rods);
+    let refused = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
+    assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::InLine))), "{refused:?}");
+    // Before that it moves as its rods do: m g falls, and all points of the coupler move alike.
+    let found = told(&rods.replace("-10 deg", "20 deg"), &["crank.omega", "coupler.omega"]);
+    let fallen = 0.3 * (f64::to_radians(60.0).sin() - f64::to_radians(20.0).sin());
+    let inertia = 2.0 * 0.09 / 3.0 + 2.0 * 0.09;
+    let square = 16.0 + 2.0 * 9.81 * fallen * (0.5 + 0.5 + 2.0) / inertia;
+    all_near(&found, &[square.sqrt(), 0.0], 1e-12);
+}
+
+/// A speed beside an equilibrium is told, and what is asked of it is not said to need `at once`.
+#[test]
+fn nothing_is_left_unused_beside_an_equilibrium() {
+    let text = |start: &str, quantity: &str| {
+        let scene = BUFFER.replace("angle: 0 deg}}", &format!("angle: 0 deg{start}}}}}"));
+        let scene: String = scene.trim_matches('\n').lines().map(|line| format!("      {line}\n")).collect();
+        format!(
+            "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {{}}\n    scene:\n{scene}    questions: {{q: {{quantity: {quantity}, ask: none}}}}\n"
+        )
+    };
+    let told = |text: &str| {
+        let found = load::scenes_only(text, "t.yaml").expect_err("a finding");
+        found.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+    };
+    let spun = told(&text(", spin: 2 rad/s", "phi"));
+    assert!(spun.contains("at rest in equilibrium nothing has a speed or a spin"), "{spun}");
+    let asked = told(&text("", "v"));
+    assert!(asked.contains("with `end: equilibrium` only what holds at rest there is asked"), "{asked}");
+}
