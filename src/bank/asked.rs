@@ -1,6 +1,6 @@
 //! Questions that no quantity answers as it stands: an expression (`value:`), or a quantity as if contacts were others (`if:`).
 use crate::bank::expression::{Expression, Name};
-use crate::bank::node::{Faults, Node, choice, named, shorten, text};
+use crate::bank::node::{Faults, Node, WHOLE, choice, named, shorten, text};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, checks, measure, need::Need};
 use crate::finding::told;
@@ -169,11 +169,13 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
             "ask for `a_rolling` or `friction_if_rolled`, or take `if:` away",
         );
     }
-    let own = Faults::default();
-    checks::structure(&other, node, &own);
-    if let Some(why) = own.into_sorted("").iter().next() {
-        let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
-        return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));
+    if WHOLE {
+        let own = Faults::default();
+        checks::structure(&other, node, &own);
+        if let Some(why) = own.into_sorted("").iter().next() {
+            let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
+            return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));
+        }
     }
     scene.formulas.others.push((how, other));
     Some(scene.formulas.others.len() - 1)

@@ -1,9 +1,10 @@
 //! The inverse question: a datum that is `unknown:` is found from another one that was `measured:`.
-use crate::bank::node::{Faults, Node};
+use crate::bank::node::{Faults, Node, WHOLE};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, checks, measure, need::Need};
 use crate::finding::told;
-use crate::scene::{Found, Given, Num, Scene, admissible};
+use crate::scene::admissible::{self, Rule};
+use crate::scene::{Found, Given, Num, Scene};
 
 /// The one datum that was measured, where one is unknown; anything else is told.
 pub fn only<'n>(
@@ -70,8 +71,13 @@ pub fn put(
         faults.at(node, told!("`{}` has the dimension {own}, `{name}` {wanted}", data[at].symbol));
         return Vec::new();
     }
-    let mut used = false;
-    admissible::rules(scene, |number, _| used |= scene.data_of(number).any(|datum| datum == i));
+    let mut used = !WHOLE;
+    let look = |tell: &mut dyn FnMut(Num, Rule)| {
+        if WHOLE {
+            admissible::rules(scene, tell);
+        }
+    };
+    look(&mut |number, _| used |= scene.data_of(number).any(|datum| datum == i));
     if !used {
         let message = told!("`{symbol}` is to be found, but the scene does not use it");
         faults.hint(
@@ -87,7 +93,7 @@ pub fn put(
     };
     let range = [scene_value(low), scene_value(high)];
     let mut rule = None;
-    admissible::rules(scene, |number, r| {
+    look(&mut |number, r| {
         let fits = |x: &f64| admissible::fits_rule(*x, r);
         if number == Num::Datum(i) && !range.iter().all(fits) {
             rule = Some(r);

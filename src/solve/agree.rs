@@ -1,5 +1,5 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::{Ball, Dd, Fast, Real, U, ball, dd};
+use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
@@ -294,8 +294,11 @@ fn compared(
         // The roads mostly speak in the same order.
         let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
         let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
-        // What both roads leave below the rounding of the printed data in its terms is 0.
-        if [eom, energy].iter().all(|x| vanishes(*x, 8.0 * U, entry.scale)) {
+        // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms. Of joined
+        // bodies that rounding stands in every pose, on both roads.
+        let nothing = |share: f64| [eom, energy].map(|x| vanishes(x, share, entry.scale));
+        let joined = scene.lead().is_some();
+        if (joined || nothing(NOISE).contains(&true)) && nothing(8.0 * U) == [true; 2] {
             (eom, energy) = (0.0, 0.0);
             entry.eom = Some(eom);
         }

@@ -20,7 +20,7 @@ use crate::num::plant::plant;
 use crate::num::root;
 use crate::scene::pose::{self, Layout};
 use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
-use crate::solve::outcome::Refusal;
+use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
 /// Right-hand side of the forces.
@@ -319,7 +319,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let leads = self.leads(&poses);
         let rows = Vec::with_capacity(self.columns);
         let mut state = State { poses, rates, rows, leads, kinematics: Factors::none(), determined: false };
-        self.look(&mut state, moving)?;
+        self.look(&mut state, moving).map_err(self.in_place(way))?;
         Ok(state)
     }
 
@@ -329,7 +329,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn next(&self, way: T, state: &mut State<T>) -> Result<(), Refusal> {
         state.poses = self.poses(way, false)?;
         state.leads = self.leads(&state.poses);
-        self.look(state, true)
+        self.look(state, true).map_err(self.in_place(way))
+    }
+
+    /// Says why there: where rods lie in one line, nothing tells how they go on.
+    fn in_place(&self, way: T) -> impl Fn(Refusal) -> Refusal {
+        move |why| match why {
+            Refusal::Freedoms(2) if self.in_line(way) => Refusal::Unsupported(Unsupported::InLine),
+            why => why,
+        }
     }
 
     /// Fills in what follows from the poses.
