@@ -43,7 +43,7 @@ pub struct Inadmissible {
 }
 
 /// Every number of the scene with its rule, in the order of the scene.
-pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
+pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
     use Rule::{Finite, NotNegative, Positive};
     tell(scene.gravity_m_s2, Positive);
     let slipping = |b: usize| scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == b));
@@ -88,7 +88,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
             tell(angle, Rule::Slope);
         }
         if let Some(pin) = &b.pin {
-            pin_rules(pin, &mut tell);
+            pin_rules(pin, tell);
         }
         if let Some(planar) = &b.planar {
             for place in planar.points.iter().flat_map(|(_, p)| p).chain([&planar.centre]) {
@@ -145,7 +145,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
     for c in &scene.couples {
         tell(c.moment_n_m, NotNegative);
     }
-    joint_rules(scene, &mut tell);
+    joint_rules(scene, tell);
     for g in &scene.growths {
         tell(g.rate, NotNegative);
     }
@@ -175,7 +175,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
 }
 
 /// The numbers of joints, and of forces and springs in the plane.
-fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
+fn joint_rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
     for joint in &scene.joints {
         match joint.kind {
             JointKind::Hinge { turned_deg, .. } => turned_deg.iter().for_each(|x| tell(*x, Rule::Angle)),
@@ -222,7 +222,7 @@ fn joint_rules(scene: &Scene, tell: &mut impl FnMut(Num, Rule)) {
 }
 
 /// The numbers of a pin.
-fn pin_rules(pin: &Pin, tell: &mut impl FnMut(Num, Rule)) {
+fn pin_rules(pin: &Pin, tell: &mut dyn FnMut(Num, Rule)) {
     match pin.arm {
         Arm::Distance(h) => tell(h, Rule::NotNegative),
         Arm::HalfOf(l) => tell(l, Rule::Positive),
@@ -289,7 +289,7 @@ pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
             found.push(Inadmissible { datum, value: scene.value(datum, data), rule });
         }
     };
-    rules(scene, |datum, rule| {
+    rules(scene, &mut |datum, rule| {
         judge(datum, rule);
         judge(datum, Rule::Range);
     });

@@ -165,7 +165,7 @@ impl<'s> Quick<'s> {
             Num::Fixed(_) => false,
         };
         let mut kept = Vec::new();
-        admissible::rules(right, |number, rule| {
+        admissible::rules(right, &mut |number, rule| {
             let touched = match rule {
                 Rule::NotAbove(bound) => other(number) || other(bound),
                 // The length of a spring hangs on several data.
@@ -177,7 +177,7 @@ impl<'s> Quick<'s> {
             }
         });
         let mut rules = Vec::new();
-        admissible::rules(scene, |number, rule| {
+        admissible::rules(scene, &mut |number, rule| {
             if !kept.contains(&(number, rule)) {
                 rules.extend([(number, rule), (number, Rule::Range)]);
             }
@@ -373,7 +373,7 @@ fn is_held(tie: &Tie) -> bool {
 /// Are all numbers of the scene 0, or so near 1 in SI that products of ten of them do not leave the doubles?
 fn ordinary(scene: &Scene, data: &[f64]) -> bool {
     let mut all = true;
-    admissible::rules(scene, |number, _| {
+    admissible::rules(scene, &mut |number, _| {
         let x = scene.value(number, data).abs();
         all &= x == 0.0 || (ORDINARY.recip()..ORDINARY).contains(&x);
     });

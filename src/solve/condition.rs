@@ -124,7 +124,7 @@ fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
 /// The data that the scene uses and that are not 0: a relative change of 0 is none.
 fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
     let mut used = vec![false; data.len()];
-    admissible::rules(scene, |number, _| {
+    admissible::rules(scene, &mut |number, _| {
         for i in scene.data_of(number) {
             used[i] |= data.get(i).is_some_and(|x| *x != 0.0);
         }

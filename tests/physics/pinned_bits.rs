@@ -40,7 +40,7 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("two-loads-on-a-stepped-drum", "77708f5668c361b0", "a5f67534972c79db", "136bbdd805608b64"),
     ("rolling-hoop", "0e346351f1003b91", "c3a670ada2d1bea0", "83eef3814fe0cda3"),
     ("spool-on-the-floor", "f78df4d6b4b8302e", "77498d755d7116e0", "e47d54b644b00fa6"),
-    ("mass-of-a-stone", "e77389bed7e06d93", "eb409120b49b6cdb", "9214dab9d4c01735"),
+    ("mass-of-a-stone", "e77389bed7e06d93", "eb409120b49b6cdb", "45d121029babd83b"),
     ("flywheel-of-parts", "50f896ce40f3a1ce", "8cff6ae4f43cf53f", "1041445b1c639019"),
     ("backspin", "14459a9521e8bc5c", "33a8746c8603fae1", "a5d4acaa38e09bbc"),
     ("inertia-about-the-pin", "2a4fecc2e134e7e3", "9c2eb4e1b66cf609", "a218253fb1f65592"),
