@@ -53,7 +53,8 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> R
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
     let share = -(y0 / (y1 - y0));
-    if !T::is_double() && !(share.size() * STEP < NEAR) {
+    let settled = share.size() * STEP < NEAR;
+    if !settled && !T::is_double() {
         return Err(Refusal::NotFound);
     }
     let correct = |said: &mut Said<T>| {

@@ -260,3 +260,23 @@ fn what_does_not_grow_as_it_could_is_refused_by_name() {
     let unit = placed.replace("5 N/m", "5 N/s");
     assert!(refused(&unit).contains("the growth of a force"), "{}", refused(&unit));
 }
+
+/// A block with a start speed that a pull and its growth both slow down: `v = v0 - p t - q t^2 / 2` is 0 before the time that is asked,
+/// or it is not.
+#[test]
+fn what_is_slowed_more_and_more_turns() {
+    let at = |time: f64| {
+        let bank = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n      surfaces: {{floor: level}}\n      bodies: {{B: {{mass: 1 kg, moves: along floor}}}}\n      ties: [cord: {{from: {{body: B, tied at: centre, leaves: back}}, pulled with: 1 N, growing by: 1 N/s}}]\n      start: {{B: {{speed: 2 m/s}}}}\n      end: {{time: {{of: B, is: {time:?} s}}}}\n    questions: {{v: {{ask: how fast}}}}\n    statement: s\n"
+        );
+        let bank = load::scenes_only(&bank, "test").unwrap_or_else(|f| panic!("{f:#?}"));
+        solve(&bank.problems[0].cases[0].scene, &[9.81]).unwrap_or_else(|e| panic!("{time} {e:?}"))
+    };
+    let before = at(1.0);
+    assert!(before.all_hold());
+    assert!((value(&before, "v") - 0.5).abs() < 1e-15);
+    for late in [1.3, 2.0, 3.0, 50.0] {
+        assert!(!at(late).all_hold(), "{late}");
+        assert!(find(&at(late), "v").is_none(), "{late}");
+    }
+}

@@ -561,7 +561,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         // Impulse of the forces over time, or their work over the way, up to a share of it; over what it moves.
         let gained = |share: T, grown: T| extent * share * (first + growth * grown * mean);
         let turn = -first / growth;
-        let (share, grown) = match first.sign() < 0.0 && turn.below(whole) {
+        let turns = first.sign() < 0.0 && growth.sign() > 0.0 && turn.below(whole);
+        let (share, grown) = match turns {
             true if law == Law::EVEN => (turn, turn),
             true => (T::of(trig::power(turn.f64(), 2.0 / f64::from(law.halves))), turn),
             false => (whole, whole),

@@ -81,6 +81,8 @@ struct Arc<T> {
     pace: T,
 }
 
+/// Looks up the time to the end without steps.
+type Known<'k> = &'k dyn Fn() -> Option<f64>;
 /// A rung, and which quantities are wanted of it.
 pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 
@@ -274,7 +276,7 @@ impl<T: Real> Swing<T> {
         &self,
         scene: &Scene,
         n: &Numbers<T>,
-        (end, swung, known): (&Place<T>, Option<Place<T>>, &dyn Fn() -> Option<f64>),
+        (end, swung, known): (&Place<T>, Option<Place<T>>, Known),
         (rung, asked): Steps,
     ) -> Result<Stepped, Refusal> {
         let u0 = self.half_square.scale2(1).root();
