@@ -213,7 +213,7 @@ fn cranked(dt: f64) -> Found {
     let ground = world.bodies.insert(RigidBodyBuilder::fixed());
     let crank = world.body([r * cosine, r * sine], FROM_DEG.to_radians(), CRANK_KG, CRANK_KG * r * r / 3.0);
     let middle = [CRANK_M * cosine + l * across, l * fall];
-    let rod = world.body(middle, -fall.asin(), ROD_KG, ROD_KG * l * l / 3.0);
+    let rod = world.body(middle, -slipstick::num::trig::angle(fall, across), ROD_KG, ROD_KG * l * l / 3.0);
     let piston = world.body([CRANK_M * cosine + ROD_M * across, 0.0], 0.0, PISTON_KG, 1.0);
     world.hinge(ground, [0.0, 0.0], crank, [-r, 0.0]);
     world.hinge(crank, [r, 0.0], rod, [-l, 0.0]);
