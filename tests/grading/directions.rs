@@ -63,9 +63,11 @@ const COUNTER: &[&str] = &[
 const PAIRS: [[&[&str]; 2]; 4] = [[UP, DOWN], [FORWARD, BACK], [RIGHT, LEFT], [CLOCKWISE, COUNTER]];
 
 type WordList = &'static [&'static str];
+/// A quantity with its words.
+type Worded = (&'static str, &'static [WordList]);
 
 /// Scene, questions, and of each part the words that are right. Their opposites are the wrong direction, all others do not fit.
-const SCENES: [(&str, &str, &[(&str, &[WordList])]); 7] = [
+const SCENES: [(&str, &str, &[Worded]); 7] = [
     // Let go at 35 degrees above the right, it falls to the right and down.
     (
         "
