@@ -252,7 +252,10 @@ impl<'a> Draft<'a> {
 
     /// The same, by the first of these symbols that is free.
     pub fn named(&mut self, names: &[&str], unit: &str) -> SymbolId {
-        let tex = self.free(names);
+        // A constant may bear it already.
+        let told = |tex: &str| self.told.iter().any(|d| d.starts_with(&format!("{tex} =")));
+        let open: Vec<&str> = names.iter().copied().filter(|tex| !told(tex)).collect();
+        let tex = if open.is_empty() { format!("{}^{{*}}", self.free(names)) } else { self.free(&open) };
         self.unknown(&tex, unit)
     }
 

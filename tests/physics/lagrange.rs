@@ -1107,7 +1107,8 @@ impl<'s> System<'s> {
                 let mut along = leaves(s, &self.frames, end).1;
                 if let Some(other) = other.filter(on_slope).filter(|_| along.1.abs() < 1e-12) {
                     // Forward is to the right: of what counts positive down a picture may show either side.
-                    told &= onward(end) != onward(other) && self.frames[other.body].forward.0 > 0.0;
+                    let (right, up) = self.frames[other.body].forward;
+                    told &= onward(end) != onward(other) && right + up > 0.0;
                     along = times(-1.0, leaves(s, &self.frames, other).1);
                 }
                 (x, y) = (x - pull.unwrap_or(0.0) * along.0, y - pull.unwrap_or(0.0) * along.1);
