@@ -129,7 +129,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         }
         None => (f64::NAN, 0.0),
     };
-    let words = words_sign(scene, question.label);
+    let words = offers_words(scene, question.label);
     key.answer = Answer::Number {
         value,
         half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
@@ -186,7 +186,7 @@ const fn may_vanish(quantity: Quantity) -> bool {
 
 /// Do sheets say that a word may give the sign? Friction is positive up the incline in every scene; an acceleration or a
 /// displacement is positive forward, so not where positive is down: there `up` would mean a minus.
-pub fn words_sign(scene: &Scene, label: Label) -> bool {
+pub fn offers_words(scene: &Scene, label: Label) -> bool {
     let body = match scene.owner(label) {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body(),

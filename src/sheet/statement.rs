@@ -482,7 +482,7 @@ fn form(
         text.push_str(", ");
         text.push_str(more);
     };
-    if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
+    if q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     }
     if let Some(range) = range(scene, q) {

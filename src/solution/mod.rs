@@ -286,7 +286,7 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
 fn told(draft: &Draft, q: &Question, value: f64) -> String {
     let digits = shown::significant(q.unit.from_si(value), usize::from(q.figures));
     let whole = q.unit.tex_with(&tex_digits(&digits, draft.words));
-    let directed = q.label.quantity.is_directed() && make_key::words_sign(draft.scene, q.label);
+    let directed = q.label.quantity.is_directed() && make_key::offers_words(draft.scene, q.label);
     let way = if directed { way(draft.scene, q.label.of, value) } else { None };
     format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", draft.words.get(w))))
 }

@@ -455,6 +455,15 @@ pub fn all_near(found: &[f64], expected: &[f64], by: f64) {
     found.iter().zip(expected).for_each(|(a, b)| near(*a, *b, by));
 }
 
+/// A ladder that is struck at its foot: its floor would have to pull it back.
+pub const STRUCK: &str = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from horizontal}}
+joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, wall: {guides: rod.B, along: vertical, pushes: left}}
+forces: [impulse: {on: rod.A, magnitude: 4 N*s, direction: left}]
+start: {rod: {angle: 60 deg}}
+end: at once
+";
+
 pub const CRATE: &str = "
 bodies:
   crate: {mass: 50 kg, moment of inertia: 8.3 kg*m^2, moves: in the plane, angle: from up counter-clockwise,
@@ -559,14 +568,7 @@ end: at once
     // m w L = 3 J / 2 and 9 J / 2, and a quarter of the blow in the hinge.
     all_near(&told(two, &["ab.omega", "bc.omega", "B.impulse_y"]), &[3.0, 9.0, -1.5], 1e-13);
     // What would have to be pulled back by its floor is told.
-    let ladder = "
-bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from horizontal}}
-joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, wall: {guides: rod.B, along: vertical, pushes: left}}
-forces: [impulse: {on: rod.A, magnitude: 4 N*s, direction: left}]
-start: {rod: {angle: 60 deg}}
-end: at once
-";
-    assert!(solved(ladder).1.checks.iter().any(|c| !c.ok));
+    assert!(solved(STRUCK).1.checks.iter().any(|c| !c.ok));
 }
 
 /// What is struck at rest needs no force to set it going: draws hold although nothing, or less than the weight, drives it.

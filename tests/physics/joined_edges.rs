@@ -1,5 +1,5 @@
 //! Joined bodies at the edges of what is followed: springs at their anchors and at half a turn, contacts at a blow, rods in one line.
-use crate::joined::{CRATE, all_near, constants, solved, told};
+use crate::joined::{CRATE, STRUCK, all_near, constants, solved, told};
 use slipstick::bank::load;
 use slipstick::inspect::sentences;
 use slipstick::solve::agree;
@@ -94,14 +94,7 @@ fn an_equilibrium_rests_on_a_buffer() {
 /// decimals 0.8 and 1.2 are no multiples of each other in binary.
 #[test]
 fn impulses_are_told_in_their_unit() {
-    let ladder = "
-bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from horizontal}}
-joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, wall: {guides: rod.B, along: vertical, pushes: left}}
-forces: [impulse: {on: rod.A, magnitude: 4 N*s, direction: left}]
-start: {rod: {angle: 60 deg}}
-end: at once
-";
-    let (bank, struck) = solved(ladder);
+    let (bank, struck) = solved(STRUCK);
     let scene = &bank.problems[0].cases[0].scene;
     let failed = struck.checks.iter().filter(|c| !c.ok).map(|c| sentences::check(scene, &struck.checks, c));
     let failed: Vec<String> = failed.collect();

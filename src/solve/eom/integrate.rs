@@ -46,6 +46,14 @@ const OVERDUE: f64 = 20.0;
 /// A run that takes so many times its rough time goes on and on.
 const LONG: f64 = 100.0;
 
+/// Rough time over a way under an acceleration of this size and from this speed: what the first step is measured by; 1 s where
+/// neither tells it.
+pub fn pace(way: f64, force: f64, u0: f64) -> f64 {
+    let times = [(2.0 * way / force).sqrt(), way / u0];
+    let pace = times.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
+    if pace.is_finite() { pace } else { 1.0 }
+}
+
 /// Nothing presses on this way.
 pub fn unpressed(_: f64, _: f64) -> f64 {
     f64::NAN
@@ -177,16 +185,12 @@ pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Resu
     events.sort_by(|a, b| a.1.total_cmp(&b.1));
     let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
     let u0 = travel.u0.f64();
-    let by_force = (2.0 * farthest / f0.abs().max(f1.abs())).sqrt();
-    let by_speed = farthest / u0;
-    let pace =
-        [by_force, by_speed].into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
     let route = Route {
         law: |piece: usize, s: f64, _: f64| if piece == 0 { f0 - w2 * s } else { f1 },
         presses: &unpressed,
         switch: slack.map(|(at, _)| at),
         u0,
-        pace: if pace.is_finite() { pace } else { 1.0 },
+        pace: pace(farthest, f0.abs().max(f1.abs()), u0),
         time: &|| travel.at(T::of(farthest)).time.f64(),
     };
     let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();

@@ -13,7 +13,7 @@ use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
 use crate::scene::{Acts, End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
 use crate::solve::eom::STEPS;
-use crate::solve::eom::integrate::{Event, Route};
+use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Said, Scope, Unsupported};
@@ -147,8 +147,15 @@ pub fn road_by<T: Real>(
     by: Option<Rung>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let mechanism = Mechanism::new(scene, n)?;
-    let count = Count::default();
-    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, count, road: Road::new(asked) };
+    let (count, road) = (Count::default(), Road::new(asked));
+    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, count, road };
+    follow(&mut teller)?;
+    Ok((teller.road, teller.count))
+}
+
+/// Follows the bodies to the instant or the end that is asked, and tells what is there.
+fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
+    let (scene, n, mechanism) = (teller.scene, teller.n, teller.mechanism);
     let mut spin = mechanism.start_rate()?;
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
@@ -157,50 +164,50 @@ pub fn road_by<T: Real>(
             let jumps = mechanism.struck(&state)?;
             teller.tell_blow(&jumps);
             teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
-            return Ok((teller.road, count));
+            return Ok(());
         }
         if let Some(alpha) = scene.driven() {
             // From rest it sets off as it is driven.
             let alpha = n.get(alpha);
             let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
             let state = mechanism.state(T::zero(), true)?;
-            let slides = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
+            let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
             outcome::all_slide(scene, &slides)?;
             let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
-            let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
+            let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
             let (response, moment) = driven(&rubs)?;
             let size = moment.size() + teller.pulls() * mechanism.size();
             teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
             teller.watch(&response, spin.square());
             let lead = mechanism.leading(&response);
             teller.tell(&state, &response, (spin, lead), &rubs)?;
-            return Ok((teller.road, count));
+            return Ok(());
         }
         let smooth = mechanism.respond(&state, &nothing)?;
         // What starts from rest slides as it would without friction, if friction lets it.
-        let from_rest = |response| sliding(&mechanism, &|at| mechanism.pull_off(&state, response, at));
+        let from_rest = |response| sliding(mechanism, &|at| mechanism.pull_off(&state, response, at));
         let slides = if spin.is_zero() {
             from_rest(&smooth)
         } else {
-            sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
+            sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
         };
         if !spin.is_zero() {
             outcome::all_slide(scene, &slides)?;
         }
-        let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
+        let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
         let response = mechanism.respond(&state, &rubs)?;
         if spin.is_zero() && from_rest(&response) != slides {
             teller.road.course = Some(Course::at_rest());
-            return Ok((teller.road, count));
+            return Ok(());
         }
         teller.watch(&response, spin.square());
         let lead = mechanism.leading(&response);
         teller.tell(&state, &response, (spin, lead), &rubs)?;
-        return Ok((teller.road, count));
+        return Ok(());
     }
     if scene.end == End::Equilibrium {
         teller.tell_equilibrium(&nothing)?;
-        return Ok((teller.road, count));
+        return Ok(());
     }
     let state = mechanism.state(T::zero(), true)?;
     if scene.is_struck() {
@@ -214,12 +221,12 @@ pub fn road_by<T: Real>(
     let (a, b) = mechanism.leading(&free);
     let first = a.balance(b * spin.square());
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(&mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
-    let rubs = rubbing(&mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
+    let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
     let motion = Motion {
-        mechanism: &mechanism,
+        mechanism,
         start: T::zero(),
         sense,
         from: Gain { half_square: spin.square().scale2(-1), factor },
@@ -234,10 +241,10 @@ pub fn road_by<T: Real>(
     let sets_off = a.balance(b * spin.square()).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
-        return Ok((teller.road, count));
+        return Ok(());
     }
-    motion.set_off(&state)?.to_its_end(&mut teller)?;
-    Ok((teller.road, teller.count))
+    motion.set_off(&state)?.to_its_end(teller)?;
+    Ok(())
 }
 
 /// The angle up to which a motion is followed.
@@ -655,13 +662,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         let expected = if let Event::Place(way) = event { way } else { STRIDE };
         let force = law(0, 0.0, u0).abs().max(law(0, 0.5 * expected, u0).abs());
-        let pace = [(2.0 * expected / force).sqrt(), expected / u0];
-        let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
-        let pace = match event {
-            Event::Time(t) => t,
-            _ if pace.is_finite() => pace,
-            _ => 1.0,
-        };
+        let pace = if let Event::Time(t) = event { t } else { pace(expected, force, u0) };
         let route = Route { law, presses: &presses, switch: None, u0, pace, time: &|| f64::INFINITY };
         let run = route.states(&[(event, expected)], rung);
         let (states, count) = run.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;

@@ -9,7 +9,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, elliptic, gauss, root, trig};
 use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
-use crate::solve::eom::integrate::{Event, Route, unpressed};
+use crate::solve::eom::integrate::{Event, Route, pace, unpressed};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
 use crate::solve::eom::{STEPS, couple_on};
@@ -304,12 +304,10 @@ impl<T: Real> Swing<T> {
         let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
         let force = (0..=8).map(|i| law(0, 0.125 * f64::from(i) * farthest, 0.0).abs()).fold(0.0, f64::max);
         let u0 = u0.f64();
-        let pace = [(2.0 * farthest / force).sqrt(), farthest / u0];
-        let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
         // The far turning point comes after half a period.
         let half_period = || if events.len() > 1 { 0.5 * self.period().0.f64() } else { 0.0 };
         let time = || known().map_or(f64::INFINITY, |known| known.max(half_period()));
-        let pace = if pace.is_finite() { pace } else { 1.0 };
+        let pace = pace(farthest, force, u0);
         let route = Route { law, presses: &unpressed, switch: None, u0, pace, time: &time };
         let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
         let (states, count) = route
