@@ -8,12 +8,15 @@ use crate::num::formula::{Formula, Step};
 use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term};
 use crate::units::Unit;
 
-/// The words of `if:`.
+/// The words of `if:`, and that of `motion:`.
 const AS_IF: [(&str, AsIf); 2] = [("rolls", AsIf::Rolls), ("smooth", AsIf::Smooth)];
+const MOTION: [(&str, AsIf); 1] = [("next", AsIf::Next)];
+/// Before a quantity in an expression: it is one of the motion that follows.
+const OF_NEXT: &str = "next.";
 
 /// Is this a question that asks by a formula?
 pub fn is_formula(question: &Node) -> bool {
-    question.field("value").is_some() || question.field("if").is_some()
+    ["value", "if", "motion"].into_iter().any(|field| question.field(field).is_some())
 }
 
 /// What the formulas of the questions are read against.
@@ -64,10 +67,20 @@ fn read(
     context: &AskedContext,
     faults: &Faults,
 ) -> Option<Asked> {
-    let [value, how, quantity, unit] = ["value", "if", "quantity", "unit"].map(|name| node.field(name));
-    let other = match how {
-        None => None,
-        Some(n) => Some(other(n, scene, faults)?),
+    let [value, as_if, motion, quantity, unit] =
+        ["value", "if", "motion", "quantity", "unit"].map(|name| node.field(name));
+    let other = match (as_if, motion) {
+        (None, None) => None,
+        (Some(n), None) => Some(other(n, scene, faults)?),
+        (None, Some(n)) => {
+            choice(n, &MOTION, faults)?;
+            let hint = "write what happens then under `next` in the scene, such as `next: {end: ...}`";
+            let Some(at) = next(scene) else {
+                return faults.refuse_with(n, "no motion follows in this scene", hint);
+            };
+            Some(at)
+        }
+        (Some(_), Some(n)) => return faults.refuse(n, "`if` and `motion` do not go together"),
     };
     let target = other.map_or(&*scene, |at| &scene.formulas.others[at].1);
     // On a smooth surface a body may keep a spin that its scene does not follow.
@@ -88,8 +101,10 @@ fn read(
         None => Term::Said(label),
         Some(at) => Term::Other(at, label),
     };
-    let how = how.and_then(Node::text).map(str::trim);
-    let condition = how.map_or_else(String::new, |how| told!(", if: {how}"));
+    let word = |field: &str, n: Option<&Node>| {
+        n.and_then(Node::text).map_or_else(String::new, |how| told!(", {field}: {}", how.trim()))
+    };
+    let condition = word("if", as_if) + &word("motion", motion);
     let Some(written) = value else {
         let name = quantity.and_then(Node::text).map_or(id, str::trim);
         let label = label_of(name).map_err(|why| told(quantity.unwrap_or(key), why)).ok()?;
@@ -114,7 +129,15 @@ fn read(
     let written_text = text(written, "an expression such as `mu_s*normal`", faults)?;
     let lookup = |name: &str| match measure::datum(context.data, name) {
         Some(found) => Ok(found),
-        None => label_of(name).and_then(|label| measure::quantity(target, label, name)),
+        None => match (name.strip_prefix(OF_NEXT), next(scene)) {
+            (Some(of_next), Some(at)) => {
+                let target = &scene.formulas.others[at].1;
+                let label = checks::label(target, of_next)?;
+                let (_, powers) = measure::quantity(target, label, of_next)?;
+                Ok((Name::Next(label), powers))
+            }
+            _ => label_of(name).and_then(|label| measure::quantity(target, label, name)),
+        },
     };
     let expression = match Expression::parse(&written_text, &lookup) {
         Ok(expression) => expression,
@@ -145,10 +168,16 @@ fn read(
             Term::Given(Given { datum, degrees, powers })
         }
         Name::Quantity(label) => term(label),
+        Name::Next(label) => Term::Other(next(scene).unwrap_or(usize::MAX), label),
     });
     let quantity = Quantity::Value;
     let (id, text) = (id.to_owned(), format!("{written_text}{condition}"));
     Some(Asked { id, text, formula, quantity, of: Owner::Scene, unit: measure::si(powers), powers })
+}
+
+/// The motion that follows: its index.
+fn next(scene: &Scene) -> Option<usize> {
+    scene.formulas.others.iter().position(|(how, _)| *how == AsIf::Next)
 }
 
 /// The scene as if its contacts were others: its index, new or known.

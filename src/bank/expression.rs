@@ -34,6 +34,8 @@ pub enum Name {
     Datum(usize, bool),
     /// A quantity of the solution.
     Quantity(Label),
+    /// A quantity of the motion that follows (`next.t`).
+    Next(Label),
 }
 
 /// What is wrong with an expression, and at which character (from 1).
@@ -94,14 +96,14 @@ impl Expression {
     pub fn quantities(&self) -> impl Iterator<Item = Label> {
         self.formula.names().filter_map(|name| match name {
             Name::Quantity(label) => Some(label),
-            Name::Datum(..) => None,
+            Name::Datum(..) | Name::Next(_) => None,
         })
     }
     /// The data that it names.
     pub fn data(&self) -> impl Iterator<Item = usize> {
         self.formula.names().filter_map(|name| match name {
             Name::Datum(i, _) => Some(i),
-            Name::Quantity(_) => None,
+            Name::Quantity(_) | Name::Next(_) => None,
         })
     }
     /// Its value, SI; NaN where a quantity does not exist or the expression has no real value.
@@ -112,6 +114,7 @@ impl Expression {
             }
             Name::Datum(i, false) => data.get(i).copied().unwrap_or(f64::NAN),
             Name::Quantity(label) => quantity(label),
+            Name::Next(_) => f64::NAN,
         })
     }
     /// As a formula of its own.

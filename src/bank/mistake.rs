@@ -136,17 +136,9 @@ fn is_id(text: &str) -> bool {
 
 /// The scene with some of its fields replaced, read by the reader of scenes.
 fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
-    let (Value::Map(old), Value::Map(new)) = (&case.node.value, &changes.value) else {
+    let Some(node) = case.node.overlaid(changes) else {
         return faults.refuse(changes, told!("expected fields of a scene, found {}", changes.kind()));
     };
-    let mut fields = old.clone();
-    for (key, value) in new {
-        match fields.iter_mut().find(|(k, _)| k.text() == key.text()) {
-            Some((_, old)) => old.clone_from(value),
-            None => fields.push((key.clone(), value.clone())),
-        }
-    }
-    let node = Node { value: Value::Map(fields), ..changes.clone() };
     let mut scene = scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene?;
     found::put(&node, context.measured, &mut scene, context.data, &Faults::default());
     if let Some(questions) = context.questions {

@@ -44,6 +44,18 @@ impl Node {
             _ => None,
         }
     }
+    /// The same fields with those of another node in their places; `None` where one of the two has no fields.
+    pub fn overlaid(&self, changes: &Self) -> Option<Self> {
+        let (Value::Map(old), Value::Map(new)) = (&self.value, &changes.value) else { return None };
+        let mut fields = old.clone();
+        for (key, value) in new {
+            match fields.iter_mut().find(|(k, _)| k.text() == key.text()) {
+                Some((_, old)) => old.clone_from(value),
+                None => fields.push((key.clone(), value.clone())),
+            }
+        }
+        Some(Self { value: Value::Map(fields), ..changes.clone() })
+    }
     /// What kind of thing it is, in words.
     pub fn kind(&self) -> String {
         match &self.value {

@@ -7,7 +7,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Arm, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas,
+    Arm, AsIf, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas,
     Given, GivenForce, Grows, Growth, Heading, Joint, Law, Line, Made, Mass, Num, Part, Particle, Pin,
     PinSpring, Push, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Strut, Tie, Zero,
 };
@@ -58,6 +58,7 @@ pub struct SceneRead {
     pub any: Vec<AnyNumber>,
 }
 
+mod next;
 mod planar;
 
 struct SceneReader<'a> {
@@ -202,6 +203,7 @@ impl SceneReader<'_> {
         let end = fields
             .need("end", "{travel: {of: wheel, by: d}}")
             .and_then(|n| self.end(n, &bodies, &ties, &joints));
+        let next_node = fields.get("next");
         fields.close();
         let (end, heading) = end?;
         if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
@@ -214,7 +216,7 @@ impl SceneReader<'_> {
                 told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
-        Some(Scene {
+        let mut scene = Scene {
             gravity_m_s2: Num::Datum(gravity),
             bodies,
             ties,
@@ -229,7 +231,12 @@ impl SceneReader<'_> {
             heading,
             span: Span::default(),
             formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
-        })
+        };
+        if let Some(n) = next_node {
+            let next = self.next(n, node, &scene, gravity)?;
+            scene.formulas.others.push((AsIf::Next, next));
+        }
+        Some(scene)
     }
 
     /// Is this the symbol of a datum that is not there in this case?
@@ -362,7 +369,7 @@ impl SceneReader<'_> {
         };
         let formula = expression.formula().map(&mut |name| match name {
             Name::Datum(datum, degrees) => Given { datum, degrees, powers: powers(datum) },
-            Name::Quantity(_) => Given { datum: usize::MAX, degrees: false, powers: [0; 3] },
+            Name::Quantity(_) | Name::Next(_) => Given { datum: usize::MAX, degrees: false, powers: [0; 3] },
         });
         let number = Derived { formula, degrees: need.in_degrees(), text: text.to_owned(), any: false };
         if data.is_empty() {

@@ -16,7 +16,7 @@ use crate::finding::told;
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
-use crate::scene::{Label, Owner, Quantity, Scene, Span, Term, Tie};
+use crate::scene::{AsIf, Label, Owner, Quantity, Scene, Span, Term, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use crate::units::spell;
@@ -37,7 +37,7 @@ const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
 const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
-const MARGINS: [(CheckKind, f64); 12] = [
+const MARGINS: [(CheckKind, f64); 13] = [
     (CheckKind::Moves, 0.10),
     (CheckKind::NoSlip, 0.05),
     (CheckKind::MustSlip, 0.05),
@@ -51,6 +51,7 @@ const MARGINS: [(CheckKind, f64); 12] = [
     (CheckKind::UnderWay, 0.02),
     (CheckKind::StaticLimit, 0.05),
     (CheckKind::Met, 0.05),
+    (CheckKind::Next, 0.05),
 ];
 /// What holds for all problems of a bank.
 struct BankWide {
@@ -356,6 +357,12 @@ fn problem(
     if WHOLE {
         review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     }
+    let next =
+        scenes.iter().any(|(_, scene)| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next));
+    if next && statement_node.is_none() {
+        let hint = "write `statement:`, which tells both motions";
+        faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
+    }
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
@@ -379,7 +386,7 @@ fn problem(
     let span = Span::of(quantities);
     for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
         scene.look(span);
-        scene.formulas.settle(&|i| data[i].degrees);
+        scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
     }
     let cases: Vec<Case> = cases
         .into_iter()
@@ -563,6 +570,9 @@ impl<'n> ProblemRead<'n> {
                 let symbols = self.data.iter().map(|d| d.datum.symbol.clone());
                 let draws: Vec<_> = symbols.zip(case.draws.iter().cloned()).collect();
                 checks::structure(scene, node, self.faults);
+                for (_, next) in scene.formulas.others.iter().filter(|(how, _)| *how == AsIf::Next) {
+                    checks::structure(next, node.field("next").unwrap_or(node), self.faults);
+                }
                 checks::instant(scene, &draws, node, self.faults);
                 checks::inertia_where_slipping(scene, &draws, case.node, self.faults);
             }
@@ -667,7 +677,7 @@ impl CaseRead<'_> {
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
         let mut scene = scene?;
         scene.look(span);
-        scene.formulas.settle(&|i| data[i].degrees);
+        scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
         Some(Case {
             name: self.name,
             written: self.written,
@@ -874,7 +884,7 @@ fn question(
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
     let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
-    fields.each(["value", "if"]);
+    fields.each(["value", "if", "motion"]);
     let name = match quantity_node {
         Some(n) => text(n, "a quantity", faults)?,
         None => id.to_owned(),

@@ -149,6 +149,18 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
             )
         }
         CheckKind::Met => met(scene, c),
+        CheckKind::Next if c.ok => "the motion that follows goes as it is said to".to_owned(),
+        CheckKind::Next => {
+            let what = match CheckKind::ALL.get(c.of) {
+                Some(CheckKind::Moves) => "nothing sets it moving that way",
+                Some(CheckKind::Reaches) => "it does not get to its end",
+                Some(CheckKind::NoSlip) => "what is to roll slips",
+                Some(CheckKind::Taut) => "a cord does not pull",
+                Some(CheckKind::Pressed) => "a body is not pressed on its surface",
+                _ => "a condition does not hold",
+            };
+            format!("the motion that follows does not go as it is said to: {what}")
+        }
         CheckKind::Pressed if c.ok => format!("the {body} is pressed on its surface with {available} N"),
         CheckKind::Pressed => format!(
             "the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"

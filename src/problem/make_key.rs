@@ -53,6 +53,8 @@ impl<'p> KeyFrame<'p> {
                 Name::Datum(i, degrees) => {
                     Given::Known(i, if degrees { trig::radians_per_degree() } else { 1.0 })
                 }
+                // No relation names what follows.
+                Name::Next(_) => Given::Known(usize::MAX, 1.0),
                 Name::Quantity(label) => {
                     let part = follow.from.iter().find(|q| problem.questions[**q].label == label);
                     match part {

@@ -39,18 +39,38 @@ pub struct Derived {
 impl Derived {
     /// Its value, as the scene takes it.
     pub fn value<T: Real>(&self, data: &[f64]) -> T {
-        let value: T = self.formula.eval(&|given: Given| given.value(data));
+        self.value_after(data, &[])
+    }
+    /// The same in a motion that follows another one: the last data are what it takes over, rounded to doubles, and `taken` is that
+    /// in full.
+    pub fn value_after<T: Real>(&self, data: &[f64], taken: &[T]) -> T {
+        let first = data.len() - taken.len();
+        let value: T = self.formula.eval(&|given: Given| {
+            let taken = given.datum.checked_sub(first).and_then(|i| taken.get(i));
+            taken.copied().unwrap_or_else(|| given.value(data))
+        });
         if self.degrees { value * trig::degrees_per_radian() } else { value }
     }
 }
 
-/// What a contact is taken as in a question that says `if:`.
+/// What a motion takes over from the one before it. In its formulas these stand behind the data of the problem.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taken {
+    /// What the motion before it says.
+    pub label: Label,
+    /// Is that a magnitude, which has the sense of the motion before it?
+    pub directed: bool,
+}
+
+/// How another scene, of which a question asks, differs from the one that is told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AsIf {
-    /// It rolls, whatever friction that needs.
+    /// Its contacts roll, whatever friction that needs.
     Rolls,
-    /// It is smooth: without friction.
+    /// They are smooth: without friction.
     Smooth,
+    /// It is what follows: the motion that begins where the one that is told ends.
+    Next,
 }
 
 /// What the formula of a question names.
@@ -103,8 +123,10 @@ pub struct Formulas {
     pub numbers: Vec<Derived>,
     /// What is asked by formulas; index = [`Owner::Asked`].
     pub asked: Vec<Asked>,
-    /// The scene as if its contacts were others.
+    /// The scene as if its contacts were others, and the motion that follows.
     pub others: Vec<(AsIf, Scene)>,
+    /// What this motion takes over, where it follows another one.
+    pub taken: Vec<Taken>,
     /// What is found from a measurement.
     pub found: Option<Found>,
 }
@@ -190,7 +212,7 @@ impl Scene {
                     Tie::Slip { body, radius_m, mu_s: smooth, mu_k: smooth }
                 }
                 (AsIf::Smooth, Tie::Slide { body, .. }) => Tie::Slide { body, mu_s: None, mu_k: smooth },
-                (AsIf::Rolls, Tie::Slide { .. }) | (_, Tie::Cord(_)) => continue,
+                (AsIf::Rolls, Tie::Slide { .. }) | (AsIf::Next, _) | (_, Tie::Cord(_)) => continue,
             };
             touches = true;
         }

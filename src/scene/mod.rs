@@ -26,7 +26,7 @@ pub use ask::{Label, Owner, Quantities, Quantity};
 pub use axle::Aim;
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::{Couple, GivenForce, Grows, Growth, Law};
-pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
+pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Taken, Term};
 pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Side, Tie};
 pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Carried, Numbers};

@@ -66,7 +66,11 @@ impl<'a, T: Real> Numbers<'a, T> {
     }
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
-        let derived = scene.formulas.numbers.iter().map(|number| number.value(data)).collect();
+        Self::after(scene, data, &[])
+    }
+    /// The same of a motion that takes over so much of another one ([`crate::scene::Derived::value_after`]).
+    pub fn after(scene: &Scene, data: &'a [f64], taken: &[T]) -> Self {
+        let derived = scene.formulas.numbers.iter().map(|number| number.value_after(data, taken)).collect();
         let (gravity, bodies) = (T::zero(), SmallVec::new());
         let mut n = Self { data, derived, mass_exponent: 0, gravity, carried: None, bodies };
         n.gravity = n.get(scene.gravity_m_s2);

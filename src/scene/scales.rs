@@ -84,8 +84,14 @@ impl Scales {
     pub fn of(self, scene: &Scene, data: &[f64]) -> Option<(Scene, Vec<f64>)> {
         let (mut scaled, mut numbers, mut inside) = (scene.clone(), data.to_vec(), true);
         for (_, other) in &mut scaled.formulas.others {
-            // Its data are those of the scene; its own constants are scaled too.
-            *other = self.of(other, data)?.0;
+            // Its data are those of the scene, and what a motion that follows needs beside them.
+            let (in_scales, own) = self.of(other, data)?;
+            *other = in_scales;
+            for (number, (own, old)) in numbers.iter_mut().zip(own.iter().zip(data)) {
+                if own.to_bits() != old.to_bits() {
+                    *number = *own;
+                }
+            }
         }
         each(&mut scaled, &mut |num, unit| {
             let (old, new) = match num {

@@ -57,6 +57,9 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             .filter_map(|t| if let Term::Other(o, label) = t { (o == i).then_some(label) } else { None })
             .collect();
         if !labels.is_empty() {
+            if *how == AsIf::Next {
+                return Err(Beyond::Next.into());
+            }
             (draft.scene, draft.as_if) = (other, Some(*how));
             let found = narrate::as_if(draft, *how, &labels);
             (draft.scene, draft.as_if) = (scene, None);
@@ -297,5 +300,6 @@ pub const fn mark(how: AsIf) -> &'static str {
     match how {
         AsIf::Rolls => r"\mathrm{r}",
         AsIf::Smooth => r"\mathrm{s}",
+        AsIf::Next => "2",
     }
 }

@@ -64,6 +64,7 @@ beyond! {
     Carried "carried";
     GrowingForce "growing_force";
     Mechanism "mechanism";
+    Next "next";
     Resting "resting";
     Unfound "unfound";
 }

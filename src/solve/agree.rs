@@ -1,9 +1,9 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
-use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
+use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Entry, Refusal, Road, Said, Scope, Solved, Unsupported};
+use crate::solve::outcome::{Course, Entry, Refusal, Road, Said, Scope, Solved, Unsupported};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -27,6 +27,8 @@ pub struct Half {
     own: Option<Solved>,
     /// Sense of the motion, and whether its end is reached.
     course: condition::Kind,
+    /// The same of the motion that follows.
+    next: condition::Kind,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -65,6 +67,9 @@ fn first_in<T: Real>(
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene, data)?;
+    for (_, other) in &scene.formulas.others {
+        supported(other, data)?;
+    }
     if ordinary(scene, data) {
         return alone::<T>(scene, data, asked);
     }
@@ -86,14 +91,19 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         let (label, scale) = (said.label, said.scale);
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
-    let (regime, checks, words) = road.course.map_or_else(
+    let (regime, mut checks, words) = road.course.map_or_else(
         || physical::judge_instant(scene, &road.held),
         |course| physical::judge(scene, &course, &road.held),
     );
-    let course = road.course.map(|c| (c.sense, c.reached));
+    let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
+    if let (Some((_, scene)), Some(next)) = (next, &road.next) {
+        checks.push(physical::judge_next(scene, next));
+    }
+    let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
+    let (course, next) = (kind(&road), road.next.as_deref().and_then(kind));
     let (open, beyond, scales) = (road.open, Vec::new(), Scales::SI);
     let solved = Solved { regime, checks, entries, words, open, beyond, scales };
-    Ok(Half { asked, solved, own: None, course })
+    Ok(Half { asked, solved, own: None, course, next })
 }
 
 /// Units in which the scene can be computed, if there are any: neither road leaves the range of double-doubles, or what vanishes
@@ -255,7 +265,7 @@ impl Half {
     /// Runs both roads whole and publishes what agrees; the condition numbers are those that were asked for. Errors: a
     /// disagreement, or a quantity that only one road reaches.
     pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let (course, scales) = (self.course, self.solved.scales);
+        let (course, next, scales) = (self.course, self.next, self.solved.scales);
         let whole = self.asked == Scope::ALL || scene.lead().is_some() && self.asked == Scope::TIMELESS;
         if !whole {
             let known = std::mem::replace(self.own(), Solved::none());
@@ -268,7 +278,7 @@ impl Half {
         let asked = self.asked;
         let own = self.own();
         let compared =
-            in_scales(scales, scene, data, |scene, data| compared(scene, data, asked, (own, course)));
+            in_scales(scales, scene, data, |scene, data| compared(scene, data, asked, (own, course, next)));
         compared.map_err(|refusal| match refusal {
             Refusal::Disagree { label, eom, energy, allowed } => {
                 let si = |x| scales.said(scene, label, x);
@@ -287,7 +297,7 @@ fn compared(
     scene: &Scene,
     data: &[f64],
     asked: Scope,
-    (solved, course): (&mut Solved, condition::Kind),
+    (solved, course, next): (&mut Solved, condition::Kind, condition::Kind),
 ) -> Result<(), Refusal> {
     let second: Road<Dd> = energy::road_of(scene, data, asked)?;
     for (i, entry) in solved.entries.iter_mut().enumerate() {
@@ -327,13 +337,18 @@ fn compared(
     if let Some(label) = open(&solved.open, &second.open).or(open(&second.open, &solved.open)) {
         return Err(apart(label, f64::NAN));
     }
+    // Which way it goes and whether it arrives are answers too.
+    let alike = |(sense, reached): (f64, bool), other: &Course<Dd>| {
+        let of = Owner::Body(scene.ending_coordinate().body);
+        let label = Label { quantity: Quantity::Direction, of };
+        let differ = Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 };
+        if sense == other.sense && reached == other.reached { Ok(()) } else { Err(differ) }
+    };
+    if let (Some(next), Some(other)) = (next, second.next.and_then(|road| road.course)) {
+        alike(next, &other)?;
+    }
     if let (Some((sense, reached)), Some(other)) = (course, second.course) {
-        // Which way it goes and whether it arrives are answers too.
-        if sense != other.sense || reached != other.reached {
-            let of = Owner::Body(scene.ending_coordinate().body);
-            let label = Label { quantity: Quantity::Direction, of };
-            return Err(Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 });
-        }
+        alike((sense, reached), &other)?;
         // The drive is a sum of powers: only the second road has it, and only for margins.
         let Solved { regime, checks, words, .. } = solved;
         physical::fill_drive(scene, sense, other.drive, (regime, checks, words));

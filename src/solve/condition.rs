@@ -124,11 +124,16 @@ fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
 /// The data that the scene uses and that are not 0: a relative change of 0 is none.
 fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
     let mut used = vec![false; data.len()];
-    admissible::rules(scene, &mut |number, _| {
-        for i in scene.data_of(number) {
-            used[i] |= data.get(i).is_some_and(|x| *x != 0.0);
-        }
-    });
+    let others = scene.formulas.others.iter().map(|(_, other)| other);
+    for scene in others.chain([scene]) {
+        admissible::rules(scene, &mut |number, _| {
+            for i in scene.data_of(number) {
+                if let (Some(used), Some(x)) = (used.get_mut(i), data.get(i)) {
+                    *used |= *x != 0.0;
+                }
+            }
+        });
+    }
     for given in scene.formulas.givens() {
         used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
     }

@@ -4,7 +4,8 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
 use crate::scene::{
-    Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Term,
+    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Taken,
+    Term, admissible,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
@@ -160,6 +161,9 @@ pub enum CheckKind {
     HoldsBlow,
     /// A spring that only pushes or pulls acts before the end: required, the way until it does, rad; available, that to the end.
     Met,
+    /// The motion that follows goes as it is said to: all conditions of its own hold. The margin is that of the one that holds least,
+    /// whose kind is told in place of a body, by its index.
+    Next,
 }
 
 impl CheckKind {
@@ -180,6 +184,7 @@ impl CheckKind {
         Self::StaticLimit,
         Self::HoldsBlow,
         Self::Met,
+        Self::Next,
     ];
     /// Name in JSON and in tables of refusals.
     pub const fn name(self) -> &'static str {
@@ -199,6 +204,7 @@ impl CheckKind {
             Self::StaticLimit => "static_limit",
             Self::HoldsBlow => "holds_blow",
             Self::Met => "met",
+            Self::Next => "next",
         }
     }
     /// Unit of SI of what is required and available.
@@ -215,6 +221,7 @@ impl CheckKind {
             Self::StartsSlipping | Self::UnderWay => "m/s",
             Self::HoldsBlow => "N*s",
             Self::Met => "rad",
+            Self::Next => "1",
             Self::SlipEnds => "s",
             Self::Reaches => scene.measure(),
             Self::Slack if scene.ending_coordinate().degree == Degree::Turn => "rad",
@@ -232,7 +239,7 @@ impl CheckKind {
 pub struct Check {
     /// Which.
     pub kind: CheckKind,
-    /// Whose: index of the body or tie, by kind.
+    /// Whose: index of the body or tie, by kind; of [`CheckKind::Next`] a kind.
     pub of: usize,
     /// Does it hold?
     pub ok: bool,
@@ -713,6 +720,8 @@ pub struct Road<T: Real> {
     pub course: Option<Course<T>>,
     /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
     pub held: Vec<Held<T>>,
+    /// The road of the motion that follows.
+    pub next: Option<Box<Self>>,
 }
 
 impl<P: Real> Course<P> {
@@ -732,7 +741,7 @@ impl<T: Real> Road<T> {
     pub fn new(asked: Scope) -> Self {
         let said = Vec::with_capacity(asked.quantities.count().min(24));
         let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
-        Self { said, open: Vec::new(), course: None, held }
+        Self { said, open: Vec::new(), course: None, held, next: None }
     }
     /// The road without what is not told of the scene.
     pub fn telling(mut self, scene: &Scene) -> Self {
@@ -743,18 +752,22 @@ impl<T: Real> Road<T> {
     pub fn get(&self, label: Label) -> Option<&Said<T>> {
         self.said.iter().find(|s| s.label == label)
     }
-    /// The road with what is asked by formulas; `other` is the same road of another scene. What has no value is not said.
-    pub fn answering(
-        mut self,
-        scene: &Scene,
-        data: &[f64],
-        other: &dyn Fn(&Scene) -> Result<Self, Refusal>,
-    ) -> Self {
+    /// The road with what is asked by formulas; `other` is the same road of another scene, with what that takes over from this one.
+    /// What has no value is not said.
+    ///
+    /// # Errors
+    /// Those of the motion that follows, among them that it would begin with other speeds than this one ends with.
+    pub fn answering(mut self, scene: &Scene, data: &[f64], other: Other<T>) -> Result<Self, Refusal> {
         if scene.formulas.asked.is_empty() {
-            return self;
+            return Ok(self);
         }
-        let others: Vec<Option<Self>> =
-            scene.formulas.others.iter().map(|(_, scene)| other(scene).ok()).collect();
+        let mut others: Vec<Option<Self>> = Vec::with_capacity(scene.formulas.others.len());
+        for (how, scene) in &scene.formulas.others {
+            others.push(match how {
+                AsIf::Next => Some(self.followed(scene, data, other)?),
+                AsIf::Rolls | AsIf::Smooth => other(scene, data, &[]).ok(),
+            });
+        }
         for (i, asked) in scene.formulas.asked.iter().enumerate() {
             let said = |road: Option<&Self>, label: Label| {
                 let said = road.and_then(|road| road.get(label));
@@ -773,6 +786,39 @@ impl<T: Real> Road<T> {
                 self.said.push(Said { label, value: value.cleared(scale), scale });
             }
         }
-        self
+        let next = scene.formulas.others.iter().position(|(how, _)| *how == AsIf::Next);
+        self.next = next.and_then(|at| others.swap_remove(at)).map(Box::new);
+        Ok(self)
+    }
+
+    /// The road of the motion that begins where this one ends.
+    fn followed(&self, next: &Scene, data: &[f64], other: Other<T>) -> Result<Self, Refusal> {
+        let sense = self.course.as_ref().map_or(0.0, |c| c.sense);
+        let value = |t: &Taken| {
+            let said = self.get(t.label).map_or_else(|| T::of(f64::NAN), |said| said.value);
+            if t.directed { said.signed(sense) } else { said }
+        };
+        let taken: Vec<T> = next.formulas.taken.iter().map(value).collect();
+        let data: Vec<f64> = data.iter().copied().chain(taken.iter().map(|x| x.f64())).collect();
+        let faults = admissible::faults(next, &data);
+        if !faults.is_empty() {
+            return Err(Refusal::Inadmissible(faults));
+        }
+        // It begins as fast as this one ends: other ties must not ask for a jerk.
+        let begin = other(&Scene { end: End::AtOnce, ..next.clone() }, &data, &taken)?;
+        for said in &begin.said {
+            let (Owner::Body(body), Quantity::V | Quantity::Omega) = (said.label.of, said.label.quantity)
+            else {
+                continue;
+            };
+            let degree = if said.label.quantity == Quantity::V { Degree::Along } else { Degree::Turn };
+            if let Some(end) = self.get(said.label) {
+                consistent(Coordinate { body, degree }, end.value, said.value)?;
+            }
+        }
+        other(next, &data, &taken)
     }
 }
+
+/// One road of another scene, and what that takes over from the one before it.
+pub type Other<'o, T> = &'o dyn Fn(&Scene, &[f64], &[T]) -> Result<Road<T>, Refusal>;

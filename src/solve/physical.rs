@@ -1,7 +1,7 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
 use crate::num::{Dd, Real};
 use crate::scene::{End, Heading, Label, Owner, Quantity, Scene, Slope, Tie};
-use crate::solve::outcome::{Check, CheckKind, Course, Held, Motion, Regime, Throw, Word};
+use crate::solve::outcome::{Check, CheckKind, Course, Held, Motion, Regime, Road, Throw, Word};
 
 fn margin<P: Real>(available: P, required: P) -> f64 {
     let larger = available.size().max(required.size());
@@ -58,6 +58,20 @@ pub fn judge_instant<P: Real>(scene: &Scene, held: &[Held<P>]) -> (Regime, Vec<C
     checks.retain(|c| c.kind != CheckKind::Moves);
     words.retain(|(label, _)| label.quantity != Quantity::Direction);
     (Regime { motion: Motion::Instant, ..regime }, checks, words)
+}
+
+/// Whether the motion that follows goes as it is said to, from one road.
+pub fn judge_next<P: Real>(scene: &Scene, road: &Road<P>) -> Check {
+    let (_, checks, _) = match &road.course {
+        Some(course) => judge(scene, course, &road.held),
+        None => judge_instant(scene, &road.held),
+    };
+    // What drives it is known to one road only, and what was set moving needs no drive.
+    let share = |c: &Check| if c.kind == CheckKind::Moves { 1.0 } else { c.margin };
+    let worst = checks.iter().min_by(|a, b| a.ok.cmp(&b.ok).then(share(a).total_cmp(&share(b))));
+    let (ok, margin) = worst.map_or((true, 1.0), |c| (c.ok, share(c)));
+    let of = CheckKind::ALL.iter().position(|k| worst.is_some_and(|c| c.kind == *k)).unwrap_or(0);
+    Check { kind: CheckKind::Next, of, ok, required: 0.0, available: margin, margin }
 }
 
 /// Regime, checks and words of a scene that moves, from the course and the contacts of one road.

@@ -29,6 +29,7 @@ mod ladder;
 mod lagrange;
 mod limits;
 mod meshes;
+mod next;
 mod pinned_bits;
 mod pinned_draws;
 mod published;

@@ -51,7 +51,7 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
 
 /// [`road_of`] with all data given.
 fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    Ok(alone(scene, data, asked)?.answering(scene, data, &|other| alone(other, data, Scope::ALL)))
+    alone(scene, data, asked)?.answering(scene, data, &another)
 }
 
 /// This road of a scene, for the search of what is found from a measurement.
@@ -69,12 +69,16 @@ impl<T: Real> Forward<T> for Here<'_> {
 
 /// [`road`] without what is asked by formulas.
 fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    Ok(of_kind(scene, data, asked)?.telling(scene))
+    Ok(of_kind(scene, Numbers::new(scene, data), asked)?.telling(scene))
+}
+
+/// All of another scene, with what it takes over.
+fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>, Refusal> {
+    Ok(of_kind(scene, Numbers::after(scene, data, taken), Scope::ALL)?.telling(scene))
 }
 
 /// Everything that it finds, by the kind of the scene.
-fn of_kind<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
-    let n = Numbers::<T>::new(scene, data);
+fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
     if scene.lead().is_some() {
         return Ok(joined::road(scene, &n, asked)?.0);
     }
@@ -127,7 +131,7 @@ pub fn road_by<T: Real>(
         };
     }
     let (road, count) = alone_by(scene, data, points)?;
-    Ok((road.telling(scene).answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
+    Ok((road.telling(scene).answering(scene, data, &another)?, count))
 }
 
 /// [`road_by`] without what is asked by formulas.

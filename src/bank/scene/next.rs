@@ -1,0 +1,185 @@
+//! The motion that begins where the one before it ends: the same scene, with what is written under `next` over what it says.
+use super::SceneReader;
+use crate::bank::node::{Node, Value};
+use crate::finding::told;
+use crate::num::formula::{Formula, Step};
+use crate::scene::{
+    Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Pin, Quantity, Rest, Scene,
+    Start, Taken, Tie,
+};
+
+/// What the motion that follows takes over, as it is gathered.
+struct Handover<'s> {
+    /// How many data stand before what is taken over.
+    data: usize,
+    next: &'s mut Scene,
+}
+
+impl Handover<'_> {
+    /// What the motion before it says of a label, as a step of a formula.
+    fn take(&mut self, label: Label, directed: bool) -> Step<Given> {
+        let taken = &mut self.next.formulas.taken;
+        taken.push(Taken { label, directed });
+        Step::Name(Given { datum: self.data + taken.len() - 1, degrees: false, powers: [0; 3] })
+    }
+    /// A number of the scene as steps of a formula, angles in radians.
+    fn steps(&self, number: Num, degrees: bool) -> Vec<Step<Given>> {
+        match number {
+            Num::Datum(datum) => vec![Step::Name(Given { datum, degrees, powers: [0; 3] })],
+            Num::Fixed(x) if degrees => {
+                vec![Step::Number(x), Step::Pi, Step::Multiply, Step::Number(180.0), Step::Divide]
+            }
+            Num::Fixed(x) => vec![Step::Number(x)],
+            Num::Derived(i) => {
+                self.next.formulas.numbers.get(i).map_or_else(Vec::new, |n| n.formula.steps().to_vec())
+            }
+        }
+    }
+    /// A number that is worked out so.
+    fn number(&mut self, steps: Vec<Step<Given>>, degrees: bool, text: &str) -> Num {
+        let numbers = &mut self.next.formulas.numbers;
+        numbers.push(Derived { formula: Formula::new(steps), degrees, text: text.to_owned(), any: false });
+        Num::Derived(numbers.len() - 1)
+    }
+}
+
+impl SceneReader<'_> {
+    /// The motion that follows the one of `first`, which is written in `node`.
+    pub(super) fn next(&self, changes: &Node, node: &Node, first: &Scene, gravity: usize) -> Option<Scene> {
+        let f = self.faults;
+        let Some(mut whole) = node.overlaid(changes) else {
+            return f.refuse_with(
+                changes,
+                told!("expected what changes in the motion that follows, found {}", changes.kind()),
+                "for example `{end: {turning point: block}}`",
+            );
+        };
+        for (field, why) in [
+            ("start", "it starts where the motion before it ends"),
+            ("next", "one motion follows, and no other"),
+            ("carried", "a scene that is carried has one motion"),
+        ] {
+            if let Some(n) = changes.field(field) {
+                f.hint(n, told!("`{field}` is not written here: {why}"), "remove this field");
+            }
+        }
+        if changes.field("end").is_none() {
+            return f.refuse_with(changes, "`end` is missing", "say what ends the motion that follows");
+        }
+        if let Value::Map(fields) = &mut whole.value {
+            fields.retain(|(key, _)| key.text() != Some("next"));
+        }
+        let (touches, any) = (self.touches.borrow().len(), self.any.borrow().len());
+        let mut next = self.scene(&whole, gravity)?;
+        if touches > 0 || any > 0 || self.touches.borrow().len() + self.any.borrow().len() > 0 {
+            let hint = "write `rolls` or `slips`, and a mass or a radius";
+            return f.refuse_with(changes, "a motion that follows needs a scene that says everything", hint);
+        }
+        if let Some((what, hint)) = apart(first, &next) {
+            return f.refuse_with(changes, what, hint);
+        }
+        take_over(first, &mut next, gravity + 1);
+        Some(next)
+    }
+}
+
+/// Why a motion does not follow another one, and what would be right; `None` if it does.
+fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
+    let since_start = |rest: &Rest| matches!(rest, Rest::Stretch(_));
+    let pin_spring = next.pinned().and_then(|(_, Pin { spring, .. })| spring.as_ref());
+    let stretched =
+        pin_spring.is_some_and(|s| since_start(&s.rest)) || next.struts.iter().any(|s| since_start(&s.rest));
+    let contact = |s: &Scene| s.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { .. }));
+    let placed = next.bodies.iter().filter_map(|b| b.planar.as_ref()).any(|p| p.origin_m.is_some());
+    let driven = next.bodies.iter().filter_map(|b| b.planar.as_ref()).any(|p| p.driven.is_some());
+    let names = |s: &Scene| s.bodies.iter().map(|b| b.name.clone()).collect::<Vec<_>>();
+    Some(if first.is_still() || matches!(first.end, End::Leaves(_)) {
+        (
+            "the motion before it has no end from which another could begin",
+            "end it by a way, a time, a speed, an angle or a turning point",
+        )
+    } else if next.is_still() {
+        ("the motion that follows is none", "end it by a way, a time, a speed, an angle or a turning point")
+    } else if first.carried.is_some() {
+        ("a scene that is carried has one motion", "tell it from the ground, without `carried`")
+    } else if !next.growths.is_empty() {
+        (
+            "a force that grows counts from the start of the whole",
+            "write `forces` or `ties` under `next` with a force that stays",
+        )
+    } else if next.is_struck() {
+        ("the blow that sets it off does not come again", "write `forces` under `next` without it")
+    } else if stretched {
+        ("a spring told by its stretch at the start has another one here", "tell it by its natural length")
+    } else if contact(first) || contact(next) || placed || driven {
+        ("of joined bodies, those follow on that pins, hinges, guides and cords hold", "ask for one motion")
+    } else if names(first) != names(next) {
+        ("the bodies are others", "keep them and their order")
+    } else if first.lead() != next.lead() {
+        ("another body leads", "keep which body has its angle at the start given")
+    } else {
+        return None;
+    })
+}
+
+/// Puts the state at the end of the first motion for that at the start of the next.
+fn take_over(first: &Scene, next: &mut Scene, data: usize) {
+    let lead = first.lead().or(first.pinned().map(|(body, _)| body));
+    let ends = match lead {
+        Some(body) => Coordinate { body, degree: Degree::Turn },
+        None => first.ending_coordinate(),
+    };
+    let of = Owner::Body(ends.body);
+    let at = next.end;
+    let mut hand = Handover { data, next };
+    hand.next.start.clear();
+    if !matches!(first.end, End::TurningPoint(_)) {
+        let quantity = if ends.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
+        let rate = hand.take(Label { quantity, of }, true);
+        let rate = hand.number(vec![rate], false, "its speed");
+        hand.next.start.push(Start::Speed(ends, rate));
+    }
+    if let Some(body) = lead {
+        let turned = hand.take(Label { quantity: Quantity::Phi, of }, true);
+        let start = |s: &Scene| match (&s.bodies[body].pin, &s.bodies[body].planar) {
+            (Some(pin), _) => Some(pin.start_deg),
+            (None, planar) => planar.as_ref().and_then(|p| p.start_deg),
+        };
+        let mut steps = start(hand.next).map_or_else(Vec::new, |angle| hand.steps(angle, true));
+        steps.extend([turned, Step::Add]);
+        let angle = hand.number(steps, true, "its angle");
+        let body = &mut hand.next.bodies[body];
+        if let Some(pin) = &mut body.pin {
+            pin.start_deg = angle;
+        }
+        if let Some(planar) = &mut body.planar {
+            planar.start_deg = Some(angle);
+        }
+    }
+    // Places and times count from the start of the whole.
+    let passed = match at {
+        End::Position(c, _) => Some(Label { quantity: Quantity::Displacement, of: Owner::Body(c.body) }),
+        End::Time(..) => Some(Label { quantity: Quantity::T, of: Owner::Scene }),
+        _ => None,
+    };
+    if let (Some(passed), End::Position(c, whole) | End::Time(c, whole)) = (passed, at) {
+        let passed = hand.take(passed, false);
+        let mut steps = hand.steps(whole, false);
+        steps.extend([passed, Step::Subtract]);
+        let left = hand.number(steps, false, "what is left of it");
+        hand.next.end = if let End::Time(..) = at { End::Time(c, left) } else { End::Position(c, left) };
+    }
+    let springs = |s: &Scene| s.spring().map(|(tie, stiffness, ..)| (tie, stiffness));
+    if let (Some((tie, stiffness)), Some((now, _))) = (springs(first), springs(hand.next)) {
+        let pull = hand.take(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) }, false);
+        let mut steps = vec![pull];
+        steps.extend(hand.steps(stiffness, false));
+        steps.push(Step::Divide);
+        let stretch = hand.number(steps, false, "its stretch");
+        if let Some(Tie::Cord(cord)) = hand.next.ties.get_mut(now)
+            && let Far::Spring { stretch_m, .. } = &mut cord.to
+        {
+            *stretch_m = stretch;
+        }
+    }
+}

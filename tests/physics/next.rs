@@ -1,0 +1,261 @@
+//! A motion that follows another one: against closed forms, and against the same motion in one piece.
+use slipstick::bank::{Problem, load};
+use slipstick::problem::maker::Maker;
+use slipstick::problem::variant::Variant;
+
+use crate::support::seeds;
+
+fn problem(text: &str) -> Problem {
+    let bank = load::scenes_only(text, "bank.yaml").expect("a bank");
+    bank.problems.into_iter().next().expect("a problem")
+}
+
+fn drawn(problem: &Problem, student: u32) -> Variant {
+    Maker::new(problem, 7, "set").variant(&format!("s{student}")).expect("a variant")
+}
+
+/// The answers of a variant, both roads, with what their enclosures leave open.
+fn answers(problem: &Problem, variant: &Variant) -> Vec<[f64; 2]> {
+    let answer = |q: &slipstick::bank::Question| {
+        let entry = variant.solved.get(q.label).expect("an answer");
+        assert!(entry.bound.is_some(), "{} is enclosed", q.id);
+        [entry.eom.expect("the first road"), entry.energy.expect("the second road")]
+    };
+    problem.questions.iter().map(answer).collect()
+}
+
+fn near(found: [f64; 2], exact: f64, what: &str) {
+    for x in found {
+        assert!((x - exact).abs() <= 2e-13 * exact.abs(), "{what}: {x} {exact}");
+    }
+}
+
+const G: f64 = 9.81;
+
+/// A scene of one body on an incline, with its data, ties, start and ends.
+fn on_incline(body: &str, data: &str, scene: &str, questions: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      beta: {{name: slope, unit: deg, draw: 10 to 30 step 1}}
+{data}
+    scene:
+      surfaces: {{incline: {{slope: beta}}}}
+      bodies: {{it: {body}}}
+{scene}
+    questions:
+{questions}
+    statement: s
+"
+    )
+}
+
+#[test]
+fn it_comes_back_with_what_friction_leaves() {
+    let text = on_incline(
+        "{mass: 2 kg, moves: along incline}",
+        "      v0: {name: speed, unit: m/s, draw: 2 to 9 step 0.1}
+      mu: {name: friction, unit: \"1\", draw: 0.05 to 0.12 step 0.01}",
+        "      ties: [slides: {body: it, mu_s: mu, mu_k: mu}]
+      start: {it: {speed: v0}}
+      end: {turning point: it}
+      next: {end: {position: {of: it, at: 0 m}}}",
+        "      back: {quantity: v, motion: next, unit: m/s, ask: a}
+      total: {value: t + next.t, unit: s, ask: a}
+      way: {quantity: displacement, motion: next, unit: m, ask: a}",
+    );
+    let problem = problem(&text);
+    for s in 0..seeds(1000) {
+        let variant = drawn(&problem, s);
+        let [beta, v0, mu, _] = variant.data[..] else { panic!("four data") };
+        let (sine, cosine) = beta.to_radians().sin_cos();
+        let (up, down) = (G * (sine + mu * cosine), G * (sine - mu * cosine));
+        let way = v0 * v0 / (2.0 * up);
+        let back = (2.0 * down * way).sqrt();
+        let found = answers(&problem, &variant);
+        for (found, exact) in found.into_iter().zip([back, v0 / up + back / down, -way]) {
+            near(found, exact, "block");
+        }
+    }
+}
+
+#[test]
+fn a_time_counts_from_the_start_of_the_whole() {
+    // Without friction the way there and back is one formula: x = v0 t - g sin(beta) t^2/2.
+    let text = on_incline(
+        "{mass: 2 kg, moves: along incline}",
+        "      v0: {name: speed, unit: m/s, draw: 2 to 5 step 0.1}",
+        "      start: {it: {speed: v0}}
+      end: {turning point: it}
+      next: {end: {time: {of: it, is: 7 s}}}",
+        "      x: {value: displacement + next.displacement, unit: m, cond limit: 100, ask: a}
+      later: {quantity: v, motion: next, unit: m/s, ask: a}",
+    );
+    let problem = problem(&text);
+    for s in 0..seeds(1000) {
+        let variant = drawn(&problem, s);
+        let [beta, v0, _] = variant.data[..] else { panic!("three data") };
+        let a = G * beta.to_radians().sin();
+        let found = answers(&problem, &variant);
+        near(found[0], v0 * 7.0 - a * 24.5, "place");
+        near(found[1], a * 7.0 - v0, "speed");
+    }
+}
+
+#[test]
+fn a_ball_slips_then_rolls_up_a_slope() {
+    let text = "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      v0: {name: speed, unit: m/s, draw: 4.0 to 8.0 step 0.1}
+      b: {name: slope, unit: deg, draw: 8 to 20 step 1}
+    scene:
+      surfaces: {lane: level}
+      bodies: {ball: {mass: 3 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along lane}}
+      ties: [slips: {body: ball, on its: rim, mu_s: 0.3, mu_k: 0.2}]
+      start: {ball: {speed: v0, spin: 0 rad/s}}
+      end: {rolling: ball}
+      next:
+        surfaces: {lane: {slope: b}}
+        ties: [rolls: {body: ball, on its: rim, mu_s: 0.3}]
+        end: {turning point: ball}
+    questions:
+      up: {quantity: displacement, motion: next, unit: m, ask: a}
+    statement: s
+";
+    let problem = problem(text);
+    for s in 0..seeds(1000) {
+        let variant = drawn(&problem, s);
+        let [v0, slope, _] = variant.data[..] else { panic!("three data") };
+        let v = 5.0 / 7.0 * v0;
+        near(answers(&problem, &variant)[0], 0.7 * v * v / (G * slope.to_radians().sin()), "ball");
+    }
+}
+
+/// Scenes told in one piece and in two: the lines that differ, and what both are asked.
+const PIECES: [(&str, &str, &str, &str); 4] = [
+    // A spool pulled against a spring that could slacken.
+    (
+        "      surfaces: {floor: level}
+      bodies: {it: {mass: 5 kg, radius of gyration: 0.3 m, radii: {rim: 0.4 m, hub: 0.2 m}, moves: along floor}}
+      ties:
+        - rolls: {body: it, on its: rim, mu_s: 0.9}
+        - cord: {from: {body: it, wound on: hub, leaves: top forward}, spring: {stiffness: 100 N/m, stretch: d}}
+      start: at rest",
+        "{travel: {of: it, by: d/3}}",
+        "{travel: {of: it, by: d/6}}",
+        "{travel: {of: it, by: d/6}}",
+    ),
+    // A block that falls and turns a drum against a brake.
+    (
+        "      bodies:
+        it: {mass: 5 kg, moves: vertically, positive: down}
+        drum: {moment of inertia: 2 kg*m^2, radii: {rim: 0.4 m}, moves: about a fixed axle}
+      ties:
+        - cord: {from: {body: it, tied at: centre, leaves: back}, to: {body: drum, wound on: rim, leaves: front down}}
+      forces: [couple: {on: drum, moment: 3 N*m, sense: back}]
+      start: {it: {speed: 1 m/s}}",
+        "{travel: {of: it, by: d}}",
+        "{travel: {of: it, by: d/4}}",
+        "{travel: {of: it, by: d*3/4}}",
+    ),
+    // A rod on a pin, over the bottom.
+    (
+        "      bodies: {it: {mass: 2 kg, shape: {rod: d}, pinned: at its end, angle: from hanging}}
+      start: {it: {angle: 70 deg}}",
+        "{angle: {of: it, reaches: \"-30 deg\"}}",
+        "{angle: {of: it, reaches: 25 deg}}",
+        "{angle: {of: it, reaches: \"-30 deg\"}}",
+    ),
+    // A rod guided at both ends, with a spring between them.
+    (
+        "      bodies: {it: {mass: 2 kg, shape: {rod: d}, moves: in the plane, points: {A: 0 m, B: d}, angle: from right}}
+      joints:
+        floor: {guides: it.A, along: horizontal}
+        wall: {guides: it.B, along: vertical}
+      forces: [spring: {on: it.A, to: [0 m, 0 m], stiffness: 20 N/m, natural length: 0.1 m}]
+      start: {it: {angle: 60 deg}}",
+        "{angle: {of: it, reaches: 20 deg}}",
+        "{angle: {of: it, reaches: 45 deg}}",
+        "{angle: {of: it, reaches: 20 deg}}",
+    ),
+];
+
+#[test]
+fn two_pieces_are_the_whole() {
+    for (scene, end, first, rest) in PIECES {
+        let text = |end: &str, motion: &str, time: &str| {
+            let v = if scene.contains("moves: vertically") || scene.contains("floor: level") {
+                "v"
+            } else {
+                "omega"
+            };
+            let unit = if v == "v" { "m/s" } else { "rad/s" };
+            let of = if scene.contains("drum") { "it." } else { "" };
+            format!(
+                "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n      d: {{name: length, unit: m, draw: 0.30 to 0.90 step 0.01}}
+    scene:\n{scene}\n      {end}\n    questions:\n      rate: {{quantity: {of}{v}, {motion}unit: {unit}, cond limit: 50, ask: a}}
+      total: {{value: {time}, unit: s, cond limit: 50, ask: a}}\n    statement: s\n"
+            )
+        };
+        let whole = problem(&text(&format!("end: {end}"), "", "t"));
+        let pieces = problem(&text(
+            &format!("end: {first}\n      next: {{end: {rest}}}"),
+            "motion: next, ",
+            "t + next.t",
+        ));
+        for s in 0..seeds(200) {
+            let (one, two) = (drawn(&whole, s), drawn(&pieces, s));
+            assert_eq!(one.data, two.data);
+            let value = |p: &Problem, v: &Variant, at: usize| {
+                let entry = v.solved.get(p.questions[at].label).expect("an answer");
+                [entry.eom.expect("the first road"), entry.energy.expect("the second road")]
+            };
+            for at in 0..2 {
+                let exact = value(&whole, &one, at)[0];
+                for x in value(&pieces, &two, at) {
+                    assert!(
+                        (x - exact).abs() <= 1e-14 * exact,
+                        "{first}: {} {x} {exact}",
+                        pieces.questions[at].id
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_does_not_follow_is_refused() {
+    // Still slipping, it cannot be said to roll; held by friction, it does not come back.
+    let jolt = on_incline(
+        "{mass: 3 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along incline, positive: down}",
+        "",
+        "      ties: [slips: {body: it, on its: rim, mu_s: 0.3, mu_k: 0.2}]
+      start: {it: {speed: 5 m/s, spin: 0 rad/s}}
+      end: {time: {of: it, is: 0.1 s}}
+      next: {ties: [rolls: {body: it, on its: rim, mu_s: 0.3}], end: {time: {of: it, is: 1 s}}}",
+        "      x: {quantity: displacement, motion: next, unit: m, ask: a}",
+    );
+    let held = on_incline(
+        "{mass: 2 kg, moves: along incline}",
+        "",
+        "      ties: [slides: {body: it, mu_s: 0.8, mu_k: 0.8}]
+      start: {it: {speed: 5 m/s}}
+      end: {turning point: it}
+      next: {end: {position: {of: it, at: 0 m}}}",
+        "      x: {quantity: v, motion: next, unit: m/s, ask: a}",
+    );
+    for (text, why) in [(jolt, "contradicts the ties"), (held, "next")] {
+        let problem = problem(&text);
+        let none = Maker::new(&problem, 7, "set").giving_up_after(20).variant("s").expect_err(why);
+        assert!(none.table.iter().any(|(rule, _)| rule.contains(why)), "{:?}", none.table);
+    }
+}
