@@ -1,6 +1,6 @@
 //! The motion that begins where the one before it ends: the same scene, with what is written under `next` over what it says.
-use super::SceneReader;
 use crate::bank::node::{Node, Value};
+use crate::bank::scene::SceneReader;
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
