@@ -467,7 +467,7 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             one(match refusal {
                 Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
                 _ => format!(
-                    "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`"
+                    "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place and not where it turns"
                 ),
             })
         }

@@ -165,7 +165,7 @@ pub fn foot<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<Output = X>>(
 pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
     let (along, across) = (dot(from, axis), from[0] * axis[1] - from[1] * axis[0]);
     // At half a turn it is open which way it has turned.
-    if along.sign() < 0.0 && across.size() < LEVEL {
+    if across.size() < LEVEL && along.sign() < 0.0 {
         return T::of(f64::NAN);
     }
     trig::angle(across, along).signed(sense(planar))

@@ -27,6 +27,11 @@ pub trait Forward<T: Real> {
     /// # Errors
     /// Those of the road.
     fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal>;
+    /// The road as far as it says what is measured.
+    ///
+    /// # Errors
+    /// Those of the road.
+    fn measured(&self, data: &[f64], label: Label) -> Result<Road<T>, Refusal>;
 }
 
 /// What is measured on a road, less its printed value.
@@ -140,7 +145,8 @@ fn enclosed<T: Real>(
         let middle = f64::midpoint(low, high);
         at[unknown] = middle;
         let radius = (high - middle).max(middle - low);
-        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, || forward.exact(at)));
+        let (road, doubt) =
+            ball::watch(|| ball::spread(unknown, radius, || forward.measured(at, found.label)));
         let Some(missed) = miss(found, &road.ok()?, at) else {
             // All over it there is nothing to measure.
             return (!doubt).then_some(f64::NAN);

@@ -509,6 +509,80 @@ problems:
     assert!((entry.value() - mass).abs() < 1e-14 * mass, "{entry:?} {mass}");
 }
 
+/// What starts or holds a swinging body is found from its speed at a place, or from where it turns: the time that it takes, a spring that does nothing yet
+/// and an angle of a quarter turn leave nothing of that open.
+#[test]
+fn a_spin_and_a_stiffness_are_found_from_a_swing() {
+    let rod = |data: &str, rod: &str, scene: &str, unit: &str| {
+        format!(
+            "bank: b
+title: B
+problems:
+  p:
+    title: A rod
+    data:
+{data}
+    scene:
+      bodies: {{rod: {{mass: 8 kg, shape: {{rod: 1.2 m}}, {rod}}}}}
+{scene}
+    questions: {{q: {{value: x, unit: {unit}, ask: x}}}}
+    statement: s
+"
+        )
+    };
+    let (m, length, moment) = (8.0, 1.2, 8.0 * 1.2 * 1.2 / 3.0);
+    let quarter = std::f64::consts::FRAC_PI_2;
+    // The spring hangs straight down to the tip, not stretched, while the rod lies level; 60 deg farther down it has all that the weight gave.
+    let down = 60f64.to_radians();
+    let tip = [length * down.cos(), -length * down.sin()];
+    let stretch = (length - tip[0]).hypot(0.8 - tip[1]) - 0.8;
+    let cases = [
+        (
+            rod(
+                "      w1: {name: w1, unit: rad/s, draw: always 2, measured: omega}
+      x: {name: x, unit: rad/s, unknown: 7.2 to 9 step 0.1}",
+                "pinned: at its end, angle: from hanging",
+                "      start: {rod: {angle: 0 deg, spin: x}}
+      end: {angle: {of: rod, reaches: 180 deg}}",
+                "rad/s",
+            ),
+            (4.0 + 6.0 * 9.81 / length).sqrt(),
+        ),
+        (
+            rod(
+                "      w1: {name: w1, unit: rad/s, draw: always 2, measured: omega}
+      x: {name: x, unit: N*m/rad, unknown: 10 to 38 step 0.1}",
+                "moves: in the plane, points: {A: 0 m}, angle: from upright",
+                "      joints: {A: {pins: rod.A}}
+      forces: [torsion: {on: rod.A, stiffness: x, relaxed at: 0 deg}]
+      start: {rod: {angle: 0 deg, spin: 1 rad/s}}
+      end: {angle: {of: rod, reaches: 90 deg}}",
+                "N*m/rad",
+            ),
+            (m * 9.81 * length + moment * (1.0 - 4.0)) / quarter.powi(2),
+        ),
+        (
+            rod(
+                "      p: {name: p, unit: deg, draw: always 60, measured: phi}
+      x: {name: x, unit: N/m, unknown: 50 to 900 step 1}",
+                "pinned: at its end, angle: from upright",
+                "      forces: [spring: {on: rod, at: 1.2 m, anchor: [1.2 m, 0.8 m], stiffness: x, natural length: 0.8 m}]
+      start: {rod: {angle: 90 deg}}
+      end: {turning point: rod}",
+                "N/m",
+            ),
+            m * 9.81 * length * down.sin() / stretch.powi(2),
+        ),
+    ];
+    for (text, exact) in cases {
+        let bank = read(&text).expect("a bank");
+        let variant = drawn(&bank.problems[0], "s");
+        let entry = variant.solved.get(bank.problems[0].questions[0].label).expect("an answer");
+        assert!((entry.value() - exact).abs() < 1e-13 * exact, "{entry:?} {exact}");
+        assert!(entry.bound.is_some(), "{entry:?}");
+    }
+}
+
 /// A ball is rolling when it comes to an incline: as if that were smooth it would keep its spin and lose `2 g d sin` of the square of
 /// its speed, not 10/7 of `g d sin`. What would need the spin that it keeps, or a cord on its rim, is refused.
 #[test]

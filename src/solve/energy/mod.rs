@@ -65,6 +65,9 @@ impl<T: Real> Forward<T> for Here<'_> {
     fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
         answered(self.0, data, Scope::ALL)
     }
+    fn measured(&self, data: &[f64], label: Label) -> Result<Road<T>, Refusal> {
+        alone(self.0, data, Scope::only([label.quantity]))
+    }
 }
 
 /// [`road`] without what is asked by formulas.
@@ -83,7 +86,7 @@ fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
         return Ok(joined::road(scene, &n, asked)?.0);
     }
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road(scene, n, body, pin);
+        return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
         return at_once(scene, n);
@@ -148,7 +151,7 @@ fn alone_by<T: Real>(
         };
     }
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), points);
+        return swing::road_by(scene, n, (body, pin), Scope::ALL, points);
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok((at_once(scene, n)?, Count::default()));

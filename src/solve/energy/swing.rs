@@ -41,21 +41,15 @@ struct Motion<'c, T> {
     balances: &'c Cell<u64>,
 }
 
-/// Everything that work and energy say of a scene with a pinned body.
+/// What work and energy say of a scene with a pinned body, without times that are not asked: they are integrals of their own. With
+/// `points`, speed and time at the end come from the work of the forces, summed by quadratures of so many points; what that cost.
 ///
 /// Errors: a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
-    Ok(road_by(scene, n, (body, pin), None)?.0)
-}
-
-/// [`road`], with speed and time at the end from the work of the forces, summed by quadratures of this many points; what that
-/// cost.
-///
-/// Errors: those of [`road`].
 pub fn road_by<T: Real>(
     scene: &Scene,
     n: Numbers<T>,
     (body, pin): (usize, &Pin),
+    asked: Scope,
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let store = Store::new(scene, &n, body, pin);
@@ -69,16 +63,18 @@ pub fn road_by<T: Real>(
     let energy0 = (store.doubled * spin.square()).scale2(-1);
     let balances = Cell::new(0);
     let motion = Motion { store, from: store.start, sense, energy0, balances: &balances };
-    let mut book = Book { n: &n, body, road: Road::new(Scope::ALL) };
+    let mut book = Book { n: &n, body, asked, road: Road::new(Scope::ALL) };
     let free = scene.is_pendulum() && !store.frequency().is_zero();
     book.say(Quantity::IO, store.doubled);
     if free {
         let frequency = store.frequency();
         book.say(Quantity::OmegaSmall, frequency);
         book.say(Quantity::PeriodSmall, T::constant(Dd::PI.scale2(1)) / frequency);
-        let (period, fastest) = motion.period();
-        book.say(Quantity::Period, period);
-        book.say(Quantity::OmegaMax, fastest);
+        if asked.any(&[Quantity::Period, Quantity::OmegaMax]) {
+            let (period, fastest) = motion.period();
+            book.say(Quantity::Period, period);
+            book.say(Quantity::OmegaMax, fastest);
+        }
     }
     if matches!(scene.end, End::AtOnce) {
         book.state(&store, &store.start, spin.abs());
@@ -95,21 +91,18 @@ pub fn road_by<T: Real>(
         (false, _) => (motion.turning(scene, &n)?, None),
     };
     let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
-    let asked = motion.asked(scene, &n, free, turning)?;
+    let end = motion.asked(scene, &n, free, turning)?;
     // The turning point is where it is: no comparison with itself.
     let turns = matches!(scene.end, End::TurningPoint(_));
-    let reached = asked.filter(|q| turns || q.not_negative() && q.at_most(limit));
-    let (mut push, mut hold) = (T::zero(), T::zero());
-    for power in &powers {
-        let power = power.signed(sense);
-        if power.sign() > 0.0 {
-            push = push + power;
-        } else {
-            hold = hold - power;
-        }
-    }
-    book.road.course =
-        Some(Course { sense, drive: (push, hold), asked, farthest: limit, reached: reached.is_some() });
+    let reached = end.filter(|q| turns || q.not_negative() && q.at_most(limit));
+    // The drive is for margins alone: what is proved hangs on no sign of its parts.
+    let drive = ball::unwatched(|| {
+        powers.iter().fold((T::zero(), T::zero()), |(push, hold), power| {
+            let power = power.signed(sense);
+            if power.sign() > 0.0 { (push + power, hold) } else { (push, hold - power) }
+        })
+    });
+    book.road.course = Some(Course { sense, drive, asked: end, farthest: limit, reached: reached.is_some() });
     let Some(way) = reached else {
         book.forces(&store, &store.start, spin.square());
         return Ok((book.road, Count::default()));
@@ -123,17 +116,27 @@ pub fn road_by<T: Real>(
     };
     let mut count = Count::default();
     let (speed, time) = if let Some(points) = points {
-        let (summed, evaluations) = motion.summed(way, ends, turning, points);
+        let ((speed, time), evaluations) = motion.summed(way, ends, turning, points);
         count.evaluations = evaluations;
-        summed
+        (speed, Some(time))
     } else {
         balances.set(0);
         let speed = if ends { T::zero() } else { motion.speed(way, &place) };
-        let time = if free { motion.free_time(&place, way, speed) } else { motion.time(way, ends)? };
+        let time = match asked.quantities.has(Quantity::T) {
+            false => None,
+            true if free => {
+                // What rounding leaves open of the time is open of nothing else.
+                let (time, doubt) = ball::watch(|| motion.free_time(&place, way, speed));
+                Some(if doubt { time.widened(|| f64::INFINITY) } else { time })
+            }
+            true => Some(motion.time(way, ends)?),
+        };
         count.evaluations = balances.get();
         (speed, time)
     };
-    book.say_of(Quantity::T, Owner::Scene, time);
+    if let Some(time) = time {
+        book.say_of(Quantity::T, Owner::Scene, time);
+    }
     book.say(Quantity::Phi, way);
     let step = Half::of_radians(way.signed(sense));
     let lost = plant!("energy: fall of the mass centre", store.fallen(&store.start, &place, &step));
@@ -155,6 +158,8 @@ pub fn road_by<T: Real>(
 struct Book<'a, T: Real> {
     n: &'a Numbers<'a, T>,
     body: usize,
+    /// What decides more than its own value is said where it is asked alone.
+    asked: Scope,
     road: Road<T>,
 }
 
@@ -181,7 +186,7 @@ impl<T: Real> Book<'_, T> {
         let lift = plant!("energy: pin in a displacement upward", -(toward * cosine).balance(across * sine));
         self.say(Quantity::PinX, side);
         self.say(Quantity::PinY, lift.signed(sense));
-        if !force.is_zero() {
+        if self.asked.quantities.has(Quantity::PinAngle) && !force.is_zero() {
             self.say(Quantity::PinAngle, trig::angle(lift.signed(sense), side));
         }
         if let Some(force) = store.spring_force(place) {
@@ -193,7 +198,7 @@ impl<T: Real> Book<'_, T> {
         self.say(Quantity::AngularMomentum, store.doubled * speed);
         self.say(Quantity::V, store.arm * speed);
         self.say_of(Quantity::KineticEnergy, Owner::Scene, (store.doubled * speed.square()).scale2(-1));
-        if !speed.is_zero() {
+        if self.asked.quantities.has(Quantity::RotationalFraction) && !speed.is_zero() {
             let own = self.n.bodies[self.body].inertia;
             self.say_of(Quantity::RotationalFraction, Owner::Scene, own / store.doubled);
         }

@@ -61,6 +61,9 @@ impl<T: Real> Forward<T> for Here<'_> {
     fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
         answered(self.0, data)
     }
+    fn measured(&self, data: &[f64], label: Label) -> Result<Road<T>, Refusal> {
+        alone(self.0, data, Scope::only([label.quantity]))
+    }
 }
 
 /// [`road_of`] without what is asked by formulas.
