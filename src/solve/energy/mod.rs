@@ -226,6 +226,9 @@ fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[
     combine(scene.bodies.len(), modes, &rates)
 }
 
+/// Where a power is so many times smaller than those that make it up, they may balance.
+const NEAR_BALANCE: f64 = 1e6;
+
 /// Kinetic friction of each tie, zero where it has none.
 fn frictions<T: Real>(kinetic: &[Option<T>]) -> PerTie<T> {
     kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
@@ -424,14 +427,22 @@ impl<'a, T: Real> Ledger<'a, T> {
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
         let size = powers.iter().fold(0.0, |sum, p| sum + p.power.size());
         let mut constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
-        if spring.is_none() && self.rolled.is_empty() {
-            // Powers that balance but for the last digits of what is printed balance.
-            let part = |sense: f64| {
-                let given = powers.iter().filter(|p| p.power.sign() == sense);
-                given.fold(T::zero(), |sum, p| sum + p.power.abs())
+        let starts = !self.scene.growths.is_empty() || !self.scene.starts_from_rest();
+        let near_balance = constant.size() * NEAR_BALANCE < size && !constant.is_zero();
+        if near_balance && starts && spring.is_none() && self.rolled.is_empty() {
+            // Powers that balance but for the last digits of what is printed balance: of what is given, and of the weights.
+            let mut weightless = self.n.clone();
+            weightless.gravity = T::zero();
+            let rubs = |(tie, force): (&Tie, &T)| match tie {
+                Tie::Slide { body, mu_k, .. } => {
+                    (self.n.get(*mu_k) * balance::normal(&weightless, *body)).signed(force.sign())
+                }
+                _ => T::zero(),
             };
-            let (plus, minus) = ball::unwatched(|| (part(1.0), part(-1.0)));
-            if !constant.is_zero() && plus.apart(minus).is_zero() {
+            let rubbing: PerTie<T> = self.scene.ties.iter().zip(&frictions).map(rubs).collect();
+            let given = balance::powers(self.scene, &weightless, &self.mode, &rubbing);
+            let given = given.iter().fold(T::zero(), |sum, p| sum + p.power);
+            if given.apart(given - constant).is_zero() {
                 constant = T::zero();
                 self.start_rate = Mode::still(self.scene.bodies.len());
             }

@@ -385,17 +385,20 @@ impl<'a, T: Real> Walk<'a, T> {
             response = respond(scene, &n, &setting)?;
             ratio_column = response.last();
         }
-        // Forces that balance but for the last digits of what is printed balance.
-        let lines: SmallVec<[T; 4]> =
-            scene.coordinates().map(|c| response.acceleration(c, CONSTANT)).collect();
-        let tiny = |a: &T| a.size() * NEAR_BALANCE.powi(2) < n.gravity.size();
-        let alone = spring.is_none() && slipping.is_empty() && lines.iter().any(|a| !a.is_zero());
-        let balanced = alone && lines.iter().all(tiny) && {
+        // Forces that balance but for the last digits of what is printed balance: what is given, and what comes of the weights.
+        let accelerated = |r: &Response<T>| -> SmallVec<[T; 4]> {
+            scene.coordinates().map(|c| r.acceleration(c, CONSTANT)).collect()
+        };
+        let tiny = |c: Coordinate| {
+            c.degree == Degree::Turn
+                || response.acceleration(c, CONSTANT).size() * NEAR_BALANCE < n.gravity.size()
+        };
+        let alone = spring.is_none() && slipping.is_empty() && (grows || !scene.starts_from_rest());
+        let balanced = alone && scene.coordinates().all(tiny) && {
             let mut weightless = n.clone();
             weightless.gravity = T::zero();
-            let given = respond(scene, &weightless, &setting)?;
-            let given = scene.coordinates().map(|c| given.acceleration(c, CONSTANT));
-            given.zip(&lines).all(|(given, a)| given.apart(given - *a).is_zero())
+            let given = accelerated(&respond(scene, &weightless, &setting)?);
+            given.iter().zip(accelerated(&response)).all(|(given, a)| given.apart(*given - a).is_zero())
         };
         Ok(Self {
             scene,
