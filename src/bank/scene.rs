@@ -1522,8 +1522,14 @@ impl SceneReader<'_> {
         let text = node.text().map(str::trim)?;
         let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
         let Some(by) = by.filter(|_| known) else {
+            if known {
+                self.faults.hint(
+                    node,
+                    "this length is divided by the radius on which the cord is wound, which is no datum",
+                    "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
+                );
             // What is no number at all is told as such.
-            if known || self.number(node, Need::LENGTH).is_some() {
+            } else if self.number(node, Need::LENGTH).is_some() {
                 self.faults.hint(
                     node,
                     "this is worked out from data, not from constants with a unit",
