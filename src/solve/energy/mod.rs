@@ -868,7 +868,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 let mut moved = (plant!("energy: way of the centre", v) * s).signed(sense);
                 let mut aside = T::zero();
                 if let Some([forward, out]) = self.n.bodies[b].carried {
-                    aside = plant!("energy: speed of the carrier out of the line", out.after(there.time));
+                    aside = out.after(there.time);
                     along = along.balance(plant!("energy: speed of the carrier", forward.after(there.time)));
                     moved = moved.balance(forward.way(there.time));
                 }

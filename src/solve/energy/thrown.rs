@@ -185,8 +185,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         say(Quantity::T, Owner::Scene, state.t);
         let seen = numbers.carried.map_or([state.v, zero], |[forward, out]| {
             let with = plant!("energy: speed of the carrier of a thrown body", forward.after(state.t));
-            let aside =
-                plant!("energy: speed of the carrier out of the line of a thrown body", out.after(state.t));
+            let aside = out.after(state.t);
             [state.v.balance(with), aside]
         });
         say(Quantity::V, own, speed(seen[0], seen[1]));

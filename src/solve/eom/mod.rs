@@ -1077,7 +1077,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 let mut aside = zero;
                 if let Some([forward, out]) = n.carried {
                     let (with, way) = (forward.after(state.time), forward.way(state.time));
-                    aside = plant!("eom: speed of the carrier out of the line", out.after(state.time));
+                    aside = out.after(state.time);
                     v = v.balance(plant!("eom: speed of the carrier", with));
                     moved = moved.balance(way);
                     sizes = [sizes[0] + with.size(), sizes[1] + way.size()];

@@ -208,9 +208,7 @@ pub fn road_by<T: Real>(
             state.v.balance(plant!("eom: speed of the carrier of a thrown body", f.after(state.t)))
         });
         let carried = forward.map_or(zero, |f| f.way(state.t));
-        let aside = numbers.carried.map_or(zero, |[_, out]| {
-            plant!("eom: speed of the carrier out of the line of a thrown body", out.after(state.t))
-        });
+        let aside = numbers.carried.map_or(zero, |[_, out]| out.after(state.t));
         say(Quantity::V, own, speed(v, aside), size(state.v) + size(v - state.v) + size(aside));
         say(Quantity::Omega, own, state.w.abs(), size(state.w));
         let way = (size(v0) + size(state.v)) * size(state.t);
