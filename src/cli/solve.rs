@@ -4,6 +4,7 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::banks;
 use crate::inspect::{data, table};
+use crate::scene::Label;
 use crate::solve::outcome::Refusal;
 use crate::solve::{agree, ladder};
 
@@ -24,7 +25,8 @@ pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
         }
     }
     let holds = data::fits(problem, case, &solved);
-    for question in problem.questions.iter().filter(|q| holds && !solved.answers(q.label)) {
+    let told = |label: Label| solved.get(label).is_some() || solved.word(label).is_some();
+    for question in problem.questions.iter().filter(|q| holds && !told(q.label)) {
         io.note(&format!("note: question {} has no answer with these data", question.id));
     }
     io.piece(&match args.json {

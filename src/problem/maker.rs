@@ -500,7 +500,12 @@ impl<'p> Maker<'p> {
             return Err(DrawRule::Regime(solved.regime).into());
         }
         for (i, question) in self.problem.questions.iter().enumerate() {
-            if !solved.answers(question.label) {
+            let answered = if question.label.quantity.is_word() {
+                solved.word(question.label).is_some()
+            } else {
+                solved.get(question.label).is_some_and(|e| e.value().is_finite())
+            };
+            if !answered {
                 return Err(DrawRule::Answered(i).into());
             }
         }

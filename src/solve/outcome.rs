@@ -358,13 +358,6 @@ impl Solved {
     pub fn word(&self, label: Label) -> Option<Word> {
         self.words.iter().find(|(l, _)| *l == label).map(|(_, w)| *w)
     }
-    /// Is there a word or a finite number under this label?
-    pub fn answers(&self, label: Label) -> bool {
-        match label.quantity.is_word() {
-            true => self.word(label).is_some(),
-            false => self.get(label).is_some_and(|e| e.value().is_finite()),
-        }
-    }
     /// Do all checks hold?
     pub fn all_hold(&self) -> bool {
         self.checks.iter().all(|c| c.ok)

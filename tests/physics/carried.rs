@@ -605,3 +605,42 @@ problems:
         assert!(found.iter().any(|f| f.to_string().contains("does not exist")), "{found:?}");
     }
 }
+
+/// A winch on a truck that brakes draws a crate up a ramp on its bed: what the axle bears takes the drum along, too.
+#[test]
+fn the_axle_of_a_winch_on_a_truck_bears_what_takes_the_drum_along() {
+    let (brake, slope): (f64, f64) = (-2.5, 20.0);
+    let (s, c) = slope.to_radians().sin_cos();
+    for (line, [right, up]) in [("horizontal", [brake, 0.0]), ("vertical", [0.0, brake])] {
+        let winch = constants(
+            &[("M", "kg", 8.0), ("m", "kg", 5.0), ("r", "m", 0.2), ("theta", "deg", slope), ("C", "N*m", 9.0)],
+            &format!(
+                "      surfaces: {{ramp: {{slope: theta}}}}
+      carried: {{along: {line}, acceleration: {brake} m/s^2}}
+      bodies:
+        drum: {{mass: M, shape: {{disc: r}}, moves: about a fixed axle}}
+        load: {{mass: m, moves: along ramp}}
+      ties: [cord: {{name: c, from: {{body: load, tied at: centre, leaves: forward}}, to: {{body: drum, wound on: rim, leaves: top back}}}}]
+      forces: [couple: {{on: drum, moment: C, sense: forward}}]
+      start: at rest
+      end: at once"
+            ),
+            "drum.pin_x",
+        );
+        // On the ramp: 5 a = T - 5 (g + A_y) s - 5 A_x c, and the drum 4 a = C/r - T.
+        let held = 5.0 * ((G + up) * s + right * c);
+        let a = (45.0 - held) / 9.0;
+        let tension = 45.0 - 4.0 * a;
+        assert!(tension > 0.0);
+        let (x, y) = (8.0 * right + tension * c, 8.0 * (G + up) + tension * s);
+        let expected = [
+            ("tension", tension),
+            ("load.a", a + right * c + up * s),
+            ("drum.pin_x", x),
+            ("drum.pin_y", y),
+            ("drum.pin_force", x.hypot(y)),
+            ("drum.pin_angle", y.atan2(x)),
+        ];
+        hold(&winch.problems[0], &[8.0, 5.0, 0.2, slope, 9.0, G], &expected);
+    }
+}

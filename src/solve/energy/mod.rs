@@ -781,10 +781,12 @@ impl<'a, T: Real> Ledger<'a, T> {
         let Some(pulls) = self.scene.axle_pulls(body) else { return };
         let of = Owner::Body(body);
         let mut lifts: SmallVec<[[T; 2]; 4]> = SmallVec::new();
-        lifts.push([
-            T::zero(),
-            plant!("energy: weight that is lifted with an axle", self.n.bodies[body].mass * self.n.gravity),
-        ]);
+        let mass = self.n.bodies[body].mass;
+        lifts.push([T::zero(), plant!("energy: weight that is lifted with an axle", mass * self.n.gravity)]);
+        // Of 1/2 m (V + v)^2 the part m V v grows with V as the axle gives way.
+        lifts.extend(self.n.carried.map(|rate| {
+            rate.map(|a| plant!("energy: momentum of the body of an axle with the carrier", mass * a))
+        }));
         for (t, aim) in pulls {
             let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
             let force = match cord.to {

@@ -1024,8 +1024,13 @@ impl<'a, T: Real> Walk<'a, T> {
         let Some(pulls) = self.scene.axle_pulls(body) else { return };
         let (of, quantities) =
             (Owner::Body(body), [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle]);
-        let weight = plant!("eom: weight on an axle", self.n.bodies[body].mass * self.n.gravity);
-        let (mut x, mut y, mut size) = (T::zero(), weight, weight.size());
+        let mass = self.n.bodies[body].mass;
+        let weight = plant!("eom: weight on an axle", mass * self.n.gravity);
+        // What carries the axle takes its body along.
+        let carried = self.n.carried.unwrap_or([T::zero(); 2]);
+        let taken = carried.map(|a| plant!("eom: force that takes an axle along", mass * a));
+        let (mut x, mut y) = (taken[0], weight.balance(taken[1]));
+        let mut size = weight.size() + taken[0].size() + taken[1].size();
         for (t, aim) in pulls {
             let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
             let pull = match cord.to {
