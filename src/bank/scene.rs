@@ -27,13 +27,26 @@ pub struct DatumSymbol {
     pub absent: bool,
 }
 
-/// How contacts that do not say whether they roll or slip (`touches:`) are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Touching {
-    /// They roll.
-    Rolls,
-    /// They slip.
-    Slips,
+/// Which of the contacts that do not say whether they roll or slip (`touches:`) slip: a bit for each, in the order of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Touching(u8);
+
+impl Touching {
+    /// All ways in which this many contacts can roll and slip, the one in which all roll first; of more than five the others roll.
+    pub fn all(contacts: usize) -> impl Iterator<Item = Self> {
+        (0..1 << contacts.min(5)).map(Self)
+    }
+    /// As these contacts are in a scene.
+    pub fn of(touches: &[(usize, Num)], scene: &Scene) -> Self {
+        let slips = |(i, (tie, _)): (usize, &(usize, Num))| {
+            u8::from(matches!(scene.ties.get(*tie), Some(Tie::Slip { .. }))) << i
+        };
+        Self(touches.iter().take(5).enumerate().map(slips).sum())
+    }
+    /// Does this one slip?
+    pub fn slips(self, contact: usize) -> bool {
+        contact < 5 && self.0 >> contact & 1 == 1
+    }
 }
 
 /// One use of a datum.
@@ -1005,8 +1018,9 @@ impl SceneReader<'_> {
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
         fields.close();
         if word == "touches" {
-            self.touches.borrow_mut().push((tie, mu_k?));
-            if self.touching == Touching::Rolls {
+            let mut touches = self.touches.borrow_mut();
+            touches.push((tie, mu_k?));
+            if !self.touching.slips(touches.len() - 1) {
                 return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: Some(mu_s?) });
             }
         }
@@ -1529,8 +1543,14 @@ impl SceneReader<'_> {
         let text = node.text().map(str::trim)?;
         let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
         let Some(by) = by.filter(|_| known) else {
+            if known {
+                self.faults.hint(
+                    node,
+                    "this length is divided by the radius on which the cord is wound, which is no datum",
+                    "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
+                );
             // What is no number at all is told as such.
-            if known || self.number(node, Need::LENGTH).is_some() {
+            } else if self.number(node, Need::LENGTH).is_some() {
                 self.faults.hint(
                     node,
                     "this is worked out from data, not from constants with a unit",

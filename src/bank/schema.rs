@@ -16,7 +16,7 @@ use crate::finding::told;
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
-use crate::scene::{AsIf, Label, Owner, Quantity, Scene, Span, Term, Tie};
+use crate::scene::{AsIf, Label, Owner, Quantity, Scene, Span, Term};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use crate::units::spell;
@@ -469,7 +469,7 @@ impl<'n> ProblemRead<'n> {
         };
         let symbols = data.iter().map(symbol).collect();
         let mut read = Self { node, data, symbols, scene_node, scene: None, regimes, faults };
-        read.scene = scene_node.map(|n| read.read(n, &read.symbols, Touching::Rolls));
+        read.scene = scene_node.map(|n| read.read(n, &read.symbols, Touching::default()));
         read
     }
 
@@ -539,7 +539,7 @@ impl<'n> ProblemRead<'n> {
         let same = case.symbols.iter().zip(&self.data).all(|(s, d)| s.absent == d.absent);
         let sound = self.scene.as_ref().is_some_and(|read| read.scene.is_some());
         if let Some(n) = own.or(self.scene_node.filter(|_| !same && sound)) {
-            case.read = Some(self.read(n, &case.symbols, Touching::Rolls));
+            case.read = Some(self.read(n, &case.symbols, Touching::default()));
         }
         case.scene_node = own.or(self.scene_node);
         fields.set("regimes", &mut case.regimes, |n, f| Some(regimes(n, f)));
@@ -596,30 +596,43 @@ impl<'n> ProblemRead<'n> {
         data
     }
 
-    /// A case whose contact does not say whether it rolls or slips is two: one in which it rolls, and one in which it slips, so far
+    /// A case whose contacts do not say whether they roll or slip is several: each with other contacts that roll and that slip, so far
     /// as its regimes let it. A draw belongs to that in which what happens is what was assumed.
     fn by_contact(&self, case: CaseRead<'n>) -> Vec<CaseRead<'n>> {
-        let touches = case.read.as_ref().is_some_and(|r| r.scene.is_some() && !r.touches.is_empty());
-        let Some(node) = case.scene_node.filter(|_| touches) else { return vec![case] };
-        let slips = |regime: &&String| regime.starts_with("slips") || regime.starts_with("spins");
+        let read = case.read.as_ref().filter(|r| !r.touches.is_empty());
+        let scene = read.and_then(|r| Some((r, r.scene.as_ref()?)));
+        let (Some((read, scene)), Some(node)) = (scene, case.scene_node) else { return vec![case] };
+        let slips = |regime: &str| regime.starts_with("slips") || regime.starts_with("spins");
         let mut kept = Vec::new();
-        for (touching, word) in [(Touching::Rolls, "rolls"), (Touching::Slips, "slips")] {
-            let fits = |r: &&String| slips(r) == (touching == Touching::Slips);
+        for touching in Touching::all(read.touches.len()) {
+            let contacts = || read.touches.iter().enumerate();
+            let slipping = || contacts().filter(|(i, _)| touching.slips(*i));
+            let (none, all) = (slipping().count() == 0, slipping().count() == read.touches.len());
+            let word = match (none, all) {
+                (true, _) => "rolls".to_owned(),
+                (_, true) => "slips".to_owned(),
+                _ => {
+                    let bodies = slipping().filter_map(|(_, (tie, _))| scene.ties[*tie].actions().next());
+                    let names: Vec<&str> = bodies.map(|a| scene.bodies[a.body].name.as_str()).collect();
+                    format!("{} slips", names.join(" and "))
+                }
+            };
+            // Of several contacts the body that the regime tells of may roll or slip.
+            let fits = |r: &&String| !none && !all || slips(r) == all;
             let regimes: Vec<String> = case.regimes.iter().filter(fits).cloned().collect();
             if !regimes.is_empty() || case.regimes.is_empty() {
                 kept.push((touching, word, regimes));
             }
         }
-        let both = kept.len() > 1;
-        let one = |(touching, word, regimes): (Touching, &str, Vec<String>)| {
+        let several = kept.len() > 1;
+        let one = |(touching, word, regimes): (Touching, String, Vec<String>)| {
             let mut one = case.clone();
             one.regimes = regimes;
-            if touching == Touching::Slips {
+            if touching != Touching::default() {
                 one.read = Some(self.read(node, &case.symbols, touching));
             }
-            if both {
-                one.name =
-                    if case.name.is_empty() { word.to_owned() } else { format!("{}, {word}", case.name) };
+            if several {
+                one.name = if case.name.is_empty() { word } else { format!("{}, {word}", case.name) };
             }
             one
         };
@@ -652,13 +665,10 @@ struct CaseRead<'n> {
 }
 
 impl CaseRead<'_> {
-    /// How a contact that does not say it is taken in this case.
+    /// How contacts that do not say it are taken in this case.
     fn touching(&self) -> Touching {
-        let read = self.read.as_ref().filter(|r| !r.touches.is_empty());
-        let slips = read
-            .and_then(|r| r.scene.as_ref())
-            .is_some_and(|s| s.ties.iter().any(|t| matches!(t, Tie::Slip { .. })));
-        if slips { Touching::Slips } else { Touching::Rolls }
+        let read = self.read.as_ref().and_then(|r| Some(Touching::of(&r.touches, r.scene.as_ref()?)));
+        read.unwrap_or_default()
     }
 
     /// The case, with the bounds of the problem and its own; `None` where its scene could not be read.

@@ -4,6 +4,8 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::banks;
 use crate::inspect::{data, table};
+use crate::scene::Label;
+use crate::solve::outcome::Refusal;
 use crate::solve::{agree, ladder};
 
 /// Runs it.
@@ -17,9 +19,16 @@ pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
         ladder::solve(scene, &data, &wish).map_err(|refusal| data::refused(problem, scene, &refusal))?;
     if taken.errors.is_empty() {
         // Nothing is proved where the data leave open which way it goes: the bounds are then absent.
-        agree::prove(scene, &data, &mut solved);
+        let proved = agree::prove(scene, &data, &mut solved);
+        if !proved && scene.formulas.found.is_some() {
+            return Err(data::refused(problem, scene, &Refusal::NotUnique));
+        }
     }
     let holds = data::fits(problem, case, &solved);
+    let told = |label: Label| solved.get(label).is_some() || solved.word(label).is_some();
+    for question in problem.questions.iter().filter(|q| holds && !told(q.label)) {
+        io.note(&format!("note: question {} has no answer with these data", question.id));
+    }
     io.piece(&match args.json {
         true => table::json(problem, case, &solved, &taken),
         false => table::table(problem, case, &shown, &solved, &taken, holds),

@@ -248,6 +248,9 @@ fn reaches(scene: &Scene, c: &Check) -> String {
                 "the end is not reached: {required} {unit} asked; a motion is followed up to its turning point or the loss of a contact, for two turns at most"
             )
         }
+        (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => {
+            format!("the end is not reached: {required} {unit} asked, the motion turns before")
+        }
         (false, _) if endless || (pinned && c.required < 0.0) => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }
@@ -424,7 +427,7 @@ const fn unsupported(what: Unsupported) -> &'static str {
             "two data are equal, and only so the ties leave another number of freedoms: such data are not solved"
         }
         Unsupported::SlidesInTurn => {
-            "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
+            "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved"
         }
         Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
         Unsupported::ThrownEnd => {

@@ -369,7 +369,9 @@ impl Scene {
         let plane = self.lead().is_some();
         match label.quantity {
             Q::Rise => matches!(self.end, End::Equilibrium),
-            Q::V | Q::VX | Q::VY | Q::AngularMomentum => !plane,
+            // Over which time it is carried is not known where forces grow with place.
+            Q::V | Q::Displacement => !plane && !self.grows_with_place(),
+            Q::VX | Q::VY | Q::AngularMomentum => !plane,
             Q::KineticEnergy | Q::Work => {
                 let steady = self.spring().is_none() && self.growths.is_empty();
                 steady && !self.is_still() && self.bodies.iter().all(|b| b.line.is_some())

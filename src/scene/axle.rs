@@ -32,12 +32,7 @@ impl Scene {
     pub fn axle_pulls(&self, body: usize) -> Option<SmallVec<[(usize, Aim); 2]>> {
         let b = self.bodies.get(body)?;
         let fixed = b.line.is_none() && b.pin.is_none() && b.planar.is_none() && b.particles.is_empty();
-        // What is carried would need the force that takes the axle along.
-        if !fixed
-            || self.carried.is_some()
-            || b.massless()
-            || matches!(b.mass, Mass::OfParts) && b.inertia.is_none()
-        {
+        if !fixed || b.massless() || matches!(b.mass, Mass::OfParts) && b.inertia.is_none() {
             return None;
         }
         let mut pulls = SmallVec::new();

@@ -29,7 +29,7 @@ pub use force::{Couple, GivenForce, Grows, Growth, Law};
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Taken, Term};
 pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Side, Tie};
 pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
-pub use numbers::{BodyNumbers, Carried, Numbers};
+pub use numbers::{BodyNumbers, Carried, Numbers, speed};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
 pub use planar::{Acts, Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
 pub use scales::Scales;

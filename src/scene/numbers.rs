@@ -44,6 +44,11 @@ impl<T: Real> Carried<T> {
     }
 }
 
+/// The speed of what goes along its line with one velocity and out of it with another.
+pub fn speed<T: Real>(along: T, out: T) -> T {
+    if out.is_zero() { along.abs() } else { (along.square() + out.square()).root() }
+}
+
 /// The numbers of a scene.
 #[derive(Debug, Clone)]
 pub struct Numbers<'a, T> {

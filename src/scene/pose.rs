@@ -404,7 +404,6 @@ impl<'a, T: Real> Layout<'a, T> {
         self.glide
     }
     fn carried(&self) -> Option<[T; 2]> {
-        self.scene.planar(self.lead)?.origin_m?;
         let placed = smallvec![false; self.scene.bodies.len()];
         let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
         let mut lines =
@@ -746,13 +745,20 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn lead(&mut self) -> Option<()> {
         let (layout, body) = (self.layout, self.layout.lead);
         let planar = self.planar(body)?;
-        let origin = planar.origin_m.map(|place| ground(layout.n, place));
-        let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
         let held = self.held(body);
         let (one, other) = {
             let mut guides = self.guided(body);
             (guides.next(), guides.next())
         };
+        let origin = planar.origin_m.map(|place| ground(layout.n, place)).or_else(|| {
+            // Guides that are parallel leave open where along them it is: nothing hangs on that.
+            let one =
+                one.as_ref().filter(|one| other.as_ref().is_some_and(|o| parallel(one.unit, o.unit)))?;
+            let [c, s] = axis(planar, &layout.start);
+            let [ahead, aside] = one.at;
+            Some(less(one.through, [c * ahead - s * aside, s * ahead + c * aside]))
+        });
+        let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
         let step = if let Some(arc) = &layout.arc {
             let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
             Step::Arc(self.spot(at))
@@ -761,7 +767,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
-                (None, Some(one), Some(other), _) if origin.is_none() || !parallel(one.unit, other.unit) => {
+                (None, Some(one), Some(other), _) if !parallel(one.unit, other.unit) => {
                     Step::Slides([one, other])
                 }
                 (None, Some(guide), None, _) if self.at_start || layout.scene.drifts().is_some() => {

@@ -379,6 +379,11 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             scene.end = End::AtOnce;
             scene
         }),
+        ("drum on what is carried", {
+            let bodies = vec![body("drum", None, 5.0, Some(0.1)), body("block", Some(70.0), 60.0, None)];
+            let ties = vec![cord((0, Some(0.25), true), Far::Body(cord_end((1, None, false))))];
+            carried(Scene { end: End::AtOnce, ..scene(bodies, ties, 1.0) })
+        }),
         ("pinned body falls", pinned(Zero::Upright, 20.0, 130.0)),
         ("pendulum", pinned(Zero::Hanging, 75.0, -30.0)),
         ("driven flywheel", {

@@ -199,7 +199,8 @@ struct Ground {
 }
 
 impl Ground {
-    /// Speed, spin, way along the surface and kinetic energy after a time; `None` where the slip ends near it or goes on.
+    /// Speed, spin, way along the surface and kinetic energy after a time; `None` where the slip ends near it or goes on. The speed is
+    /// that of the centre, also where it is carried out of the surface.
     fn after(&self, (mut v, mut w): (f64, f64), time: f64) -> Option<[f64; 4]> {
         let (sine, cosine) = self.slope.sin_cos();
         let normal = self.mass * (G * cosine + self.out.1);
@@ -227,7 +228,8 @@ impl Ground {
             (v, w) = (v + a * rest, w + alpha * rest);
         }
         let out = self.out.0 + self.out.1 * time;
-        Some([v, w, x, 0.5 * self.mass * (v * v + out * out) + 0.5 * self.inertia * w * w])
+        let speed = v.hypot(out);
+        Some([speed, w, x, 0.5 * self.mass * speed * speed + 0.5 * self.inertia * w * w])
     }
 }
 
@@ -291,12 +293,8 @@ fn what_is_carried_moves_as_it_is_seen_from_the_ground() {
                 let up = if sense == "up" { 1.0 } else { -1.0 };
                 let Some([v, w, way, energy]) = ground.after((up * v0, up * w0), t1) else { continue };
                 compared[usize::from(line == "belt")] += 1;
-                let expected = [
-                    ("v", v.abs()),
-                    ("omega", w.abs()),
-                    ("displacement", up * way),
-                    ("kinetic_energy", energy),
-                ];
+                let expected =
+                    [("v", v), ("omega", w.abs()), ("displacement", up * way), ("kinetic_energy", energy)];
                 hold(&bank.problems[0], &[m, r, theta, u, a, mu, v0, w0, t1, G], &expected);
             }
         }
@@ -539,5 +537,110 @@ fn what_is_not_told_of_what_is_carried_is_refused() {
         let found = load::scenes_only(&text.replacen(old, new, 1), "refused.yaml").expect_err(new);
         let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
         assert!(lines.iter().any(|l| l.contains(message)), "{new}: {}", lines.join("\n"));
+    }
+}
+
+/// A block on a wedge in a lift: its speed is that of its centre, with what the lift adds beside its line.
+#[test]
+fn the_speed_of_a_block_counts_that_of_the_lift_beside_its_line() {
+    let (lift, own, theta): (f64, f64, f64) = (3.0, 2.0, 25.0);
+    let scene = |end: &str| {
+        format!(
+            "      surfaces: {{wedge: {{slope: theta}}}}
+      carried: {{along: vertical, speed: u, acceleration: A}}
+      bodies: {{load: {{mass: m, moves: along wedge, positive: down}}}}
+      start: {{load: {{speed: v0}}}}
+      end: {end}"
+        )
+    };
+    let data = [
+        ("m", "kg", 5.0),
+        ("theta", "deg", theta),
+        ("u", "m/s", lift),
+        ("A", "m/s^2", 1.5),
+        ("v0", "m/s", own),
+        ("t1", "s", 0.7),
+    ];
+    let out = theta.to_radians().cos();
+    let down = theta.to_radians().sin();
+    let then = own + G * down * 0.7;
+    let risen = lift + 1.5 * 0.7;
+    let after = |v: f64, u: f64| ("v", v.hypot(u * out));
+    let now = constants(&data[..5], &scene("at once"), "v");
+    hold(&now.problems[0], &[5.0, theta, lift, 1.5, own, G], &[after(own, lift)]);
+    let later = constants(&data, &scene("{time: {of: load, is: t1}}"), "v");
+    let energy = 2.5 * (then * then + risen * risen * out * out);
+    let expected = [after(then, risen), ("a", G * down), ("kinetic_energy", energy)];
+    hold(&later.problems[0], &[5.0, theta, lift, 1.5, own, 0.7, G], &expected);
+}
+
+/// Forces that grow with place tell no time, so not how far or how fast what carries the scene has come; the rest is told.
+#[test]
+fn what_grows_with_place_on_a_truck_tells_no_speed_from_the_ground() {
+    let grown = |question: &str| {
+        format!(
+            "bank: b
+title: b
+problems:
+  p:
+    title: p
+    data: {{d: {{name: way, unit: m, draw: always 2}}}}
+    scene:
+      surfaces: {{bed: level}}
+      carried: {{along: bed, acceleration: 1 m/s^2}}
+      bodies: {{load: {{mass: 4 kg, moves: along bed}}}}
+      ties: [cord: {{from: {{body: load, tied at: centre, leaves: forward}}, pulled with: 10 N, growing by: {{rate: 3 N/m, with: x}}}}]
+      start: at rest
+      end: {{travel: {{of: load, by: d}}}}
+    questions: {{q: {{quantity: {question}, ask: q}}}}
+"
+        )
+    };
+    // On the bed 4 a = 10 + 3 x - 4.
+    let known = bank(&grown("a"));
+    let solved = hold(&known.problems[0], &[2.0, G], &[("a", 4.0), ("normal", 4.0 * G)]);
+    assert!(solved.entries.iter().all(|e| !matches!(e.label.quantity, Quantity::V | Quantity::Displacement)));
+    for question in ["v", "displacement"] {
+        let found = load::scenes_only(&grown(question), "b.yaml").expect_err(question);
+        assert!(found.iter().any(|f| f.to_string().contains("does not exist")), "{found:?}");
+    }
+}
+
+/// A winch on a truck that brakes draws a crate up a ramp on its bed: what the axle bears takes the drum along, too.
+#[test]
+fn the_axle_of_a_winch_on_a_truck_bears_what_takes_the_drum_along() {
+    let (brake, slope): (f64, f64) = (-2.5, 20.0);
+    let (s, c) = slope.to_radians().sin_cos();
+    for (line, [right, up]) in [("horizontal", [brake, 0.0]), ("vertical", [0.0, brake])] {
+        let winch = constants(
+            &[("M", "kg", 8.0), ("m", "kg", 5.0), ("r", "m", 0.2), ("theta", "deg", slope), ("C", "N*m", 9.0)],
+            &format!(
+                "      surfaces: {{ramp: {{slope: theta}}}}
+      carried: {{along: {line}, acceleration: {brake} m/s^2}}
+      bodies:
+        drum: {{mass: M, shape: {{disc: r}}, moves: about a fixed axle}}
+        load: {{mass: m, moves: along ramp}}
+      ties: [cord: {{name: c, from: {{body: load, tied at: centre, leaves: forward}}, to: {{body: drum, wound on: rim, leaves: top back}}}}]
+      forces: [couple: {{on: drum, moment: C, sense: forward}}]
+      start: at rest
+      end: at once"
+            ),
+            "drum.pin_x",
+        );
+        // On the ramp: 5 a = T - 5 (g + A_y) s - 5 A_x c, and the drum 4 a = C/r - T.
+        let held = 5.0 * ((G + up) * s + right * c);
+        let a = (45.0 - held) / 9.0;
+        let tension = 45.0 - 4.0 * a;
+        assert!(tension > 0.0);
+        let (x, y) = (8.0 * right + tension * c, 8.0 * (G + up) + tension * s);
+        let expected = [
+            ("tension", tension),
+            ("load.a", a + right * c + up * s),
+            ("drum.pin_x", x),
+            ("drum.pin_y", y),
+            ("drum.pin_force", x.hypot(y)),
+            ("drum.pin_angle", y.atan2(x)),
+        ];
+        hold(&winch.problems[0], &[8.0, 5.0, 0.2, slope, 9.0, G], &expected);
     }
 }

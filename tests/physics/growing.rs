@@ -280,3 +280,65 @@ fn what_is_slowed_more_and_more_turns() {
         assert!(find(&at(late), "v").is_none(), "{late}");
     }
 }
+
+fn scene_of(scene: &str) -> Result<Solved, slipstick::solve::outcome::Refusal> {
+    let text = format!(
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene: {scene}\n    questions: {{q: {{quantity: B.a, ask: how fast}}}}\n    statement: s\n"
+    );
+    let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+    solve(&bank.problems[0].cases[0].scene, &[9.81])
+}
+
+/// A block that a load holds fast on its line while the wheel beside it, from whose lowest point the cord comes, runs away: the end that it
+/// would bring never comes, at whatever time or place.
+#[test]
+fn what_the_ties_hold_stays_beside_what_grows() {
+    for (growth, end) in [
+        ("2 N/s", "time: {of: B, is: 2 s}"),
+        ("{rate: 2 N/m, with: x}", "travel: {of: B, by: 1 m}"),
+        ("{rate: 2 N/m, with: x^1.5}", "travel: {of: B, by: 1 m}"),
+    ] {
+        for pull in [0.0, 12.0] {
+            let found = scene_of(&format!(
+                "{{surfaces: {{S: level}}, bodies: {{W: {{mass: 5 kg, shape: {{disc: 0.3 m}}, radii: {{rim: 0.3 m, hub: 0.1 m}}, moves: along S}}, B: {{mass: 4 kg, moves: along S}}}}, ties: [{{rolls: {{body: W, on its: rim}}}}, {{cord: {{name: c, from: {{body: B, tied at: centre, leaves: forward}}, to: {{body: W, wound on: rim, leaves: bottom back}}}}}}, {{cord: {{name: p, from: {{body: W, wound on: hub, leaves: top forward}}, pulled with: {pull:?} N, growing by: {growth}}}}}], start: at rest, end: {{{end}}}}}"
+            ));
+            let solved = found.unwrap_or_else(|e| panic!("{growth} {pull}: {e:?}"));
+            assert_eq!(solved.regime.word(), "balanced", "{growth} {pull}");
+            assert!(!solved.all_hold());
+            let label = solved.entries.iter().find(|e| e.label.quantity.name() == "a").map(|e| e.value());
+            assert!(label.is_some());
+            let moves = solved.checks.iter().find(|c| c.kind.name() == "moves").unwrap();
+            assert!(moves.available == 0.0, "nothing drives it: {moves:?}");
+        }
+    }
+}
+
+/// Forces that balance in the decimals that are printed, though not in doubles: what grows alone sets the block off.
+#[test]
+fn a_growing_force_sets_off_what_was_in_balance() {
+    let mut off = 0;
+    for mass in 1..60 {
+        // Up a slope of 30 degrees; m g sin 30 = 4.905 m.
+        let mass = f64::from(mass) / 10.0;
+        let pull = (4.905 * mass * 1e4).round() / 1e4;
+        for (growth, end, way) in [
+            ("6 N/s", "time: {of: B, is: 2 s}", 8.0 / mass),
+            ("{rate: 6 N/m, with: x}", "travel: {of: B, by: 2 m}", 2.0),
+        ] {
+            let solved = scene_of(&format!(
+                "{{surfaces: {{S: {{slope: 30 deg}}}}, bodies: {{B: {{mass: {mass:?} kg, moves: along S}}}}, ties: [{{cord: {{from: {{body: B, tied at: centre, leaves: forward}}, pulled with: {pull:?} N, growing by: {growth}}}}}], start: at rest, end: {{{end}}}}}"
+            ));
+            let solved = solved.unwrap_or_else(|e| panic!("{mass} {growth}: {e:?}"));
+            assert_eq!(solved.regime.word(), "moves_up", "{mass} {growth}");
+            assert!(solved.all_hold(), "{mass} {growth} {:?}", solved.checks);
+            let a = 12.0 / mass;
+            let v = if growth == "6 N/s" { a } else { (2.0 * a).sqrt() };
+            for (name, expected) in [("a", a), ("v", v), ("displacement", way)] {
+                let found = value(&solved, name);
+                assert!((found - expected).abs() < 1e-13 * expected, "{mass} {name}: {found}, {expected}");
+            }
+            off += 1;
+        }
+    }
+    assert!(off > 100);
+}

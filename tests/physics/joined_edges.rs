@@ -194,3 +194,32 @@ fn nothing_is_left_unused_beside_an_equilibrium() {
     let asked = told(&text("", "v"));
     assert!(asked.contains("with `end: equilibrium` only what holds at rest there is asked"), "{asked}");
 }
+
+/// A rod that lies along the rail in which both its ends are guided: where along the rail is not said, and nothing hangs on that.
+#[test]
+fn a_rod_along_its_rail_slides() {
+    for (direction, degrees) in [("horizontal", 0.0_f64), ("40 deg", 40.0)] {
+        let rod = |placed: &str| {
+            format!(
+                "
+bodies: {{rod: {{mass: 2 kg, shape: {{rod: 1 m}}, moves: in the plane, angle: from right{placed}}}}}
+joints:
+  A: {{guides: rod.A, along: {direction}}}
+  B: {{guides: rod.B, along: {direction}}}
+forces: [force: {{on: rod.B, magnitude: 5 N, direction: right}}]
+start: {{rod: {{angle: {degrees} deg}}}}
+end: at once
+"
+            )
+        };
+        let (s, c) = degrees.to_radians().sin_cos();
+        let along = (5.0 * c - 2.0 * 9.81 * s) / 2.0;
+        // Across the rail half of the weight each, and B the push.
+        let half = 9.81 * c;
+        let expected = [along * c, along * s, half, half + 5.0 * s, 0.0];
+        for placed in ["", ", placed: [0 m, 0 m]"] {
+            let found = told(&rod(placed), &["a_x", "a_y", "A.normal", "B.normal", "alpha"]);
+            all_near(&found, &expected, 1e-12);
+        }
+    }
+}

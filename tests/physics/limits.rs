@@ -3,8 +3,8 @@
 //! Earlier tests could not see these: random draws never balance, and the reference has each boundary only once.
 use crate::support;
 use slipstick::bank::load;
-use slipstick::scene::Quantity;
 use slipstick::scene::admissible::Rule;
+use slipstick::scene::{Label, Owner, Quantity};
 use slipstick::solve::agree::solve;
 use slipstick::solve::outcome::{Refusal, Solved};
 
@@ -399,5 +399,50 @@ fn half_a_period_leads_to_the_turning_point() {
         if let Some(told) = told {
             assert!((told.value() - period).abs() <= 1e-12 * period);
         }
+    }
+}
+
+/// A hoop is pulled and draws a disc behind it by a cord between their centres: with a growing pull both roll, then the hoop slips
+/// alone, for it needs twice the friction, then both slip. Of the ways in which they may touch the one that happens is found.
+#[test]
+fn of_two_contacts_that_touch_one_may_slip_alone() {
+    let text = |pull: f64| {
+        format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:
+      surfaces: {{floor: level}}
+      bodies:
+        disc: {{mass: 2 kg, shape: {{disc: 0.2 m}}, moves: along floor}}
+        hoop: {{mass: 2 kg, shape: {{hoop: 0.3 m}}, moves: along floor}}
+      ties:
+        - touches: {{body: disc, on its: rim, mu_s: 0.3, mu_k: 0.25}}
+        - touches: {{body: hoop, on its: rim, mu_s: 0.3, mu_k: 0.25}}
+        - cord: {{name: c, from: {{body: disc, tied at: centre, leaves: forward}}, to: {{body: hoop, tied at: centre, leaves: back}}}}
+        - cord: {{name: p, from: {{body: hoop, tied at: centre, leaves: forward}}, pulled with: {pull} N}}
+      start: at rest
+      end: at once
+    questions: {{q: {{quantity: hoop.a, ask: a}}}}\n"
+        )
+    };
+    let friction = 0.25 * 2.0 * 9.81;
+    for (pull, name, a) in [
+        (15.0, "rolls", 15.0 / 7.0),
+        (25.0, "hoop slips", (25.0 - friction) / 5.0),
+        (32.0, "hoop slips", (32.0 - friction) / 5.0),
+        (40.0, "slips", (40.0 - 2.0 * friction) / 4.0),
+    ] {
+        let bank = load::scenes_only(&text(pull), "test").unwrap_or_else(|f| panic!("{f:#?}"));
+        let cases = &bank.problems[0].cases;
+        let names: Vec<&str> = cases.iter().map(|c| c.name.as_str()).collect();
+        assert_eq!(names, ["rolls", "disc slips", "hoop slips", "slips"]);
+        let solved = cases.iter().map(|c| (c, solve(&c.scene, &[9.81]).unwrap()));
+        let found: Vec<_> = solved.filter(|(_, s)| s.all_hold()).collect();
+        let [(case, solved)] = found.as_slice() else { panic!("{pull}: {}", found.len()) };
+        assert_eq!(case.name, name, "{pull}");
+        for body in 0..2 {
+            let label = Label { quantity: Quantity::A, of: Owner::Body(body) };
+            let entry = solved.get(label).unwrap();
+            assert!((entry.value() - a).abs() < 1e-14 * a, "{pull}: {} {a}", entry.value());
+        }
+        assert!(solved.checks.iter().all(|c| c.ok), "{:?}", solved.checks);
     }
 }

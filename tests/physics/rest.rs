@@ -265,3 +265,26 @@ fn a_problem_may_declare_that_a_block_stays() {
         }
     }
 }
+
+/// A crate that is pushed just as hard as friction holds back goes on at its speed, whatever the doubles of the decimals leave.
+#[test]
+fn a_crate_that_is_pushed_as_friction_resists_keeps_its_speed() {
+    let mut gone = 0;
+    for step in 1..90 {
+        let mu = f64::from(step) / 100.0;
+        let push = (mu * 98.1 * 1e3).round() / 1e3;
+        let scene = format!(
+            "{{surfaces: {{S: level}}, bodies: {{B: {{mass: 10 kg, moves: along S}}}}, ties: [{{slides: {{body: B, mu_k: {mu:?}}}}}, {{cord: {{from: {{body: B, tied at: centre, leaves: forward}}, pulled with: {push:?} N}}}}], start: {{B: {{speed: 3 m/s}}}}, end: {{travel: {{of: B, by: 6 m}}}}}}"
+        );
+        let (_, solved) = solved(&format!("      {scene}"));
+        assert!(solved.all_hold(), "{mu}: {:?}", solved.checks);
+        for (name, expected) in [("a", 0.0), ("v", 3.0), ("t", 2.0), ("friction", -push)] {
+            let entry = solved.entries.iter().find(|e| e.label.quantity.name() == name).unwrap();
+            for found in [entry.value(), entry.energy.unwrap()] {
+                assert!((found - expected).abs() <= 1e-15 * expected.abs(), "{mu} {name}: {found}");
+            }
+        }
+        gone += 1;
+    }
+    assert!(gone > 80);
+}

@@ -218,6 +218,66 @@ fn constants_are_drawn_once_and_shown_as_solve_shows_them() {
     assert!(fine.out.contains("(2 draws)"), "{}{}", fine.out, fine.err);
 }
 
+/// What `lint` refuses of constants `solve` does not pass over: a question without an answer, a measurement with two.
+#[test]
+fn solve_says_what_is_not_answered() {
+    let room = Room::new();
+    let cart = |data: &str, more: &str, end: &str, question: &str| {
+        format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n      m: {{name: mass, unit: kg, draw: always 4}}\n{data}    scene:
+      surfaces: {{bed: level}}
+      bodies: {{B: {{mass: m, moves: along bed}}}}
+      {more}
+      end: {end}
+    questions: {{q: {question}}}
+    statement: '{{{{ m }}}} {{{{ t1 }}}} {{{{ g }}}}'
+"
+        )
+    };
+    let time = "      t1: {name: time, unit: s, draw: always 2}\n";
+    let pulled = "ties: [cord: {from: {body: B, tied at: centre, leaves: forward}, pulled with: 10 N}]\n      start: at rest";
+    let nothing = cart(time, pulled, "{time: {of: B, is: t1}}", "{value: m/0, unit: kg, ask: none}");
+    let solved = |text: &str| {
+        fs::write(room.path("bank.yaml"), text).unwrap();
+        room.run(&["solve", &room.path("bank.yaml"), "p"])
+    };
+    let said = solved(&nothing);
+    assert!(said.err.contains("question q has no answer with these data"), "{}", said.err);
+    let something = nothing.replace("m/0", "m/2");
+    assert_eq!(solved(&something).err, "");
+    // On the bed of a truck the way 2 m takes the same time whether the truck starts or brakes.
+    let measured = "      t1: {name: time, unit: s, draw: always 2, measured: t}\n      A: {name: acceleration, unit: m/s^2, unknown: -5 to 5 step 0.1}\n";
+    let truck = "carried: {along: bed, acceleration: A}\n      start: at rest";
+    let end = "{travel: {of: B, by: 2 m}}";
+    let two = cart(measured, truck, end, "{value: A, unit: m/s^2, ask: which}");
+    let refused = solved(&two);
+    assert_eq!(refused.exit, Exit::Faulty, "{}", refused.out);
+    assert!(refused.err.contains("only one value of `A`"), "{}", refused.err);
+    let one = solved(&two.replace("-5 to 5", "0.1 to 5"));
+    assert!(one.exit == Exit::Fine && one.out.contains("1.00000000000"), "{}{}", one.out, one.err);
+}
+
+/// The end by a length of cord needs the radius as a datum, and says so.
+#[test]
+fn a_cord_that_unwinds_from_a_constant_radius_names_the_radius() {
+    let room = Room::new();
+    let text = "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {L: {name: length, unit: m, draw: always 1}}\n    scene:
+      bodies: {D: {mass: 4 kg, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: about a fixed axle}}
+      ties: [cord: {name: c, from: {body: D, wound on: rim, leaves: front down}, pulled with: 9 N}]
+      start: at rest
+      end: {unwinds: {cord: c, by: L}}
+    questions: {omega: {ask: how fast, unit: rad/s}}
+    statement: '{{ L }} {{ g }}'
+";
+    fs::write(room.path("bank.yaml"), text).unwrap();
+    let refused = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+    assert!(
+        refused.err.contains("the radius on which the cord is wound, which is no datum"),
+        "{}",
+        refused.err
+    );
+}
+
 /// Every end of a motion: what is asked and how far it goes have units, whether it is reached or not.
 #[test]
 fn ends_are_told_with_their_units() {

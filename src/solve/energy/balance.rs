@@ -98,7 +98,10 @@ pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T
         Grows::Place => {
             let modes = speeds::modes(scene, n, Grip::Declared, &[]);
             let mode = modes.first()?;
-            (works_along(scene, n, mode, of) / mode.of(scene.ending_coordinate()) * extent).abs()
+            match mode.of(scene.ending_coordinate()) {
+                held if held.is_zero() => held,
+                lead => (works_along(scene, n, mode, of) / lead * extent).abs(),
+            }
         }
     };
     Some(n.massive(growth.rate) * growth.law.of(own, n.get(growth.unit)))

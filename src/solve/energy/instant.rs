@@ -5,7 +5,7 @@
 //! from the start through the ties, as in a scene that moves on.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::{Label, Numbers, Owner, Quantity, Scene, Start};
+use crate::scene::{Label, Numbers, Owner, Quantity, Scene, Start, speed};
 use crate::solve::energy::{balance, speeds};
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
@@ -22,9 +22,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     };
     for (b, body) in scene.bodies.iter().enumerate() {
         if body.line.is_some() {
-            let speed = n.bodies[b].carried.map(|[forward, _]| forward.speed);
-            let seen = speed.map_or(motion.v[b], |with| motion.v[b].balance(with));
-            say(Quantity::V, Owner::Body(b), seen.abs());
+            let seen = n.bodies[b].carried.map_or([motion.v[b], T::zero()], |[forward, out]| {
+                [motion.v[b].balance(forward.speed), out.speed]
+            });
+            say(Quantity::V, Owner::Body(b), speed(seen[0], seen[1]));
         }
         if body.spins() {
             say(Quantity::Omega, Owner::Body(b), motion.w[b].abs());

@@ -12,7 +12,7 @@
 //! rolling needs is what keeps the slip at rest, `-Q_s`.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::{Carried, Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
+use crate::scene::{Carried, Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown, speed};
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::energy::{balance, speeds};
@@ -183,8 +183,12 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     say(Quantity::Friction, own, friction.signed(up));
     if let Some((state, slid, rolled)) = &ended {
         say(Quantity::T, Owner::Scene, state.t);
-        let speed = |f: Carried<T>| plant!("energy: speed of the carrier of a thrown body", f.after(state.t));
-        say(Quantity::V, own, forward.map_or(state.v, |f| state.v.balance(speed(f))).abs());
+        let seen = numbers.carried.map_or([state.v, zero], |[forward, out]| {
+            let with = plant!("energy: speed of the carrier of a thrown body", forward.after(state.t));
+            let aside = out.after(state.t);
+            [state.v.balance(with), aside]
+        });
+        say(Quantity::V, own, speed(seen[0], seen[1]));
         say(Quantity::Omega, own, state.w.abs());
         say(Quantity::Displacement, own, forward.map_or(state.x, |f| state.x.balance(f.way(state.t))));
         say(Quantity::Rise, own, state.x * numbers.climb);

@@ -158,7 +158,9 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                     GivenForce::Pull(t) => scene.ties[t].actions().next().map_or_else(T::zero, along),
                     GivenForce::Couple(i) => moved(coordinate(scene.couples[i].body, Degree::Turn)),
                 };
-                (extent * own / moved(end)).abs()
+                // Where the ties hold that coordinate, no point gets anywhere with it.
+                let lead = moved(end);
+                if lead.is_zero() { T::zero() } else { (extent * own / lead).abs() }
             }
             _ => extent,
         };

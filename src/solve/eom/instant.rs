@@ -3,7 +3,7 @@
 //! over that velocity; no velocity ratio of the ties and no kinetic energy of a single body comes in.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start};
+use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start, speed};
 use crate::solve::eom::equations::{Setting, respond};
 use crate::solve::outcome;
 use crate::solve::outcome::{Grip, Refusal, Road, Said, Scope};
@@ -25,9 +25,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         for (c, velocity) in struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.body == b) {
             let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
             let carried = n.bodies[b].carried.filter(|_| c.degree == Degree::Along);
-            let seen = carried.map_or(*velocity, |[forward, _]| velocity.balance(forward.speed));
-            let scale = velocity.size() + carried.map_or(0.0, |[forward, _]| forward.speed.size());
-            say(quantity, Owner::Body(b), seen.abs(), scale);
+            let [with, aside] = carried.map_or([T::zero(); 2], |c| c.map(|part| part.speed));
+            let scale = velocity.size() + with.size() + aside.size();
+            say(quantity, Owner::Body(b), speed(velocity.balance(with), aside), scale);
             if c.degree == Degree::Turn && body.turns {
                 let spin = n.bodies[b].inertia * velocity.abs();
                 say(Quantity::AngularMomentum, Owner::Body(b), spin, spin.size());

@@ -17,7 +17,7 @@ use crate::num::plant::plant;
 use crate::num::{Fast, Real, trig};
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
-    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie,
+    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
@@ -186,6 +186,8 @@ struct Walk<'a, T: Real> {
     n: Numbers<'a, T>,
     end: Coordinate,
     spring: Option<Spring<T>>,
+    /// Do the forces at the start balance, so that nothing accelerates?
+    balanced: bool,
     /// Does a tension or a given force vary on the way?
     varies: bool,
     /// Where forces grow: the way of the ending coordinate, averaged over that growth.
@@ -389,10 +391,26 @@ impl<'a, T: Real> Walk<'a, T> {
             response = respond(scene, &n, &setting)?;
             ratio_column = response.last();
         }
+        // Forces that balance but for the last digits of what is printed balance: what is given, and what comes of the weights.
+        let accelerated = |r: &Response<T>| -> SmallVec<[T; 4]> {
+            scene.coordinates().map(|c| r.acceleration(c, CONSTANT)).collect()
+        };
+        let tiny = |c: Coordinate| {
+            c.degree == Degree::Turn
+                || response.acceleration(c, CONSTANT).size() * NEAR_BALANCE < n.gravity.size()
+        };
+        let alone = spring.is_none() && slipping.is_empty() && (grows || !scene.starts_from_rest());
+        let balanced = alone && scene.coordinates().all(tiny) && {
+            let mut weightless = n.clone();
+            weightless.gravity = T::zero();
+            let given = accelerated(&respond(scene, &weightless, &setting)?);
+            given.iter().zip(accelerated(&response)).all(|(given, a)| given.apart(*given - a).is_zero())
+        };
         Ok(Self {
             scene,
             n,
             end,
+            balanced,
             varies: spring.is_some() || grows,
             early: None,
             spring,
@@ -460,7 +478,10 @@ impl<'a, T: Real> Walk<'a, T> {
         self.at_tension(tension, |k| self.response.reaction(tie, k))
     }
     fn acceleration(&self, c: Coordinate, tension: T) -> T {
-        self.at_tension(tension, |k| self.response.acceleration(c, k))
+        self.at_tension(tension, |k| match k {
+            CONSTANT if self.balanced => T::zero(),
+            _ => self.response.acceleration(c, k),
+        })
     }
     /// Sense of "up the incline" for a body.
     fn up(&self, body: usize) -> f64 {
@@ -1009,8 +1030,13 @@ impl<'a, T: Real> Walk<'a, T> {
         let Some(pulls) = self.scene.axle_pulls(body) else { return };
         let (of, quantities) =
             (Owner::Body(body), [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle]);
-        let weight = plant!("eom: weight on an axle", self.n.bodies[body].mass * self.n.gravity);
-        let (mut x, mut y, mut size) = (T::zero(), weight, weight.size());
+        let mass = self.n.bodies[body].mass;
+        let weight = plant!("eom: weight on an axle", mass * self.n.gravity);
+        // What carries the axle takes its body along.
+        let carried = self.n.carried.unwrap_or([T::zero(); 2]);
+        let taken = carried.map(|a| plant!("eom: force that takes an axle along", mass * a));
+        let (mut x, mut y) = (taken[0], weight.balance(taken[1]));
+        let mut size = weight.size() + taken[0].size() + taken[1].size();
         for (t, aim) in pulls {
             let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
             let pull = match cord.to {
@@ -1040,6 +1066,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Everything at the ending event.
     fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
         let (s, u) = (state.s, state.u);
+        let zero = T::zero();
         let mut energy = T::zero();
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         let (mut turning, mut whole) = (T::zero(), T::zero());
@@ -1058,17 +1085,19 @@ impl<'a, T: Real> Walk<'a, T> {
                 let mut v = (ratio * u).signed(sense);
                 let mut moved = (plant!("eom: displacement of the centre", ratio) * s).signed(sense);
                 let mut sizes = [v.size(), moved.size()];
+                let mut aside = zero;
                 if let Some([forward, out]) = n.carried {
                     let (with, way) = (forward.after(state.time), forward.way(state.time));
+                    aside = out.after(state.time);
                     v = v.balance(plant!("eom: speed of the carrier", with));
                     moved = moved.balance(way);
                     sizes = [sizes[0] + with.size(), sizes[1] + way.size()];
-                    energy = energy + (n.mass * out.after(state.time).square()).scale2(-1);
+                    energy = energy + (n.mass * aside.square()).scale2(-1);
                     let a = self.acceleration(c, tension).balance(forward.acceleration);
                     work = work.balance(n.mass * a * moved);
                     work = work.balance(n.mass * out.acceleration * out.way(state.time));
                 }
-                self.say_scaled(Quantity::V, Owner::Body(b), v.abs(), sizes[0]);
+                self.say_scaled(Quantity::V, Owner::Body(b), speed(v, aside), sizes[0] + aside.size());
                 self.say_scaled(Quantity::Displacement, Owner::Body(b), moved, sizes[1]);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);

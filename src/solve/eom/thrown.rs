@@ -12,7 +12,7 @@
 use crate::num::Real;
 use crate::num::ode::{Count, Formula, Run, Trouble};
 use crate::num::plant::plant;
-use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
+use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown, speed};
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, respond};
 use crate::solve::eom::{STEPS, couple_on};
 use crate::solve::method::Rung;
@@ -208,17 +208,15 @@ pub fn road_by<T: Real>(
             state.v.balance(plant!("eom: speed of the carrier of a thrown body", f.after(state.t)))
         });
         let carried = forward.map_or(zero, |f| f.way(state.t));
-        say(Quantity::V, own, v.abs(), size(state.v) + size(v - state.v));
+        let aside = numbers.carried.map_or(zero, |[_, out]| out.after(state.t));
+        say(Quantity::V, own, speed(v, aside), size(state.v) + size(v - state.v) + size(aside));
         say(Quantity::Omega, own, state.w.abs(), size(state.w));
         let way = (size(v0) + size(state.v)) * size(state.t);
         let moved = forward.map_or(state.x, |_| state.x.balance(carried));
         say(Quantity::Displacement, own, moved, way + size(carried));
         say(Quantity::Rise, own, state.x * numbers.climb, way * size(numbers.climb));
         say(Quantity::Phi, own, state.phi.abs(), size(state.phi));
-        let mut moving = numbers.mass * v.square();
-        if let Some([_, out]) = numbers.carried {
-            moving = moving + numbers.mass * out.after(state.t).square();
-        }
+        let moving = numbers.mass * (v.square() + aside.square());
         let turning = numbers.inertia * state.w.square();
         let energy = (moving + plant!("eom: energy of a turning body", turning)).scale2(-1);
         say(Quantity::KineticEnergy, Owner::Scene, energy, size(energy));
