@@ -718,7 +718,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 this.found(a_label, a, per.clone());
             }
         };
-        if self.slip.is_some() {
+        if self.slip.is_some() || self.rates_alone() {
             accelerated(self);
             return Ok(());
         }

@@ -224,7 +224,8 @@ pub fn not_given(draft: &mut Draft) {
         page.say("asked.unknown", &[("name", &*name), ("measured", &told), ("equation", &equation)]);
         match backward(&page, forward, measured, unknown) {
             Some(lines) => {
-                page.say("asked.backward", &[]);
+                page.begin("backward");
+                page.say("asked.backward", &[("measured", &told), ("name", &name)]);
                 let lines: Vec<String> = lines.iter().map(|(symbol, is)| page.chain(*symbol, is)).collect();
                 page.formulas(lines);
             }

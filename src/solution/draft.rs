@@ -333,6 +333,20 @@ impl<'a> Draft<'a> {
         asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
     }
 
+    /// Are forces and accelerations that stay the same all that is asked of a motion?
+    pub fn rates_alone(&self) -> bool {
+        use Quantity as Q;
+        let s = self.scene;
+        let asked = asked::needed(s, self.problem);
+        let rate = |q| {
+            matches!(q, Q::A | Q::Alpha | Q::Friction | Q::FrictionIfRolled | Q::MuRequired | Q::Normal)
+                || matches!(q, Q::Tension | Q::RimForce | Q::Direction | Q::Rolls)
+                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinAngle)
+        };
+        let steady = s.end != End::AtOnce && s.spring().is_none() && s.growths.is_empty();
+        self.as_if.is_none() && steady && s.thrown().is_none() && asked.iter().all(|l| rate(l.quantity))
+    }
+
     /// Is this label asked?
     pub fn asks_label(&self, label: Label) -> bool {
         self.problem.questions.iter().any(|q| q.label == label)

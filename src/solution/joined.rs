@@ -51,7 +51,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             End::Time(..) => "joined.idea_time",
             _ => "pinned.idea_speed",
         };
-        self.say(name, &[]);
+        if !self.t.measured() {
+            self.say(name, &[]);
+        }
         if self.t.scene.is_still() || self.rubs() {
             return;
         }
@@ -60,7 +62,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             self.say("pinned.idea_pin", &[("pin", &pin)]);
             return;
         }
-        self.say("joined.idea_one", &[]);
+        self.say(if self.t.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
         let kinds: [(&str, IsKind); 5] = [
             ("pin", |k| matches!(k, JointKind::Pin { .. })),
             ("hinge", |k| matches!(k, JointKind::Hinge { .. })),
@@ -87,7 +89,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         } else if self.instant() {
             self.motion("short", "one_motion")?;
             self.t.begin_as("why", "which");
-            self.say("joined.why_instant", &[]);
+            self.say(if self.t.moves { "joined.why_instant" } else { "joined.why_at_rest" }, &[]);
         } else if self.rubs() {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
@@ -185,12 +187,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
         let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
         if moving && !self.inertia.is_zero() && !rotation.is_zero() {
-            let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
-            let percent = self.t.digits(percent, 2);
-            self.say("limits.spin", &[("percent", &percent)]);
-            if self.t.first == ZERO && percent != "100" {
-                let light = self.t.symbols.value(self.t.rate)
-                    / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
+            let share = self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
+            let several = !self.single();
+            self.t.page.say_share(share, several);
+            if self.t.first == ZERO && self.t.digits(100.0 * share, 2) != "100" {
+                let light = self.t.symbols.value(self.t.rate) / (1.0 - share).sqrt();
                 let fast = self.t.rough(light, "rad/s");
                 let shown = self.t.shown(self.t.rate);
                 if !matches!(self.t.scene.end, End::Speed(..)) {
@@ -249,6 +250,10 @@ impl<'d, 'a> Joined<'d, 'a> {
     }
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
         self.t.page.say(name, pieces);
+    }
+    /// Does nothing turn?
+    fn points(&self) -> bool {
+        self.t.bodies.iter().all(|b| b.alpha.is_none())
     }
     fn joint(&self, is: IsKind) -> bool {
         self.t.scene.joints.iter().any(|j| is(&j.kind))
@@ -352,7 +357,11 @@ impl<'d, 'a> Joined<'d, 'a> {
                 self.t.stated(self.t.bodies[b].v, &is)
             })
             .collect();
-        let name = if self.single() { "joined.speed" } else { "joined.speeds" };
+        let name = match (self.single(), self.t.scene.drifts()) {
+            (true, Some(_)) => "joined.speed_drifts",
+            (true, None) => "joined.speed",
+            _ => "joined.speeds",
+        };
         self.say(name, &[("speeds", &moving.join(", "))]);
         let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
         self.t.tell(named);
@@ -392,7 +401,17 @@ impl<'d, 'a> Joined<'d, 'a> {
         let needed: Vec<SymbolId> =
             self.t.steps[placed..acted].iter().map(|s| s.symbol).filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
-            self.say(if self.single() { "joined.ways" } else { "joined.ways_sinking" }, &[]);
+            let needs = |quantity: fn(&Expr) -> bool| needed.iter().any(|s| quantity(&self.t.from(*s)));
+            let angles = needs(|from| from.uses().len() > 1 && matches!(from, Expr::Quotient(..)));
+            let notes = [
+                ("joined.in_radians", angles),
+                ("joined.of_springs", !self.t.springs.is_empty()),
+                ("joined.sinking", !self.single()),
+            ];
+            let notes = notes.into_iter().filter(|(_, there)| *there);
+            let notes: Vec<String> = notes.map(|(note, _)| self.t.phrase(note, &[])).collect();
+            let notes = if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) };
+            self.say("joined.ways", &[("notes", &notes)]);
             // A stretch comes after the lengths that it takes.
             let free = self.t.springs.is_empty();
             let short = |s: &SymbolId| free && width(&self.t.step_of(*s)) <= WITHIN;
@@ -657,6 +676,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         let there =
             if self.instant() || pieces.is_some() && !self.t.springs.is_empty() { "" } else { "_there" };
         let name = match (pieces.is_some(), self.radial()) {
+            (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
             (true, true) => "pinned.senses",
             (true, false) => "pinned.plane_senses",
@@ -669,7 +689,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {
-            self.say("joined.demands", &[]);
+            self.say(if self.points() { "joined.point_demands" } else { "joined.demands" }, &[]);
             let lines: Vec<String> = demands.iter().map(|(l, r)| self.t.equation(l, r)).collect();
             self.t.formulas(lines);
         }
@@ -772,7 +792,8 @@ impl<'d, 'a> Joined<'d, 'a> {
         } else {
             self.t.phrase("joined.forces_of_joints", &[])
         };
-        self.t.compare(what, [&newton, &energy], Some("joined.ties"), Some(&forces));
+        let ties = if self.single() { "joined.ties_one" } else { "joined.ties" };
+        self.t.compare(what, [&newton, &energy], Some(ties), Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
     }

@@ -38,6 +38,8 @@ enum Short {
     Together,
     /// Velocities and forces of an instant.
     Instant,
+    /// Forces and accelerations alone are asked: no place, speed or time is needed.
+    Rates,
 }
 
 /// Velocity, spin, displacement and angle of a thrown body at the end of a leg.
@@ -78,7 +80,8 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     n.begin("forces");
     n.skip_new();
     n.forces()?;
-    n.begin("rest");
+    let measured = n.scene.formulas.found.is_some();
+    n.begin_as("rest", if measured { "measured" } else { "rest" });
     n.skip_new();
     for label in asked::needed(n.scene, n.problem) {
         if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
@@ -132,7 +135,9 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let short = match end {
         End::AtOnce => Short::Instant,
         _ if account.slip.is_some() => Short::Neither,
-        _ if stays || !account.m.one => Short::Together,
+        _ if stays => Short::Together,
+        _ if account.rates_alone() => Short::Rates,
+        _ if !account.m.one => Short::Together,
         _ if !rolled.is_empty() && alone => Short::Neither,
         _ if !rolled.is_empty() => Short::Together,
         End::Time(..) => Short::Motion,
@@ -300,8 +305,9 @@ pub fn as_if(
 
 /// Is there a difference in it, which may have either sign?
 fn subtracts(e: &Expr) -> bool {
-    let less = |t: &&Expr| matches!(t, Expr::Minus(_));
-    matches!(e, Expr::Sum(_)) && e.parts().iter().any(less) || e.parts().into_iter().any(subtracts)
+    let less = |t: &&&Expr| matches!(t, Expr::Minus(_));
+    let minus = e.parts().iter().filter(less).count();
+    matches!(e, Expr::Sum(_)) && (1..e.parts().len()).contains(&minus) || e.parts().into_iter().any(subtracts)
 }
 
 /// What friction rolling would need on a contact that is said to slip.
@@ -366,8 +372,12 @@ stands_on!(Narrator.t: Account<'d, 'a>);
 impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     fn idea(&mut self) {
         let spring = self.spring.is_some();
+        let found = self.measured();
         let name = match (self.short, self.scene.end) {
+            _ if found => "idea.found",
             (Short::Instant, _) => "idea.instant",
+            (Short::Rates, _) if self.slips() => "idea.rates_slip",
+            (Short::Rates, _) => "idea.rates",
             (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
             (Short::Neither, End::Rolling(_)) => "thrown.idea",
@@ -378,8 +388,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
-        self.say(name, &[]);
-        if matches!(self.short, Short::Energy | Short::Motion) {
+        if !found {
+            self.say(name, &[]);
+        }
+        if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
             let ties =
                 [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
@@ -431,6 +443,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 Ok(())
             }
             Short::Instant => self.instant(),
+            Short::Rates => {
+                self.motion("short")?;
+                self.begin_as("why", "which");
+                self.say("why.rates", &[]);
+                Ok(())
+            }
         }
     }
     fn forces(&mut self) -> Result<(), DerivationStop> {
@@ -550,14 +568,16 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     fn onward(&self) -> &'static str {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
+        let level = self.scene.bodies.iter().all(|b| b.line.is_none_or(|l| l.slope == Slope::Level));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
         let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         match () {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
-            () if self.short == Short::Neither => "onward.slips",
+            () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
             () if self.spring.is_some() => "onward.spring",
+            () if wheel && pulled && level => "onward.spool",
             () if wheel && pulled => "onward.pulled",
             () if wheel => "onward.wheel",
             () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
@@ -585,6 +605,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
     fn formula(&mut self, tex: String) {
         self.t.page.formula(tex);
+    }
+    fn slips(&self) -> bool {
+        self.m.parts.iter().any(|p| p.slips)
     }
     fn forced(&self) -> bool {
         self.short != Short::Instant || self.forces_asked()
@@ -880,12 +903,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let title = match (id, self.short) {
             (_, Short::Instant) => "motion",
             ("long", _) => "long_motion",
-            (_, Short::Neither | Short::Together) => "one_motion",
+            (_, Short::Neither | Short::Together | Short::Rates) => "one_motion",
             _ => "short_motion",
         };
         self.begin_as(id, title);
         let first = self.short == Short::Instant
-            || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
+            || id == "short" && matches!(self.short, Short::Motion | Short::Energy)
+            || self.short == Short::Rates && !self.slips();
         self.tell_ratios();
         if let Some(slip) = self.slip {
             self.slip_at_start(slip)?;
@@ -917,7 +941,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
         }
-        if self.short == Short::Neither {
+        if self.short == Short::Neither || self.short == Short::Rates && self.slips() && self.m.one {
             return match (self.scene.thrown(), self.slip) {
                 (Some(thrown), Some(slip)) => self.legs(&thrown, slip),
                 _ => self.two_freedoms(),
@@ -1017,7 +1041,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     fn say_senses(&mut self) {
-        self.say("motion.senses", &[]);
+        let both = self.m.parts.iter().filter(|p| p.a.is_some() && p.alpha.is_some());
+        let ahead: Vec<bool> = both.map(|p| self.value(&p.along.times(&p.turn).expr()) >= 0.0).collect();
+        let wheels = !ahead.is_empty() && ahead.iter().all(|a| *a);
+        self.say(if wheels { "motion.senses" } else { "motion.senses_alone" }, &[]);
+        if self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some()) {
+            self.say("motion.senses_axle", &[]);
+        }
         let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
         if slopes && !self.rolling().is_empty() && self.short != Short::Neither {
             self.say("motion.other_sign", &[]);
@@ -1054,6 +1084,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         ];
         let pieces: Vec<(&str, &str)> = pieces.iter().map(|(n, t)| (*n, t.as_str())).collect();
         match self.scene.end {
+            _ if self.short == Short::Rates => {}
             End::Time(..) if self.spring.is_some() => {}
             End::Time(..) => {
                 let grown: Vec<SymbolId> = self.grown.iter().map(|g| g.last).chain(self.first_rate).collect();
@@ -1097,7 +1128,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if value == 0.0 {
             return Err(Beyond::Unfound.into());
         }
-        self.say("thrown.slip", &[]);
+        let c = self.scene.thrown().map(|t| self.number(t.radius_m, "R", "m"));
+        let c = c.map_or_else(String::new, |c| self.tex(&c));
+        self.say("thrown.slip", &[("c", &c)]);
         self.tell([slip]);
         let size = self.sized(slip);
         self.ends_as(of_body(Quantity::SlipSpeed, body), size);
@@ -1277,7 +1310,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (fall, mass, own) =
             (self.share_sum(&[ForceKind::Given]), self.m.parts[body].mass.clone(), self.inertia_of(body));
         let level = fall == ZERO;
-        self.begin_as("long", "slip_energy");
+        self.begin_as("long", "momentum");
         self.say(if level { "thrown.momentum_level" } else { "thrown.momentum" }, &[]);
         let spun = |w: &Expr, v: &Expr| own.by(w) + mass.times(c).by(v);
         let half = ratio(1, 2);
@@ -1335,6 +1368,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
         }
         self.skip_new();
+        if self.short == Short::Rates {
+            return Ok(());
+        }
         let v = self.get(self.of_lead(Quantity::V, Quantity::Omega))?;
         if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
             // v^2 = 2 a d, with the acceleration as it was found.
@@ -1618,7 +1654,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;
         let level = self.spring.as_ref().is_some_and(|s| !s.rigid) && self.value(&self.drive) == 0.0;
-        if !turns || level {
+        if !turns || level || self.short == Short::Rates {
             return Ok(());
         }
         self.skip_new();
@@ -1685,14 +1721,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
-        if !self.spins() || !moving || self.value(&self.v) == 0.0 {
+        if !self.spins() || !moving || self.value(&self.v) == 0.0 || self.short == Short::Rates {
             return Ok(());
         }
         self.skip_new();
         let share = self.get(of_scene(Quantity::RotationalFraction))?;
-        let percent = self.digits(100.0 * self.symbols.value(share), 2);
+        let share = self.symbols.value(share);
         self.skip_new();
-        self.say("limits.spin", &[("percent", &percent)]);
+        let several = self.m.parts.len() > 1;
+        self.t.page.say_share(share, several);
         Ok(())
     }
 }

@@ -2,6 +2,7 @@
 //! sentences, wide ones on lines of their own.
 use crate::num::linear::Linear;
 use crate::num::shown;
+use crate::scene::Num;
 use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, positive_first};
 use crate::solution::factors::{Cancel, Sum};
@@ -241,6 +242,21 @@ impl<'d, 'a> Page<'d, 'a> {
             None => self.say("why.no_reaction", &[]),
         }
         self.say("why.energy", &[("few", &few), ("k", &energy.len().to_string())]);
+    }
+    /// The share of the kinetic energy that rotation has.
+    pub fn say_share(&mut self, share: f64, several: bool) {
+        let percent = self.digits(100.0 * share, 2);
+        if percent != "100" {
+            self.say(if several { "limits.spin_many" } else { "limits.spin" }, &[("percent", &percent)]);
+        }
+    }
+    /// Says what is looked for where an answer was measured; `false` where none was.
+    pub fn measured(&mut self) -> bool {
+        let Some(found) = self.scene.formulas.found else { return false };
+        let [name, measured] = [found.unknown.datum, found.measured.datum].map(|datum| self.number(Num::Datum(datum), "x", "1"));
+        let (name, measured) = (self.inline(&name), self.valued(&measured, "1"));
+        self.say("idea.found", &[("name", &name), ("measured", &measured)]);
+        true
     }
     /// A number with so many figures, as it is printed.
     pub fn digits(&self, value: f64, figures: usize) -> String {
