@@ -33,6 +33,13 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
         }
     }
     all.extend(scene.formulas.found.map(|f| f.label));
+    let mut before = Vec::new();
+    all.retain(|l| {
+        !before.contains(l) && {
+            before.push(*l);
+            true
+        }
+    });
     all
 }
 

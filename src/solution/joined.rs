@@ -49,11 +49,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             End::Leaves(_) => "joined.idea_leaves",
             End::Angle(..) => "pinned.idea",
             End::Time(..) => "joined.idea_time",
+            End::TurningPoint(_) => "pinned.idea_turning",
             _ => "pinned.idea_speed",
         };
         if !self.t.measured() {
             self.say(name, &[]);
         }
+        let carrier = self.t.carrier.clone();
+        self.t.page.say_carried(carrier.as_ref());
         if self.t.scene.is_still() || self.rubs() {
             return;
         }
@@ -143,7 +146,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         self.tell_values(values);
         Ok(())
     }
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+    fn is_grounded(&self, _: Quantity) -> bool {
+        false
+    }
+    fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         self.t.get(label)
     }
     fn before(&mut self, label: Label) {
@@ -185,7 +191,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
     }
     fn limits(&mut self) -> Result<(), DerivationStop> {
         let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
-        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
+        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0 && self.t.carrier.is_none();
         if moving && !self.inertia.is_zero() && !rotation.is_zero() {
             let share = self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
             let several = !self.single();
@@ -195,7 +201,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
                 let fast = self.t.rough(light, "rad/s");
                 let shown = self.t.shown(self.t.rate);
                 if !matches!(self.t.scene.end, End::Speed(..)) {
-                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
+                    let name = if several { "joined.massless" } else { "joined.massless_one" };
+                    self.say(name, &[("fast", &fast), ("rate", &shown)]);
                 }
             }
         }
@@ -793,7 +800,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             self.t.phrase("joined.forces_of_joints", &[])
         };
         let ties = if self.single() { "joined.ties_one" } else { "joined.ties" };
-        self.t.compare(what, [&newton, &energy], Some(ties), Some(&forces));
+        self.t.compare(what, [&newton, &energy], &[ties], Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
     }
@@ -905,6 +912,7 @@ impl<'d, 'a> Joined<'d, 'a> {
     fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
         let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
         let Some(pivot) = self.t.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
+        let before = self.t.steps.len();
         for label in &asked {
             let symbol = self.t.get(*label)?;
             self.t.answer(*label, DerivedAnswer::Value(symbol));
@@ -912,9 +920,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         self.t.skip_new();
         let held = asked.iter().any(|l| l.quantity != Quantity::Alpha);
         let solved = self.t.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));
-        let first = self.t.steps.iter().position(|s| self.t.accelerations().contains(&s.symbol));
-        let later: Vec<SymbolId> = self.t.steps[first.unwrap_or(0)..].iter().map(|s| s.symbol).collect();
-        let later = later.into_iter().filter(|s| !pivot.force.contains(s));
+        let later: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
         self.say("pinned.forces", &[("angle", &self.angle(END))]);
         self.t.tell(solved.chain(later).collect::<Vec<_>>());
         if held && pivot.radial {
@@ -936,6 +942,7 @@ impl<'d, 'a> Joined<'d, 'a> {
     fn pendulum(&self) -> Option<Pivot> {
         let s = self.t.scene;
         let alone = s.couples.is_empty() && s.pushes.is_empty() && s.struts.is_empty();
+        let alone = alone && s.end != End::Equilibrium;
         self.t.pivot.clone().filter(|_| alone)
     }
 

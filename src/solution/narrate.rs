@@ -2,7 +2,8 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Made, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Quantity, Slope, Span, Thrown,
+    Tie,
 };
 use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
@@ -15,7 +16,7 @@ use crate::solution::joined::Joined;
 use crate::solution::page::{Page, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
-use crate::solution::terms::{Action, ForceKind, ForceSource, Particles};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, relative, tagged};
 use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
@@ -59,8 +60,10 @@ pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 
     fn ways(&mut self) -> Result<(), DerivationStop>;
     /// Forces that are asked.
     fn forces(&mut self) -> Result<(), DerivationStop>;
-    /// A quantity, looked up or derived.
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
+    /// Is this another quantity as it is seen from the ground?
+    fn is_grounded(&self, quantity: Quantity) -> bool;
+    /// A quantity, looked up or derived, as it is asked.
+    fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
     /// What is said before a quantity that is asked besides.
     fn before(&mut self, label: Label);
     /// Is what was assumed so?
@@ -83,14 +86,18 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     let measured = n.scene.formulas.found.is_some();
     n.begin_as("rest", if measured { "measured" } else { "rest" });
     n.skip_new();
-    for label in asked::needed(n.scene, n.problem) {
-        if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
-            n.before(label);
-            let symbol = n.get(label)?;
-            n.answer(label, DerivedAnswer::Value(symbol));
+    let (ground, own): (Vec<Label>, Vec<Label>) =
+        asked::needed(n.scene, n.problem).into_iter().partition(|l| n.is_grounded(l.quantity));
+    for labels in [own, ground] {
+        for label in labels {
+            if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
+                n.before(label);
+                let symbol = n.asked(label)?;
+                n.answer(label, DerivedAnswer::Value(symbol));
+            }
         }
+        n.tell_new();
     }
-    n.tell_new();
     n.begin("holds");
     n.holds()?;
     n.begin("limits");
@@ -109,9 +116,6 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.carried.is_some() {
-        return Err(Beyond::Carried.into());
-    }
     if draft.scene.lead().is_some() {
         return tell(&mut Joined::new(draft)?);
     }
@@ -363,6 +367,8 @@ struct Narrator<'d, 'a> {
     still_slips: bool,
     /// Are the ratios of displacements on the page?
     ratios_told: bool,
+    /// Has it been said what is seen from the ground?
+    grounded: bool,
     /// What is said of contacts that are taken as rolling.
     rolled: Vec<SolutionSection>,
 }
@@ -391,6 +397,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         if !found {
             self.say(name, &[]);
         }
+        let carrier = self.m.carrier.clone();
+        self.t.page.say_carried(carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
             let ties =
@@ -404,8 +412,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 }
             }
             if !cords.is_empty() {
-                let what = if cords.iter().all(|t| self.is_cord(*t)) { "cords" } else { "rims" };
-                self.say(&format!("idea.{what}"), &[]);
+                let loads = |t: usize| matches!(&self.scene.ties[t], Tie::Cord(c) if c.made == Made::Rests);
+                let what = match () {
+                    () if cords.iter().all(|t| self.is_cord(*t)) => "cords",
+                    () if cords.iter().all(|t| loads(*t)) => "loads",
+                    () => "rims",
+                };
+                let one = what == "cords" && cords.len() == 1;
+                self.say(&if one { "idea.cord".to_owned() } else { format!("idea.{what}") }, &[]);
                 if self.short == Short::Energy {
                     let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
                     self.say(&format!("idea.idle_{what}"), &[("forces", &self.names(&forces))]);
@@ -422,6 +436,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
             Short::Energy => {
                 self.energy();
+                self.t.grow_up();
                 self.motion("long")?;
                 self.why();
                 Ok(())
@@ -475,7 +490,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.acceleration();
-            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
+            let even = self.grown.is_empty() && self.straight();
+            let place = matches!(self.scene.end, End::Travel(..)) && even;
             let back = place && self.short == Short::Energy && self.v0 == ZERO;
             let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
             let by = self.stated(a, &in_sense(by, self.sense));
@@ -491,12 +507,18 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         }
         Ok(())
     }
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        self.t.get(label)
+    fn is_grounded(&self, quantity: Quantity) -> bool {
+        self.t.is_grounded(quantity)
+    }
+    fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.t.asked(label)
     }
     fn before(&mut self, label: Label) {
+        if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
+            self.say("carried.ground", &[]);
+        }
         let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-        let even = self.m.one && self.v0 == ZERO && self.spring.is_none();
+        let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
             self.say("forces.mean", &[]);
         }
@@ -549,7 +571,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
             return Ok(());
         }
-        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
+        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty() {
             self.massless_limit();
             self.balance_limit();
         }
@@ -596,6 +618,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             gone: Vec::new(),
             still_slips: false,
             ratios_told: false,
+            grounded: false,
             rolled: Vec::new(),
         }
     }
@@ -717,7 +740,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega)).ok();
+        let v = self.t.of_lead(Quantity::V, Quantity::Omega);
+        let v = self.get(v).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
             let kept = self.steps.split_off(at.unwrap_or(0));
@@ -726,6 +750,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.tell_as_known(normals);
             self.tell_new();
             self.steps.extend(kept);
+        }
+        let grown: Vec<SymbolId> =
+            self.grown.iter().filter_map(|g| Some([g.last, g.mean?])).flatten().collect();
+        if !grown.is_empty() {
+            self.say("energy.grows", &[]);
+            self.tell(grown);
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
@@ -791,7 +821,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
                 _ => self.formula(line),
             }
-            if self.symbols.value(gamma) > 1.0 && !spring {
+            let ahead = self.value(&self.m.point(&action).per(&action.along).expr()) > 0.0;
+            if !ahead && !spring {
+                self.say("energy.ratio_against", &[]);
+            } else if self.symbols.value(gamma) > 1.0 && !spring {
                 self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
             }
         }
@@ -864,7 +897,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
-            let _ = self.get(of_body(Quantity::VMax, self.lead().body));
+            let body = self.lead().body;
+            let _ = self.get(of_body(Quantity::VMax, body));
             self.say("energy.fastest", &[]);
             self.tell_new();
         }
@@ -1091,12 +1125,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 if grown.is_empty() {
                     self.say("motion.over_time", &pieces);
                 } else {
-                    self.say("motion.grows", &[]);
+                    let even = self.scene.law() == Some(Law::EVEN);
+                    self.say(if even { "motion.grows" } else { "motion.grows_power" }, &[]);
                     self.tell(grown);
-                    self.say("motion.over_time_grows", &pieces);
-                    if self.turns_back {
-                        self.say("thrown.turns_back", &[]);
-                    }
+                    self.say(if even { "motion.over_time_grows" } else { "motion.over_time_power" }, &pieces);
                 }
                 // What comes after the acceleration.
                 let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
@@ -1105,9 +1137,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 self.tell_new();
             }
             End::AtOnce => {}
-            _ if self.spring.is_some() => self.say("motion.integral_spring", &pieces),
+            _ if again && (self.spring.is_some() || !self.grown.is_empty()) => {
+                self.say("motion.integral_spring", &pieces);
+            }
             _ if again => self.say("motion.integral", &pieces),
             _ => {}
+        }
+        let magnitudes = self.short == Short::Energy && self.sense < 0.0;
+        if again && magnitudes {
+            self.say("motion.signed", &[]);
         }
     }
 
@@ -1130,7 +1168,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let c = self.scene.thrown().map(|t| self.number(t.radius_m, "R", "m"));
         let c = c.map_or_else(String::new, |c| self.tex(&c));
-        self.say("thrown.slip", &[("c", &c)]);
+        let (u, v) = (self.free(&["u", "w"]), tagged("v", &relative(self, "")));
+        self.say("thrown.slip", &[("u", &u), ("v", &v), ("c", &c)]);
         self.tell([slip]);
         let size = self.sized(slip);
         self.ends_as(of_body(Quantity::SlipSpeed, body), size);
@@ -1150,7 +1189,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let tex = self.free(&["u", "w"]);
         let rate = self.find(&[&format!(r"\dot{{{tex}}}")], "m/s^2", a - &c * alpha);
         let closes = self.symbols.value(rate) * sense < 0.0;
-        self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[]);
+        self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[("u", &tex)]);
         let asked = match self.scene.end {
             End::Time(_, t) => Some(self.number(t, "t_1", "s")),
             _ => None,
@@ -1185,9 +1224,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.value(&v0) * self.symbols.value(first.v) < 0.0 {
             self.say("thrown.turns_back", &[]);
         }
-        let left = spins.map_or(ZERO, |_| self.find(&["u_1", "w_1"], "m/s", slip + rate * &slid).into());
+        let left =
+            spins.map_or(ZERO, |_| self.find(&[&format!("{tex}_1")], "m/s", slip + rate * &slid).into());
         let mean = in_sense(slip + left, sense);
-        self.say("thrown.heat", &[]);
+        self.say("thrown.heat", &[("u", &tex)]);
         let distance = self.find(&["l", r"\ell", r"\lambda"], "m", mean.by(&slid).by(ratio(1, 2)));
         let mu_k = self.number(thrown.mu_k, r"\mu_k", "1");
         let heat = self.find(&["Q", "Q_f"], "J", mu_k * normal * distance);
@@ -1282,10 +1322,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let tex = n.free(names);
             if mark.is_empty() { tex } else { marked(&tex, mark) }
         };
-        let (tex, spin_tex) = (name(self, &["v", "v_G"]), name(self, &[r"\omega", r"\Omega"]));
+        let own = ["v", "v_G", "x", "x_G"].map(|n| tagged(n, &relative(self, "")));
+        let (tex, spin_tex) = (name(self, &[&own[0], &own[1]]), name(self, &[r"\omega", r"\Omega"]));
         let v = self.find(&[&tex], "m/s", v);
         let w = self.find(&[&spin_tex], "rad/s", spin.unwrap_or_else(|| v / c));
-        let tex = name(self, &["x", "x_G"]);
+        let tex = name(self, &[&own[2], &own[3]]);
         let x = self.find(&[&tex], "m", x);
         self.tell_new();
         let tex = name(self, &[r"\phi", r"\varphi", r"\psi"]);
@@ -1371,7 +1412,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.short == Short::Rates {
             return Ok(());
         }
-        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega))?;
+        let v = self.t.of_lead(Quantity::V, Quantity::Omega);
+        let v = self.get(v)?;
         if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
@@ -1437,8 +1479,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("why.neither", &[("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)]);
         } else {
             let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
-            let gone = (!self.gone.is_empty()).then(|| self.names(&reactions));
-            self.t.page.compare(what, [&newton, &energy], tied.then_some("why.ties"), gone.as_deref());
+            let gone = (!reactions.is_empty()).then(|| self.names(&reactions));
+            let more: Vec<&str> = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")]
+                .into_iter()
+                .filter_map(|(is, name)| is.then_some(name))
+                .collect();
+            self.t.page.compare(what, [&newton, &energy], &more, gone.as_deref());
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
@@ -1510,12 +1556,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let whole = lever.expr();
             let force = self.inline(&action.force);
             let name = match action.source {
+                _ if self.value(&whole) == 0.0 => "friction.none",
                 _ if subtracts(&whole) => "friction.changes",
                 ForceSource::Weight(_) => "friction.weight",
                 _ => "friction.force",
             };
             let sense = self.way(body, self.value(&(whole.clone() * self.size(action.force.clone()))));
-            let factor = self.inline(&whole);
+            let factor = if name == "friction.none" { self.tex(&whole) } else { self.inline(&whole) };
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
     }
@@ -1538,7 +1585,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             }
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
-            let push = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
+            let push = self.at_start(&self.share_sum(&[ForceKind::Given]));
+            let push = positive_first([in_sense(push, self.sense)]);
             let hold = (mu * n) * self.magnitude(self.m.ratio(along)).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
@@ -1654,7 +1702,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;
         let level = self.spring.as_ref().is_some_and(|s| !s.rigid) && self.value(&self.drive) == 0.0;
-        if !turns || level || self.short == Short::Rates {
+        if !turns || level || !self.grown.is_empty() || self.short == Short::Rates {
             return Ok(());
         }
         self.skip_new();
@@ -1721,7 +1769,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
-        if !self.spins() || !moving || self.value(&self.v) == 0.0 || self.short == Short::Rates {
+        if self.m.carrier.is_some()
+            || !self.spins()
+            || !moving
+            || self.value(&self.v) == 0.0
+            || self.short == Short::Rates
+        {
             return Ok(());
         }
         self.skip_new();

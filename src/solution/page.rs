@@ -7,6 +7,7 @@ use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, positive_first};
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::terms::Carrying;
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
 
@@ -230,11 +231,12 @@ impl<'d, 'a> Page<'d, 'a> {
         &mut self,
         what: SymbolId,
         [newton, energy]: [&[SymbolId]; 2],
-        ties: Option<&str>,
+        ties: &[&str],
         gone: Option<&str>,
     ) {
         let (what, many, few) = (self.names(&[what]), self.names(newton), self.names(energy));
-        let ties = ties.map_or_else(String::new, |ties| self.phrase(ties, &[]));
+        let ties: String = ties.iter().map(|ties| self.phrase(ties, &[])).collect();
+        let ties = ties.replace(",,", ",");
         let n = newton.len().to_string();
         self.say("why.newton", &[("what", &what), ("many", &many), ("n", &n), ("ties", &ties)]);
         match gone {
@@ -250,10 +252,19 @@ impl<'d, 'a> Page<'d, 'a> {
             self.say(if several { "limits.spin_many" } else { "limits.spin" }, &[("percent", &percent)]);
         }
     }
+    /// From where it all is seen, if something carries it.
+    pub fn say_carried(&mut self, carrier: Option<&Carrying>) {
+        let Some(Carrying { speed, acceleration, .. }) = carrier else { return };
+        let [speed, acceleration] = [speed, acceleration].map(|e| self.inline(e));
+        let steady = carrier.is_some_and(|c| c.acceleration == ZERO);
+        let name = if steady { "carried.steady" } else { "carried.apparent" };
+        self.say(name, &[("speed", &speed), ("acceleration", &acceleration)]);
+    }
     /// Says what is looked for where an answer was measured; `false` where none was.
     pub fn measured(&mut self) -> bool {
         let Some(found) = self.scene.formulas.found else { return false };
-        let [name, measured] = [found.unknown.datum, found.measured.datum].map(|datum| self.number(Num::Datum(datum), "x", "1"));
+        let [name, measured] =
+            [found.unknown.datum, found.measured.datum].map(|datum| self.number(Num::Datum(datum), "x", "1"));
         let (name, measured) = (self.inline(&name), self.valued(&measured, "1"));
         self.say("idea.found", &[("name", &name), ("measured", &measured)]);
         true

@@ -18,7 +18,7 @@ use crate::solution::expr::{
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{self, tagged};
+use crate::solution::terms::{self, Carrying, tagged};
 use crate::solution::written::width;
 
 /// The start, and the place that is asked.
@@ -267,6 +267,8 @@ pub struct Plane<'d, 'a> {
     /// The place of which forces are told: at the start for blows, else [`END`].
     here: usize,
     g: Expr,
+    /// What carries it all.
+    pub carrier: Option<Carrying>,
 }
 
 stands_on!(Plane.page: Page<'d, 'a>);
@@ -283,6 +285,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return beyond() };
         let g = terms::gravity(draft);
+        let carrier = Carrying::of(draft);
         let mut page = Page::new(draft);
         let rate = page.unknown("?", "rad/s");
         let mut this = Self {
@@ -315,6 +318,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             blow: None,
             here: END,
             g,
+            carrier,
         };
         this.first = this.start_rate();
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
@@ -491,14 +495,18 @@ impl<'d, 'a> Plane<'d, 'a> {
             let inertia = terms::inertia(self, body, &mass, &g, &tag);
             let planar = body.planar.as_ref();
             let centre = planar.map_or(ZERO, |p| self.length(i, &tag, p.centre)).factors();
-            let a = ["x", "y"].map(|way| self.named(&[&tagged("a", &format!("{tag}{way}"))], "m/s^2"));
+            let a = ["x", "y"].map(|way| {
+                let below = terms::relative(self, &format!("{tag}{way}"));
+                self.named(&[&tagged("a", &below)], "m/s^2")
+            });
             let named = |this: &mut Self, names: [&str; 2], unit| {
                 let names = names.map(|n| tagged(n, &own));
                 body.turns.then(|| this.named(&[&names[0], &names[1]], unit))
             };
             let alpha = named(self, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
             let omega = named(self, [r"\omega", r"\Omega"], "rad/s");
-            let v = [tagged("v", if several { &tag } else { "G" }), tagged("u", &tag)];
+            let below = terms::relative(self, if several { &tag } else { "G" });
+            let v = [tagged("v", &below), tagged("u", &below)];
             let v = self.named(&[&v[0], &v[1]], "m/s");
             let name = names::body_within(self.words, scene, i);
             self.bodies.push(PlaneBody {
@@ -812,7 +820,18 @@ impl<'d, 'a> Plane<'d, 'a> {
             });
             each.sum()
         };
-        Some(if miss(way) <= miss(-way) { way } else { -way }.to_degrees())
+        let (ahead, behind) = (miss(way), miss(-way));
+        if (ahead - behind).abs() > NOTHING {
+            return Some(if ahead < behind { way } else { -way }.to_degrees());
+        }
+        // Both alike: the sense in which weights and apparent forces set it off.
+        let moving = self.poses(0.0, false)?;
+        let [x, y] = numbers.carried.unwrap_or_default();
+        let powers = self.bodies.iter().zip(&moving).map(|(it, pose)| {
+            let v = pose.point([self.value(&it.centre.expr()), 0.0]).map(|v| v.first);
+            -self.value(&it.mass.expr()) * (v[0] * x + v[1] * (y + numbers.gravity))
+        });
+        Some((way * powers.sum::<f64>().signum()).to_degrees())
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -1176,6 +1195,20 @@ impl<'d, 'a> Plane<'d, 'a> {
                         }
                     };
                     self.works.push(weight.by(&fall));
+                }
+            }
+        }
+        if let Some(carrier) = self.carrier.clone().filter(|c| c.acceleration != ZERO) {
+            for body in 0..self.bodies.len() {
+                let force = self.bodies[body].mass.times(&carrier.acceleration);
+                let (unit, centre) = (carrier.direction.each_ref().map(|e| e.factors()), self.centre(body));
+                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
+                let pull = self.pull(body, &centre, force.clone(), against, None);
+                self.pulls.push(pull);
+                if !still {
+                    let way = dot(&centre, &unit);
+                    let back = self.at(&way, START).plus(&self.at(&way, END).opposite());
+                    self.works.push(force.by(back.expr()));
                 }
             }
         }
@@ -1993,7 +2026,12 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let is = self.component(pivot, i);
                     self.page.step(a, is);
                 }
-                a
+                let with = self.carrier.as_ref().map_or(ZERO, |c| &c.acceleration * c.direction[i].clone());
+                if with == ZERO {
+                    return Ok(a);
+                }
+                let way = tagged("a", &format!("{}{}", self.bodies[b].tag, ["x", "y"][i]));
+                new(self, [&way, &tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
                 let centre = self.centre(b);

@@ -61,10 +61,8 @@ macro_rules! beyond {
     };
 }
 beyond! {
-    Carried "carried";
     GrowingForce "growing_force";
     Mechanism "mechanism";
-    Resting "resting";
     Unfound "unfound";
 }
 
