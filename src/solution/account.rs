@@ -8,9 +8,11 @@ use crate::solution::expr::{
     root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
+use crate::solution::narrate::Short;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{Action, BodyTerms, Carrying, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::text::SolutionSection;
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -91,6 +93,20 @@ pub struct Account<'d, 'a> {
     pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
+    /// Which way comes first.
+    pub short: Short,
+    /// The rows as they are numbered.
+    pub rows: Vec<(Coordinate, usize)>,
+    /// The reactions that have been eliminated.
+    pub gone: Vec<Eliminated>,
+    /// Does a thrown body still slip at the time that is asked?
+    pub still_slips: bool,
+    /// Are the ratios of displacements on the page?
+    pub ratios_told: bool,
+    /// Has it been said what is seen from the ground?
+    pub grounded: bool,
+    /// What is said of contacts that are taken as rolling.
+    pub supposed: Vec<SolutionSection>,
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
@@ -220,6 +236,13 @@ impl<'d, 'a> Account<'d, 'a> {
             first_rate: None,
             slip: None,
             rolled,
+            short: Short::Instant,
+            rows: Vec::new(),
+            gone: Vec::new(),
+            still_slips: false,
+            ratios_told: false,
+            grounded: false,
+            supposed: Vec::new(),
             known: Vec::new(),
             seen: Vec::new(),
             solving: Vec::new(),
@@ -408,7 +431,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.m.inertia(c).into_iter().map(move |i| i.times(&square))
             })
             .collect();
-        gathered(&terms)
+        gathered(Sum::of(terms).terms())
     }
 
     /// A new quantity.

@@ -5,15 +5,15 @@ use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Quantity, Slope, Span, Thrown,
     Tie,
 };
-use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
+use crate::solution::account::{Account, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::joined::Joined;
 use crate::solution::page::{Page, WITHIN};
+use crate::solution::plane::Plane;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, relative, tagged};
@@ -28,7 +28,7 @@ const DRIVING: [ForceKind; 3] = [ForceKind::Given, ForceKind::Spring, ForceKind:
 
 /// Which way comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Short {
+pub enum Short {
     /// Work and energy: the question goes from a place to a speed, or from a speed to a place.
     Energy,
     /// Equations of motion: the question goes over a time.
@@ -53,7 +53,7 @@ struct LegEnd {
 }
 
 /// What a solution says of a kind of scene. The order is one for all: [`tell`].
-pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 'a>>> {
+pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     /// What to look at, and what need not be known.
     fn idea(&mut self);
     /// The short way, the long one, and why the one is shorter.
@@ -117,7 +117,7 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.lead().is_some() {
-        return tell(&mut Joined::new(draft)?);
+        return tell(&mut Plane::new(draft)?);
     }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return particles(draft);
@@ -147,9 +147,8 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         End::Time(..) => Short::Motion,
         _ => Short::Energy,
     };
-    let mut n = Narrator::new(account, short);
-    n.rolled = rolled;
-    tell(&mut n)
+    (account.short, account.supposed) = (short, rolled);
+    tell(&mut account)
 }
 
 /// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
@@ -280,14 +279,13 @@ pub fn as_if(
     how: AsIf,
     labels: &[Label],
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
-    let mut account = Account::new(draft, None)?;
-    account.arrive()?;
-    let mut n = Narrator::new(account, Short::Instant);
+    let mut n = Account::new(draft, None)?;
+    n.arrive()?;
     n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
     n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
     n.write_rows();
     n.tell_ratios();
-    let a = n.acceleration();
+    let a = n.rate();
     if n.m.one {
         let right = n.effective.by(a);
         let line = n.equation(&n.share_sum(&DRIVING), &right);
@@ -322,11 +320,11 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(None);
     }
-    let account = Account::new(draft, Some(tie))?;
-    let mut n = Narrator::new(account, Short::Neither);
+    let mut n = Account::new(draft, Some(tie))?;
+    n.short = Short::Neither;
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
-    let closed = if n.m.one { n.t.closed_friction(body) } else { None };
+    let closed = if n.m.one { n.closed_friction(body) } else { None };
     let needed = match (closed, n.m.force_of(tie)) {
         (Some(closed), Some(f)) => n.found(friction, f, closed.expr()),
         _ => {
@@ -356,26 +354,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     Ok(Some(std::mem::replace(&mut n.out, SolutionSection::new("", ""))))
 }
 
-/// Who words the sections, one after the other.
-struct Narrator<'d, 'a> {
-    t: Account<'d, 'a>,
-    short: Short,
-    /// The rows as they are numbered.
-    rows: Vec<(Coordinate, usize)>,
-    gone: Vec<Eliminated>,
-    /// Does a thrown body still slip at the time that is asked?
-    still_slips: bool,
-    /// Are the ratios of displacements on the page?
-    ratios_told: bool,
-    /// Has it been said what is seen from the ground?
-    grounded: bool,
-    /// What is said of contacts that are taken as rolling.
-    rolled: Vec<SolutionSection>,
-}
-
-stands_on!(Narrator.t: Account<'d, 'a>);
-
-impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
+impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
     fn idea(&mut self) {
         let spring = self.spring.is_some();
         let found = self.measured();
@@ -398,7 +377,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             self.say(name, &[]);
         }
         let carrier = self.m.carrier.clone();
-        self.t.page.say_carried(carrier.as_ref());
+        self.page.say_carried(carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
             let ties =
@@ -428,7 +407,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         }
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        let rolled = std::mem::take(&mut self.rolled);
+        let rolled = std::mem::take(&mut self.supposed);
         self.end();
         self.draft.sections.extend(rolled);
         let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
@@ -436,7 +415,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
             Short::Energy => {
                 self.energy();
-                self.t.grow_up();
+                self.grow_up();
                 self.motion("long")?;
                 self.why();
                 Ok(())
@@ -485,11 +464,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
         if sprung {
-            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
+            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.rate()]);
             self.forget(at_end.collect::<Vec<_>>());
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-            let a = self.acceleration();
+            let a = self.rate();
             let even = self.grown.is_empty() && self.straight();
             let place = matches!(self.scene.end, End::Travel(..)) && even;
             let back = place && self.short == Short::Energy && self.v0 == ZERO;
@@ -508,10 +487,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         Ok(())
     }
     fn is_grounded(&self, quantity: Quantity) -> bool {
-        self.t.is_grounded(quantity)
+        Account::is_grounded(self, quantity)
     }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        self.t.asked(label)
+        Account::asked(self, label)
     }
     fn before(&mut self, label: Label) {
         if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
@@ -609,25 +588,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     }
 }
 
-impl<'d, 'a> Narrator<'d, 'a> {
-    fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self {
-            t,
-            short,
-            rows: Vec::new(),
-            gone: Vec::new(),
-            still_slips: false,
-            ratios_told: false,
-            grounded: false,
-            rolled: Vec::new(),
-        }
-    }
-    // As those of the account and the page; named here so that what they are given may look at the narrator.
+impl<'d, 'a> Account<'d, 'a> {
+    // As those of the page; named here so that what they are given may look at the account.
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.t.page.say(name, pieces);
+        self.page.say(name, pieces);
     }
     fn formula(&mut self, tex: String) {
-        self.t.page.formula(tex);
+        self.page.formula(tex);
     }
     fn slips(&self) -> bool {
         self.m.parts.iter().any(|p| p.slips)
@@ -636,7 +603,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.short != Short::Instant || self.forces_asked()
     }
     fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
-        self.t.page.tell(symbols);
+        self.page.tell(symbols);
     }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
@@ -650,7 +617,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.m.speed(self.lead()).unwrap_or(SymbolId(0))
     }
     /// The acceleration of the lead.
-    fn acceleration(&self) -> SymbolId {
+    fn rate(&self) -> SymbolId {
         self.m.acceleration(self.lead()).unwrap_or(SymbolId(0))
     }
 
@@ -740,7 +707,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.t.of_lead(Quantity::V, Quantity::Omega);
+        let v = self.of_lead(Quantity::V, Quantity::Omega);
         let v = self.get(v).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
@@ -953,7 +920,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if first || self.short == Short::Together && self.m.one {
             self.tell_frictions();
         }
-        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
+        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.still())
             && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
         {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
@@ -968,7 +935,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
             let law = &s.stiffness * (&s.stretch - s.gamma.by(s_now));
-            if !self.t.still() {
+            if !self.still() {
                 self.say("motion.spring", &[("law", &self.stated(s.tension, &law))]);
             }
         }
@@ -983,7 +950,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let gone = if self.m.one { self.elimination().ok() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
-        let a = self.acceleration();
+        let a = self.rate();
         let from: Vec<String> = gone
             .iter()
             .map(|g| {
@@ -1096,7 +1063,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.rows = rows.filter_map(|((c, ..), n)| Some(((*c)?, n))).collect();
         let plain =
             all.into_iter().map(|(name, rows)| (name, rows.into_iter().map(|(_, l, r)| (l, r)).collect()));
-        self.t.page.rows(&plain.collect::<Vec<_>>());
+        self.page.rows(&plain.collect::<Vec<_>>());
     }
 
     fn number_of(&self, c: Coordinate) -> String {
@@ -1105,7 +1072,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// From the acceleration to the speed, or to the distance.
     fn integrate(&mut self, again: bool) {
-        let a = self.acceleration();
+        let a = self.rate();
         let v = self.speed();
         let gain = ratio(1, 2) * (square(&self.v) - square(&self.v0));
         let pieces = [
@@ -1278,7 +1245,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let level = rolling == ZERO;
         self.say(if level { "thrown.roll_level" } else { "thrown.roll" }, &[]);
         let f = self.get(of_body(Quantity::Friction, body))?;
-        let [a_tex, f_tex] = [self.acceleration(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
+        let [a_tex, f_tex] = [self.rate(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
         let a = self.find(&[&a_tex], "m/s^2", rolling);
         let back = -f64::from(self.m.parts[body].up);
         let f = self.find(&[&f_tex], "N", if level { ZERO } else { in_sense(j.by(a), back) });
@@ -1412,7 +1379,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.short == Short::Rates {
             return Ok(());
         }
-        let v = self.t.of_lead(Quantity::V, Quantity::Omega);
+        let v = self.of_lead(Quantity::V, Quantity::Omega);
         let v = self.get(v)?;
         if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
             // v^2 = 2 a d, with the acceleration as it was found.
@@ -1484,7 +1451,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 .into_iter()
                 .filter_map(|(is, name)| is.then_some(name))
                 .collect();
-            self.t.page.compare(what, [&newton, &energy], &more, gone.as_deref());
+            self.page.compare(what, [&newton, &energy], &more, gone.as_deref());
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
@@ -1687,7 +1654,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         };
         self.say("holds.taut_spring", &[("t", &least)]);
         if self.scene.span == Span::ToTurningPoint
-            && let Ok((slack, true)) = self.t.turning_or_slack()
+            && let Ok((slack, true)) = self.turning_or_slack()
         {
             self.say("holds.goes_slack", &[("s", &self.valued(&self.positive(&slack), "m"))]);
         }
@@ -1782,7 +1749,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let share = self.symbols.value(share);
         self.skip_new();
         let several = self.m.parts.len() > 1;
-        self.t.page.say_share(share, several);
+        self.page.say_share(share, several);
         Ok(())
     }
 }

@@ -269,6 +269,8 @@ pub struct Plane<'d, 'a> {
     g: Expr,
     /// What carries it all.
     pub carrier: Option<Carrying>,
+    /// `J` of `1/2 J q'^2`.
+    pub moving: Sum,
 }
 
 stands_on!(Plane.page: Page<'d, 'a>);
@@ -319,6 +321,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             here: END,
             g,
             carrier,
+            moving: Sum::default(),
         };
         this.first = this.start_rate();
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;

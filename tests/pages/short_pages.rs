@@ -266,7 +266,7 @@ fn what_stays_at_rest_is_worked() {
         let text = room.read(&format!("out/{student}/solution.md"));
         assert!(!text.contains(words.get("solution.title.beyond")), "{text}");
         still += text.matches(words.get("solution.idea.stays")).count();
-        moving += text.matches(words.get("solution.title.short_energy")).count();
+        moving += text.matches(words.get("solution.idea.rates")).count();
     }
     assert!(still > 10 && moving > 0 && still + moving == 20, "{still} {moving}");
 }
