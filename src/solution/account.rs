@@ -1514,6 +1514,11 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.m.parts[c.body].a.is_some() && !self.m.parts[c.body].along.is_zero() {
             self.get(of_body(Quantity::A, c.body))?;
         }
+        // Another one may have taken all equations together.
+        let label = self.label_of_tie(tie);
+        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
+            return Ok(*symbol);
+        }
         let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
         let from = self.solved(c, symbol)?;
         self.solving.pop();

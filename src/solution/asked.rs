@@ -232,7 +232,7 @@ pub fn not_given(draft: &mut Draft) {
         match backward(&page, forward, measured, unknown) {
             Some(lines) => {
                 page.begin("backward");
-                page.say("asked.backward", &[("measured", &told), ("name", &name)]);
+                page.say("asked.backward", &[]);
                 let lines: Vec<String> = lines.iter().map(|(symbol, is)| page.chain(*symbol, is)).collect();
                 page.formulas(lines);
             }
