@@ -909,6 +909,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let (a_label, v_label) =
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
         if self.spring.is_some() && self.scene.end != End::AtOnce {
+            // Where ties give no velocity ratios the swing is not known from the lead alone.
+            if !self.m.one {
+                return beyond(Beyond::Unfound);
+            }
             return self.arrive_on_spring(a, v);
         }
         let per = self.drive.over(&self.effective);
