@@ -341,10 +341,8 @@ impl<'d, 'a> Account<'d, 'a> {
     /// value. What turns back on its way is not drawn.
     fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
         let start = self.first_acceleration();
-        let (a_label, v_label) =
-            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
-        let per = self.drive.over(&self.effective);
-        self.found(a_label, a, per);
+        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
+        self.accelerate();
         let h = self.halves();
         let [first, last] = [start, a].map(Expr::from);
         let end = &self.v0 + weighed([(&first, (h, h + 2)), (&last, (2, h + 2))]).by(t);
@@ -897,6 +895,16 @@ impl<'d, 'a> Account<'d, 'a> {
         self.s = symbol.into();
     }
 
+    /// The acceleration of the lead, of forces that grow at the end.
+    pub fn accelerate(&mut self) {
+        if let (Some(a), true) = (self.m.acceleration(self.lead()), self.m.one) {
+            let per = self.drive.over(&self.effective);
+            let last =
+                self.grown.iter().fold(per, |per, g| per.put(g.mean.unwrap_or(g.last), &g.last.into()));
+            self.found(self.of_lead(Quantity::A, Quantity::Alpha), a, last);
+        }
+    }
+
     /// The motion up to its end: displacement, speed, acceleration of the lead.
     ///
     /// # Errors
@@ -906,8 +914,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
             return beyond(Beyond::Unfound);
         };
-        let (a_label, v_label) =
-            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             // Where ties give no velocity ratios the swing is not known from the lead alone.
             if !self.m.one {
@@ -915,14 +922,8 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             return self.arrive_on_spring(a, v);
         }
-        let per = self.drive.over(&self.effective);
-        let accelerated = |this: &mut Self| {
-            if this.m.one {
-                this.found(a_label, a, per.clone());
-            }
-        };
         if self.slip.is_some() || self.rates_alone() {
-            accelerated(self);
+            self.accelerate();
             return Ok(());
         }
         match self.scene.end {
@@ -941,20 +942,14 @@ impl<'d, 'a> Account<'d, 'a> {
                 let gained = if self.m.one { twice.over(&self.effective) } else { twice.expr() };
                 self.found(v_label, v, root(square(&self.v0) + gained));
                 self.v = v.into();
-                let mut last = per.clone();
-                for g in &self.grown {
-                    last = last.put(g.mean.unwrap_or(g.last), &g.last.into());
-                }
-                if self.m.one {
-                    self.found(a_label, a, last);
-                }
+                self.accelerate();
             }
             End::Time(_, t) => {
                 let t = self.number(t, "t", "s");
                 if !self.grown.is_empty() {
                     return self.arrive_grown(&t, a, v);
                 }
-                accelerated(self);
+                self.accelerate();
                 let end = &self.v0 + a * &t;
                 let end = self.positive(&end);
                 self.found(v_label, v, end);
@@ -964,27 +959,27 @@ impl<'d, 'a> Account<'d, 'a> {
             End::Speed(_, u) => {
                 let names = if self.straight() { ("v_1", "m/s") } else { (r"\omega_1", "rad/s") };
                 let u = self.number(u, names.0, names.1);
-                accelerated(self);
+                self.accelerate();
                 self.found(v_label, v, u.clone());
                 self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
                 self.v = u;
             }
             End::TurningPoint(_) => {
-                accelerated(self);
+                self.accelerate();
                 self.found(v_label, v, ZERO);
                 self.new_way(-(square(&self.v0) / (number(2) * a)));
                 self.v = ZERO;
             }
             End::AtOnce if !self.m.one || self.m.parts.iter().any(|p| p.slips) => {
                 self.velocities_together()?;
-                accelerated(self);
+                self.accelerate();
             }
             End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {
                 let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
                 if self.spring.is_none() {
-                    accelerated(self);
+                    self.accelerate();
                 }
             }
         }

@@ -216,6 +216,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.springs.is_empty() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
+            _ if self.scene.drifts().is_some() => "joined.onward_drifts",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
         }

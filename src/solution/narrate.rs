@@ -7,7 +7,7 @@ use crate::scene::{
 };
 use crate::solution::account::{Account, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
-use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
@@ -280,7 +280,11 @@ pub fn as_if(
     labels: &[Label],
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
     let mut n = Account::new(draft, None)?;
-    n.arrive()?;
+    if labels.iter().all(|l| is_rate(l.quantity)) {
+        n.accelerate();
+    } else {
+        n.arrive()?;
+    }
     n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
     n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
     n.write_rows();
