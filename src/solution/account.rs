@@ -4,8 +4,8 @@ use crate::num::linear::Linear;
 use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, power, ratio,
-    root, square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, length, magnitude, number, positive_first,
+    power, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
@@ -835,17 +835,6 @@ impl<'d, 'a> Account<'d, 'a> {
         self.known.push((label, symbol));
     }
 
-    /// The magnitude of a quantity: itself, or under bars where it is negative.
-    pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {
-        if self.symbols.value(symbol) >= 0.0 {
-            return symbol;
-        }
-        let name = format!(r"\left|{}\right|", self.symbols.tex(symbol));
-        let size = self.symbols.unknown_like(&name, symbol);
-        self.symbols.settle_by(size, &magnitude(symbol));
-        size
-    }
-
     /// A quantity that is not among the terms.
     fn new_found(&mut self, label: Label, from: Expr) -> SymbolId {
         let tag = self.tag_of(label);
@@ -992,21 +981,11 @@ impl<'d, 'a> Account<'d, 'a> {
         -force.over(&per)
     }
 
-    /// A quantity of the swing on a spring, each once.
-    fn swung(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
-        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
-        known.unwrap_or_else(|| {
-            let symbol = self.new_symbol(names, unit);
-            self.step(symbol, from);
-            symbol
-        })
-    }
-
     /// Angular frequency of the swing on a spring.
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(spring.gamma.squared());
         let frequency = root(per.over(&self.effective));
-        self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
+        self.page.find_once(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
     /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
@@ -1015,7 +994,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return self.get(of_scene(Quantity::XEq));
         }
         let middle = self.rest_under(spring, &self.drive);
-        Ok(self.swung(&[r"x_{\mathrm{m}}"], "m", middle))
+        Ok(self.page.find_once(&[r"x_{\mathrm{m}}"], "m", middle))
     }
 
     /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
@@ -1028,7 +1007,7 @@ impl<'d, 'a> Account<'d, 'a> {
         } else {
             root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
         };
-        let amplitude = self.swung(&["A", "B"], "m", amplitude);
+        let amplitude = self.page.find_once(&["A", "B"], "m", amplitude);
         Ok([frequency.into(), rest.into(), amplitude.into()])
     }
 
@@ -1071,7 +1050,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let slack = if spring.rigid { None } else { self.slackened(&spring)? };
                 match slack.filter(|(time, _)| self.value(time) < self.value(&t)) {
                     Some((time, speed)) => {
-                        let left = self.swung(&[r"\Delta t"], "s", &t - time);
+                        let left = self.page.find_once(&[r"\Delta t"], "s", &t - time);
                         let first = spring.stretch.over(&spring.gamma);
                         let coast = &self.drive / &self.effective;
                         let more = in_sense(speed, self.sense) * left + ratio(1, 2) * coast * square(left);
@@ -1097,7 +1076,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Some(x1) => x1,
             None => match self.stretch_at(&self.s.clone()) {
                 ZERO => ZERO,
-                from => self.swung(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
+                from => self.page.find_once(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
             },
         };
         let squares = square(&spring.stretch) - square(&last);
@@ -1140,10 +1119,11 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(None);
         }
         let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
-        let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
+        let time = self.page.find_once(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
         let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
-        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(square(&self.v0) + work / &self.effective));
+        let speed =
+            self.page.find_once(&[r"v_{\mathrm{s}}"], "m/s", root(square(&self.v0) + work / &self.effective));
         Ok(Some((time.into(), speed.into())))
     }
 
@@ -1374,11 +1354,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
         if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
             let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
-            let force = root(square(x) + square(y));
-            return Ok(match quantity {
-                Quantity::PinForce => force,
-                _ => in_sense(arc_cosine(x / force), self.symbols.value(y)),
-            });
+            return Ok(if quantity == Quantity::PinForce { length(x, y) } else { self.angle_of(x, y) });
         }
         let upright = quantity == Quantity::PinY;
         let mut terms = Vec::new();

@@ -172,11 +172,7 @@ pub fn expression<V: Copy + PartialEq>(
 
 /// An angle in degrees as one in radians, where it is one.
 fn radians(draft: &mut Draft, angle: Expr, degrees: bool) -> Expr {
-    if !degrees {
-        return angle;
-    }
-    let half = draft.symbols.given(r"180^\circ", 180.0, "180", "", true);
-    angle * draft.pi() / half
+    if degrees { draft.radians(angle) } else { angle }
 }
 
 /// A number of a formula: whole, or a decimal, which is its own symbol.

@@ -264,6 +264,12 @@ impl<'a> Draft<'a> {
         self.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false)
     }
 
+    /// An angle in degrees as one in radians.
+    pub fn radians(&mut self, degrees: Expr) -> Expr {
+        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        degrees * self.pi() / half
+    }
+
     /// A phrase of the lists, its places filled in.
     pub fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
         self.words.say(name, pieces)

@@ -4,7 +4,7 @@ use crate::num::linear::Linear;
 use crate::num::shown;
 use crate::scene::Num;
 use crate::solution::draft::{Detail, Draft, tex_of};
-use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, positive_first};
+use crate::solution::expr::{Expr, SymbolId, ZERO, arc_cosine, in_sense, length, magnitude, positive_first};
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::Carrying;
@@ -268,6 +268,20 @@ impl<'d, 'a> Page<'d, 'a> {
         let (name, measured) = (self.inline(&name), self.valued(&measured, "1"));
         self.say("idea.found", &[("name", &name), ("measured", &measured)]);
         true
+    }
+    /// The angle of a vector with these components, counter-clockwise from the right.
+    pub fn angle_of(&self, x: SymbolId, y: SymbolId) -> Expr {
+        in_sense(arc_cosine(x / length(x, y)), self.symbols.value(y))
+    }
+    /// The magnitude of a quantity: itself, or under bars where it is negative.
+    pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {
+        if self.symbols.value(symbol) >= 0.0 {
+            return symbol;
+        }
+        let name = format!(r"\left|{}\right|", self.symbols.tex(symbol));
+        let size = self.symbols.unknown_like(&name, symbol);
+        self.symbols.settle_by(size, &magnitude(symbol));
+        size
     }
     /// A number with so many figures, as it is printed.
     pub fn digits(&self, value: f64, figures: usize) -> String {

@@ -12,8 +12,8 @@ use crate::scene::{
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    signed, sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, ratio, root, signed, sine,
+    square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
@@ -679,10 +679,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             return turned;
         }
         let [first, last] = self.turns[0].at.clone();
-        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-        let pi = self.draft.pi();
-        let name = format!(r"\Delta {}", self.letter);
-        let turned = self.page.find(&[&name], "rad", (last - first) * pi / half);
+        let (name, is) = (format!(r"\Delta {}", self.letter), self.draft.radians(last - first));
+        let turned = self.page.find(&[&name], "rad", is);
         self.turned = Some(turned);
         turned
     }
@@ -1267,10 +1265,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 } else {
                     let Some(turn) = self.bodies[couple.body].turn else { return beyond() };
                     let [first, last] = self.turns[turn].at.clone();
-                    let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-                    let pi = self.draft.pi();
-                    let name = tagged(r"\Delta\psi", &i.to_string());
-                    self.page.find(&[&name], "rad", (last - first) * pi / half)
+                    let is = self.draft.radians(last - first);
+                    self.page.find(&[&tagged(r"\Delta\psi", &i.to_string())], "rad", is)
                 };
                 self.works.push(size.signed(own).by(turned));
             }
@@ -1379,8 +1375,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
         let Some(turn) = self.bodies[it.at.body].turn else { return beyond() };
         let angles = self.turns[turn].at.clone();
-        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-        let pi = self.draft.pi();
         let stiffness = self.number(it.stiffness_n_m, "k_t", "N m/rad");
         let (Rest::Length(rest) | Rest::Stretch(rest)) = it.rest;
         let rest = self.number(rest, r"\beta_0", "deg");
@@ -1392,7 +1386,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 Rest::Stretch(_) if instant => rest.clone(),
                 Rest::Stretch(_) => &rest + &angles[which] - &angles[START],
             };
-            let is = angle * pi / half;
+            let is = self.draft.radians(angle);
             wound.push(self.named_by([r"\vartheta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
         }
         if let [first, last] = &wound[..] {
@@ -2071,14 +2065,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::Phi, _) => {
                 let turned = self.turned();
-                if self.symbols.value(turned) >= 0.0 {
-                    turned
-                } else {
-                    let name = format!(r"\left|{}\right|", self.symbols.tex(turned));
-                    let size = self.symbols.unknown_like(&name, turned);
-                    self.symbols.settle_by(size, &magnitude(turned));
-                    size
-                }
+                self.sized(turned)
             }
             (
                 Q::Normal
@@ -2170,7 +2157,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PinX | Q::PinY if !pivot.radial => {
                 return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
             }
-            Q::PinForce => (["F_O", "O"], root(square(r) + square(s))),
+            Q::PinForce => (["F_O", "O"], length(r, s)),
             Q::PinX | Q::PinY => {
                 let i = usize::from(label.quantity == Q::PinY);
                 let shares = [r, s].into_iter().zip(self.basis());
@@ -2179,8 +2166,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             Q::PinAngle => {
                 let (x, y) = (of(self, Q::PinX)?, of(self, Q::PinY)?);
-                let angle = arc_cosine(x / root(square(x) + square(y)));
-                ([r"\psi_O", r"\chi_O"], in_sense(angle, self.symbols.value(y)))
+                ([r"\psi_O", r"\chi_O"], self.angle_of(x, y))
             }
             Q::RotationalFraction => ([r"\eta", r"eta"], pivot.own.over(about)),
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
@@ -2212,13 +2198,12 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Velocities and energy right after a blow on bodies at rest.
     fn just_after(&mut self, blow: &Blow, label: Label) -> Option<SymbolId> {
         use Quantity as Q;
-        let size = |v: &[Expr; 2]| root(square(&v[0]) + square(&v[1]));
         let it = |b: usize| &blow.bodies[b];
         let (names, is) = match (label.quantity, label.of) {
             (Q::VX, Owner::Body(b)) => return Some(it(b).a[0]),
             (Q::VY, Owner::Body(b)) => return Some(it(b).a[1]),
             (Q::V, Owner::Body(b)) => {
-                (["v", "u"].map(|l| tagged(l, &it(b).tag)), size(&it(b).a.map(Expr::from)))
+                (["v", "u"].map(|l| tagged(l, &it(b).tag)), length(it(b).a[0], it(b).a[1]))
             }
             (Q::Omega, Owner::Body(b)) => {
                 let omega = it(b).alpha?;
@@ -2234,7 +2219,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let spin = in_sense(spin, f64::from(self.sense_of(spot.body)));
                 let [a, b] = it(spot.body).a;
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
-                (["v", "u"].map(|l| tagged(l, name)), size(&[a - y.expr() * &spin, b + x.expr() * spin]))
+                (["v", "u"].map(|l| tagged(l, name)), length(a - y.expr() * &spin, b + x.expr() * spin))
             }
             (Q::KineticEnergy, _) => {
                 let each = blow.bodies.iter().flat_map(|b| {
@@ -2333,12 +2318,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             Quantity::PinForce => {
                 let [x, y, ..] = own[..] else { return None };
                 let name = tagged("R", &names::joint(self.scene, joint));
-                Some(self.page.find(&[&name], "N", root(square(x) + square(y))))
+                Some(self.page.find(&[&name], "N", length(x, y)))
             }
             Quantity::PinAngle => {
                 let [x, y, ..] = own[..] else { return None };
-                let angle = arc_cosine(x / root(square(x) + square(y)));
-                let angle = in_sense(angle, self.symbols.value(y));
+                let angle = self.angle_of(x, y);
                 Some(self.page.find(&[&tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
             }
             Quantity::PinY => own.get(1).copied(),
