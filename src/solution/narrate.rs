@@ -1496,6 +1496,10 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let sense = self.way(body, value);
         if value != 0.0 {
+            let moments = self.row(Coordinate { body, degree: Degree::Turn });
+            if moments.iter().all(|(action, _)| action.contact) {
+                self.say("friction.alone", &[("f", &self.names(&[f]))]);
+            }
             self.say("friction.points", &[("f", &self.names(&[f])), ("way", &sense)]);
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
