@@ -148,7 +148,9 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
     let mut list = Vec::new();
     let Some(view) = SceneView::new(problem, variant, words, FigureLabels::Values) else { return list };
     if let Some(curves) = spring_curves(problem, variant) {
-        list.push(("graph-speed".to_owned(), speed(&view, &curves)));
+        if curves.speed.len() > 1 {
+            list.push(("graph-speed".to_owned(), speed(&view, &curves)));
+        }
         if curves.friction.len() > 1 {
             list.push(("graph-friction".to_owned(), friction(&view, &curves)));
         }

@@ -233,7 +233,14 @@ impl Plane {
         let lamina = (left - right).norm() > THICK;
         let (left, right) = if lamina { (left, right) } else { (side, -side) };
         board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
-        if !lamina && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
+        // A wheel is as large as where it touches.
+        let wheel = view.scene.joints.iter().find_map(|j| match j.kind {
+            JointKind::Contact { at, radius_m, .. } if at.body == body => Some((at, view.of(radius_m))),
+            _ => None,
+        });
+        if let Some((at, radius)) = wheel.filter(|(_, radius)| *radius > 0.0) {
+            board.circle(self.spot(view, laid, at), radius * self.scale, role);
+        } else if !lamina && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
             let mass = view.kilograms(this);
             let round = match &this.inertia {
                 Some(RotaryInertia::Shape(_, r)) => view.of(*r),
@@ -501,7 +508,6 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
             let place = plane.spot(view, &plane.start, at);
             let radius = view.of(radius_m) * plane.scale;
             if radius > 0.0 {
-                board.circle(place, radius, Role::Body);
                 // A round shape has its radius beside its mass.
                 let told = view.scene.bodies[at.body].inertia.as_ref();
                 if !matches!(told, Some(RotaryInertia::Shape(_, r)) if *r == radius_m) {

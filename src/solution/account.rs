@@ -1,18 +1,18 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{
-    Coordinate, Degree, End, Far, GivenForce, Label, Law, Made, Num, Owner, Quantity, Span, Tie,
-};
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie};
+use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, length, magnitude, number, positive_first,
+    power, ratio, root, square, sum,
 };
-use crate::solution::factors::{Cancel, Factors};
+use crate::solution::factors::{Cancel, Factors, Sum};
+use crate::solution::narrate::Short;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, BodyTerms, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::terms::{Action, BodyTerms, Carrying, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::text::SolutionSection;
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -31,17 +31,17 @@ pub struct CordSpring {
     pub tension: SymbolId,
 }
 
-/// A given force that grows evenly with time.
+/// A given force that grows.
 #[derive(Debug, Clone)]
 pub struct GrownForce {
     /// Which.
     pub source: ForceSource,
-    /// At the start, and what is added per second.
+    /// At the start.
     pub first: Expr,
-    /// See [`Self::first`].
-    pub per: Expr,
     /// At the end.
     pub last: SymbolId,
+    /// Its mean over the way, if it grows with place, until [`Account::grow_up`].
+    pub mean: Option<SymbolId>,
 }
 
 /// A reaction as it leaves the equations: from which row, and what it is there.
@@ -54,6 +54,9 @@ pub struct Eliminated {
     /// What it is equal to, with the acceleration in it.
     pub is: Expr,
 }
+
+/// Names and units of a speed and a spin of the start.
+const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
 
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
@@ -86,13 +89,27 @@ pub struct Account<'d, 'a> {
     pub grown: Vec<GrownForce>,
     /// See [`Self::grown`].
     pub first_rate: Option<SymbolId>,
-    /// Does it turn back under such forces?
-    pub turns_back: bool,
     /// Velocity of the point of contact at the start, of a body thrown with slip.
     pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
+    /// Which way comes first.
+    pub short: Short,
+    /// The rows as they are numbered.
+    pub rows: Vec<(Coordinate, usize)>,
+    /// The reactions that have been eliminated.
+    pub gone: Vec<Eliminated>,
+    /// Does a thrown body still slip at the time that is asked?
+    pub still_slips: bool,
+    /// Are the ratios of displacements on the page?
+    pub ratios_told: bool,
+    /// Has it been said what is seen from the ground?
+    pub grounded: bool,
+    /// What is said of contacts that are taken as rolling.
+    pub supposed: Vec<SolutionSection>,
     known: Vec<(Label, SymbolId)>,
+    /// What is seen from the ground of what is carried.
+    seen: Vec<(Label, SymbolId)>,
     /// The ties whose reactions are being solved for, each for the one before it.
     solving: Vec<usize>,
 }
@@ -202,12 +219,6 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// What is not covered.
     pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
-        if draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.made == Made::Rests)) {
-            return beyond(Beyond::Resting);
-        }
-        if draft.scene.law().is_some_and(|law| law != Law::EVEN) {
-            return beyond(Beyond::GrowingForce);
-        }
         let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),
@@ -223,10 +234,17 @@ impl<'d, 'a> Account<'d, 'a> {
             last: ZERO,
             grown: Vec::new(),
             first_rate: None,
-            turns_back: false,
             slip: None,
             rolled,
+            short: Short::Instant,
+            rows: Vec::new(),
+            gone: Vec::new(),
+            still_slips: false,
+            ratios_told: false,
+            grounded: false,
+            supposed: Vec::new(),
             known: Vec::new(),
+            seen: Vec::new(),
             solving: Vec::new(),
         };
         // What is only supposed to roll has no names of its own.
@@ -254,71 +272,117 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(this)
     }
 
-    /// What grows with time has a symbol for its value at the end, which is that of the equations of motion.
+    /// What grows has a symbol for its value at the end, which is that of the equations of motion; with place also one for its mean.
     fn grow(&mut self) {
         for growth in &self.scene.growths {
             let (source, unit) = match growth.of {
                 GivenForce::Pull(tie) => (ForceSource::Tie(tie), "N"),
                 GivenForce::Couple(couple) => (ForceSource::Couple(couple), "N m"),
             };
-            let End::Time(_, t) = self.scene.end else { continue };
-            let Some(first) = self.m.actions.iter().find(|a| a.source == source).map(|a| a.force.clone())
-            else {
-                continue;
+            let Some(action) = self.m.actions.iter().find(|a| a.source == source).cloned() else { continue };
+            let first = action.force.clone();
+            let extent = match self.scene.end {
+                End::Time(_, t) => self.number(t, "t", "s"),
+                End::Travel(_, d) | End::Position(_, d) => {
+                    let own = self.magnitude(&self.point(&action));
+                    let way = self.length(d);
+                    self.positive(&way).by(own)
+                }
+                _ => continue,
             };
-            let (t, per) = (self.number(t, "t", "s"), self.number(growth.rate, "c", "N/s"));
+            let rate = self.number(growth.rate, "c", growth.rate_unit());
+            let mut gain = rate * power(extent.clone(), growth.law.whole().into());
+            if growth.law.halves % 2 == 1 {
+                let (one, of) = (format!(r"1\ {}", tex_of(growth.of_unit())), growth.of_unit());
+                let one = self.symbols.given(&one, 1.0, "1", &tex_of(of), false);
+                gain = gain * root(extent / one);
+            }
             let name =
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
-            let name = marked(&name, "1");
-            let last = self.page.find(&[&name], unit, &first + &per * t);
+            let last = self.page.find(&[&marked(&name, "1")], unit, &first + gain);
+            let mean = (growth.law.with == Grows::Place).then(|| {
+                let h = i64::from(growth.law.halves);
+                let mean = weighed([(&first, (h, h + 2)), (&last.into(), (2, h + 2))]);
+                self.page.find(&[&marked(&name, r"\mathrm{m}")], unit, mean)
+            });
             for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
-                action.force = last.into();
+                action.force = mean.unwrap_or(last).into();
             }
-            self.grown.push(GrownForce { source, first, per, last });
+            self.grown.push(GrownForce { source, first, last, mean });
         }
     }
 
-    /// The end after a time under forces that grow evenly: so does the acceleration, between its first and its last value.
-    fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
-        let first = self.grown.iter().fold(self.drive.clone(), |d, g| d.put(g.last, &g.first));
+    /// An expression with what grows as it is at the start.
+    pub fn at_start(&self, of: &Expr) -> Expr {
+        self.grown.iter().fold(of.clone(), |all, g| all.put(g.mean.unwrap_or(g.last), &g.first))
+    }
+
+    /// From here on what grows with place has its last value, no longer its mean.
+    pub fn grow_up(&mut self) {
+        let at_end: Vec<(SymbolId, SymbolId)> =
+            self.grown.iter_mut().filter_map(|g| Some((g.mean.take()?, g.last))).collect();
+        for (mean, last) in at_end {
+            self.drive = self.drive.put(mean, &last.into());
+            self.m.actions.iter_mut().for_each(|a| a.force = a.force.put(mean, &last.into()));
+        }
+    }
+
+    /// The acceleration at the start under forces that grow.
+    fn first_acceleration(&mut self) -> SymbolId {
+        let first = self.at_start(&self.drive.clone());
         let (names, unit) =
             if self.straight() { (["a_0", "a_a"], "m/s^2") } else { ([r"\alpha_0", r"\alpha_a"], "rad/s^2") };
         let start = self.page.find(&names, unit, first.over(&self.effective));
         self.first_rate = Some(start);
-        let (a_label, v_label) =
-            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
-        let per = self.drive.over(&self.effective);
-        self.found(a_label, a, per);
-        let end = &self.v0 + ratio(1, 2) * (start + a) * t;
-        // Where it turns back on its way distances are not displacements.
-        let (from, one, two) = (self.value(&self.v0), self.symbols.value(start), self.symbols.value(a));
-        let least = if one * two < 0.0 { from + 0.5 * one * self.value(t) * one / (one - two) } else { from };
-        let last = self.value(&end);
+        start
+    }
+
+    /// The end after a time under forces that grow with a power `h/2` of it: so does the acceleration, from its first to its last
+    /// value. What turns back on its way is not drawn.
+    fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
+        let start = self.first_acceleration();
+        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
+        self.accelerate();
+        let h = self.halves();
+        let [first, last] = [start, a].map(Expr::from);
+        let end = &self.v0 + weighed([(&first, (h, h + 2)), (&last, (2, h + 2))]).by(t);
         if !self.m.one {
             return beyond(Beyond::GrowingForce);
         }
-        self.turns_back = least * last < 0.0 || (from == 0.0 && one * last < 0.0);
-        self.sense = last.signum();
+        self.sense = self.value(&end).signum();
         let end = self.positive(&end);
         self.found(v_label, v, end);
         self.v = v.into();
-        let twice = number(2) * start + a;
-        self.new_way(&self.v0.clone() * t + ratio(1, 6) * twice * square(t));
+        let both = (h + 2) * (h + 4);
+        let share = weighed([(&first, (both - 8, 2 * both)), (&last, (4, both))]);
+        self.new_way(&self.v0.clone() * t + share.by(square(t)));
         Ok(())
     }
 
-    /// Integral over the time of a force that may grow, times the velocity of the lead.
+    /// Twice the power with which forces grow.
+    fn halves(&self) -> i64 {
+        self.scene.law().map_or(0, |law| law.halves.into())
+    }
+
+    /// Integral over the motion of a force that may grow, times the velocity of the lead.
     fn worked(&mut self, action: &Action) -> Result<Expr, DerivationStop> {
         let Some(g) = self.grown.iter().find(|g| g.source == action.source).cloned() else {
             return Ok(action.force.by(&self.s));
         };
+        let h = self.halves();
         let (End::Time(_, t), Some(start)) = (self.scene.end, self.first_rate) else {
-            return beyond(Beyond::GrowingForce);
+            let mean = weighed([(&g.first, (h, h + 2)), (&g.last.into(), (2, h + 2))]);
+            return Ok(mean.by(&self.s));
         };
         let (t, a) = (self.number(t, "t", "s"), self.get(self.of_lead(Quantity::A, Quantity::Alpha))?);
-        let rates = ratio(1, 24) * (number(5) * start + number(3) * a) * &t;
-        let growing = &g.per * (ratio(1, 2) * &self.v0 + rates) * square(&t);
-        Ok(&g.first * &self.s + growing)
+        let square = (h + 2) * (h + 2);
+        let [first, last] = [start, a].map(|rate| rate * &t);
+        let gained = weighed([
+            (&self.v0, (2, h + 2)),
+            (&first, (2 * square - 2 * (h + 4), square * (h + 4))),
+            (&last, (2, square)),
+        ]);
+        Ok(&g.first * &self.s + (g.last - &g.first) * gained.by(&t))
     }
 
     /// The ratio of displacements of a pulled or sprung cord that is wound on a rolling body has a name.
@@ -365,7 +429,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.m.inertia(c).into_iter().map(move |i| i.times(&square))
             })
             .collect();
-        gathered(&terms)
+        gathered(Sum::of(terms).terms())
     }
 
     /// A new quantity.
@@ -411,14 +475,144 @@ impl<'d, 'a> Account<'d, 'a> {
     fn start_velocity(&mut self) -> Expr {
         let scene = self.scene;
         for (c, num) in scene.start_speeds() {
-            let (tex, unit) = if c.degree == Degree::Along { ("v_0", "m/s") } else { (r"\omega_0", "rad/s") };
-            let given = self.number(num, tex, unit);
+            let given = self.given_start(c, num);
             let ratio = self.m.ratio(c).clone();
             if given != ZERO && !ratio.is_zero() {
                 return given.over(&ratio);
             }
         }
         ZERO
+    }
+
+    /// A speed or spin of the start as it is seen from what carries the scene.
+    fn given_start(&mut self, c: Coordinate, num: Num) -> Expr {
+        let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
+        let given = self.number(num, tex, unit);
+        let Some((carrier, [forward, _])) = self.carried(c) else { return given };
+        let own = given - carrier.speed * forward;
+        if self.value(&own) == 0.0 { ZERO } else { own }
+    }
+
+    /// What carries the line of a body, with its share forward and out of the line.
+    fn carried(&mut self, c: Coordinate) -> Option<(Carrying, [Expr; 2])> {
+        let carrier = self.m.carrier.clone().filter(|_| c.degree == Degree::Along)?;
+        let body = &self.scene.bodies[c.body];
+        let shares = carrier.shares(self, body);
+        Some((carrier, shares))
+    }
+
+    /// Is this another quantity as it is seen from the ground?
+    pub fn is_grounded(&self, quantity: Quantity) -> bool {
+        use Quantity as Q;
+        let moves = matches!(quantity, Q::V | Q::Displacement | Q::KineticEnergy | Q::Work);
+        let steady = self.m.carrier.as_ref().is_none_or(|c| c.acceleration == ZERO);
+        self.m.carrier.is_some() && (moves || !steady && matches!(quantity, Q::A | Q::ARolling))
+    }
+
+    /// A quantity as it is asked: of what is carried as it is seen from the ground.
+    ///
+    /// # Errors
+    /// What is not covered.
+    pub fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        if let Some((_, symbol)) = self.seen.iter().find(|(l, _)| *l == label) {
+            return Ok(*symbol);
+        }
+        if !self.is_grounded(label.quantity) {
+            return self.get(label);
+        }
+        let body = if let Owner::Body(b) = label.of { b } else { self.lead().body };
+        let Some((carrier, [forward, _])) = self.carried(along(body)) else { return self.get(label) };
+        let from = match label.quantity {
+            Quantity::KineticEnergy => self.seen_energy(false)?,
+            Quantity::Work => {
+                let after = self.asked(of_scene(Quantity::KineticEnergy))?;
+                let gain = after - self.seen_energy(true)?;
+                // What is 0 but for rounding.
+                let same = self.value(&gain).abs() <= SLACK * self.symbols.value(after);
+                if same { ZERO } else { gain }
+            }
+            Quantity::A | Quantity::ARolling => self.get(label)? + carrier.acceleration * forward,
+            Quantity::V => {
+                let v = self.seen_velocity(along(body), false)?;
+                self.positive(&v)
+            }
+            Quantity::Displacement => {
+                let [_, way] = carrier.after(&self.get(of_scene(Quantity::T))?.into());
+                let own = match self.slip {
+                    Some(_) => self.get(label)?.into(),
+                    None => self.signed_travel(along(body))?,
+                };
+                positive_first([own, way * forward])
+            }
+            _ => return self.get(label),
+        };
+        let symbol = match from {
+            Expr::Symbol(same) if matches!(label.quantity, Quantity::A | Quantity::ARolling) => same,
+            from => {
+                let tag = if self.m.parts.len() > 1 { self.m.parts[body].tag.clone() } else { String::new() };
+                let tag = if matches!(label.of, Owner::Scene) { String::new() } else { tag };
+                let names = match label.quantity {
+                    Quantity::A => ["a", "a_G"],
+                    Quantity::ARolling => [r"a_{\mathrm{r}}", "a_2"],
+                    Quantity::V => ["v", "u"],
+                    other => names_of(other),
+                };
+                let names = names.map(|n| if tag.is_empty() { n.to_owned() } else { marked(n, &tag) });
+                self.page.find(&[&names[0], &names[1]], label.quantity.unit(), from)
+            }
+        };
+        self.seen.push((label, symbol));
+        Ok(symbol)
+    }
+
+    /// The velocity of a line as it is seen from the ground, at the start or at the end.
+    fn seen_velocity(&mut self, c: Coordinate, at_start: bool) -> Result<Expr, DerivationStop> {
+        let given = self.scene.start_speeds().find(|(s, _)| at_start && *s == c);
+        if let Some((_, given)) = given {
+            let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
+            return Ok(self.number(given, tex, unit));
+        }
+        let own = if at_start && self.own(c) && self.v0 != ZERO {
+            // Tied to the lead by several equations together.
+            let [rate, lead] = [self.get(rate_of(c))?, self.get(rate_of(self.lead()))?];
+            self.v0.by(&(rate / lead))
+        } else if at_start {
+            self.v0.by(self.m.ratio(c))
+        } else {
+            let v = self.get(speed_of(c))?;
+            if self.symbols.value(v) == 0.0 { ZERO } else { in_sense(v.into(), self.velocity_sense(c)) }
+        };
+        let Some((carrier, [forward, _])) = self.carried(c) else { return Ok(own) };
+        let [speed, _] = carrier.after(&self.since_start(at_start)?);
+        let seen = positive_first([own, speed * forward]);
+        Ok(if self.value(&seen) == 0.0 { ZERO } else { seen })
+    }
+
+    fn since_start(&mut self, at_start: bool) -> Result<Expr, DerivationStop> {
+        let none = at_start || self.scene.end == End::AtOnce;
+        if none { Ok(ZERO) } else { self.get(of_scene(Quantity::T)).map(Expr::from) }
+    }
+
+    /// The kinetic energy of what is carried as it is seen from the ground.
+    fn seen_energy(&mut self, at_start: bool) -> Result<Expr, DerivationStop> {
+        let mut all = Vec::new();
+        for c in self.scene.coordinates().collect::<Vec<_>>() {
+            let inertia = self.m.inertia(c);
+            if inertia.is_empty() {
+                continue;
+            }
+            let rate = match c.degree {
+                Degree::Along if !at_start => self.asked(speed_of(c))?.into(),
+                _ => self.seen_velocity(c, at_start)?,
+            };
+            let mut squares = square(rate);
+            if let Some((carrier, [_, out])) = self.carried(c) {
+                let [speed, _] = carrier.after(&self.since_start(at_start)?);
+                squares = squares + square(speed * out);
+            }
+            all.extend(inertia.iter().map(|i| i.by(&squares).by(ratio(1, 2))));
+        }
+        Ok(sum(all))
     }
 
     /// Does nothing move on, so that a spring pulls as at the start?
@@ -433,7 +627,8 @@ impl<'d, 'a> Account<'d, 'a> {
             let c = self.number(thrown.radius_m, "R", "m");
             let spin = self.number(thrown.spin_rad_s, r"\omega_0", "rad/s");
             let slip = positive_first([&self.v0 - c * spin]);
-            self.slip = Some(self.page.find(&["u_0", "w_0"], "m/s", slip));
+            let name = format!("{}_0", self.free(&["u", "w"]));
+            self.slip = Some(self.page.find(&[&name], "m/s", slip));
         }
         self.rub();
         if let (Some(spring), true) = (self.spring.clone(), self.still()) {
@@ -530,13 +725,15 @@ impl<'d, 'a> Account<'d, 'a> {
     fn velocities_together(&mut self) -> Result<(), DerivationStop> {
         let all: Vec<Coordinate> = self.scene.coordinates().collect();
         let place = |c: Coordinate| all.iter().position(|o| *o == c);
+        let given: Vec<(Coordinate, Num)> = self.scene.start_speeds().collect();
+        let given: Vec<(Coordinate, Expr)> =
+            given.into_iter().map(|(c, v)| (c, self.given_start(c, v))).collect();
         let tied = self.reactions().into_iter().map(|(tie, _)| {
             let terms = self.tied(tie).into_iter();
             let terms = terms.filter_map(|(c, share)| Some((place(c)?, self.value(&share.expr()))));
             (terms.collect::<Vec<_>>(), 0.0)
         });
-        let given = self.scene.start_speeds();
-        let given = given.filter_map(|(c, v)| Some((vec![(place(c)?, 1.0)], self.datum(v))));
+        let given = given.into_iter().filter_map(|(c, v)| Some((vec![(place(c)?, 1.0)], self.value(&v))));
         // The start may say more than is needed, in agreement with the ties: least squares take all.
         let mut system: Linear<f64> = Linear::new(all.len(), 1);
         for (terms, right) in tied.chain(given) {
@@ -638,17 +835,6 @@ impl<'d, 'a> Account<'d, 'a> {
         self.known.push((label, symbol));
     }
 
-    /// The magnitude of a quantity: itself, or under bars where it is negative.
-    pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {
-        if self.symbols.value(symbol) >= 0.0 {
-            return symbol;
-        }
-        let name = format!(r"\left|{}\right|", self.symbols.tex(symbol));
-        let size = self.symbols.unknown_like(&name, symbol);
-        self.symbols.settle_by(size, &magnitude(symbol));
-        size
-    }
-
     /// A quantity that is not among the terms.
     fn new_found(&mut self, label: Label, from: Expr) -> SymbolId {
         let tag = self.tag_of(label);
@@ -698,6 +884,16 @@ impl<'d, 'a> Account<'d, 'a> {
         self.s = symbol.into();
     }
 
+    /// The acceleration of the lead, of forces that grow at the end.
+    pub fn accelerate(&mut self) {
+        if let (Some(a), true) = (self.m.acceleration(self.lead()), self.m.one) {
+            let per = self.drive.over(&self.effective);
+            let last =
+                self.grown.iter().fold(per, |per, g| per.put(g.mean.unwrap_or(g.last), &g.last.into()));
+            self.found(self.of_lead(Quantity::A, Quantity::Alpha), a, last);
+        }
+    }
+
     /// The motion up to its end: displacement, speed, acceleration of the lead.
     ///
     /// # Errors
@@ -707,19 +903,16 @@ impl<'d, 'a> Account<'d, 'a> {
         let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
             return beyond(Beyond::Unfound);
         };
-        let (a_label, v_label) =
-            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
         if self.spring.is_some() && self.scene.end != End::AtOnce {
+            // Where ties give no velocity ratios the swing is not known from the lead alone.
+            if !self.m.one {
+                return beyond(Beyond::Unfound);
+            }
             return self.arrive_on_spring(a, v);
         }
-        let per = self.drive.over(&self.effective);
-        let accelerated = |this: &mut Self| {
-            if this.m.one {
-                this.found(a_label, a, per.clone());
-            }
-        };
-        if self.slip.is_some() {
-            accelerated(self);
+        if self.slip.is_some() || self.rates_alone() {
+            self.accelerate();
             return Ok(());
         }
         match self.scene.end {
@@ -729,20 +922,23 @@ impl<'d, 'a> Account<'d, 'a> {
                     End::Travel(..) => in_sense(d, self.sense),
                     _ => d,
                 };
+                if !self.grown.is_empty() {
+                    self.first_acceleration();
+                }
                 let push = if self.m.one { self.drive.clone() } else { a.into() };
                 let push = positive_first([in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
                 let gained = if self.m.one { twice.over(&self.effective) } else { twice.expr() };
                 self.found(v_label, v, root(square(&self.v0) + gained));
                 self.v = v.into();
-                accelerated(self);
+                self.accelerate();
             }
             End::Time(_, t) => {
                 let t = self.number(t, "t", "s");
                 if !self.grown.is_empty() {
                     return self.arrive_grown(&t, a, v);
                 }
-                accelerated(self);
+                self.accelerate();
                 let end = &self.v0 + a * &t;
                 let end = self.positive(&end);
                 self.found(v_label, v, end);
@@ -752,27 +948,27 @@ impl<'d, 'a> Account<'d, 'a> {
             End::Speed(_, u) => {
                 let names = if self.straight() { ("v_1", "m/s") } else { (r"\omega_1", "rad/s") };
                 let u = self.number(u, names.0, names.1);
-                accelerated(self);
+                self.accelerate();
                 self.found(v_label, v, u.clone());
                 self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
                 self.v = u;
             }
             End::TurningPoint(_) => {
-                accelerated(self);
+                self.accelerate();
                 self.found(v_label, v, ZERO);
                 self.new_way(-(square(&self.v0) / (number(2) * a)));
                 self.v = ZERO;
             }
             End::AtOnce if !self.m.one || self.m.parts.iter().any(|p| p.slips) => {
                 self.velocities_together()?;
-                accelerated(self);
+                self.accelerate();
             }
             End::AtOnce | End::Angle(..) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {
                 let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
                 if self.spring.is_none() {
-                    accelerated(self);
+                    self.accelerate();
                 }
             }
         }
@@ -785,21 +981,11 @@ impl<'d, 'a> Account<'d, 'a> {
         -force.over(&per)
     }
 
-    /// A quantity of the swing on a spring, each once.
-    fn swung(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
-        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
-        known.unwrap_or_else(|| {
-            let symbol = self.new_symbol(names, unit);
-            self.step(symbol, from);
-            symbol
-        })
-    }
-
     /// Angular frequency of the swing on a spring.
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(spring.gamma.squared());
         let frequency = root(per.over(&self.effective));
-        self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
+        self.page.find_once(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
     /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
@@ -808,7 +994,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return self.get(of_scene(Quantity::XEq));
         }
         let middle = self.rest_under(spring, &self.drive);
-        Ok(self.swung(&[r"x_{\mathrm{m}}"], "m", middle))
+        Ok(self.page.find_once(&[r"x_{\mathrm{m}}"], "m", middle))
     }
 
     /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
@@ -821,7 +1007,7 @@ impl<'d, 'a> Account<'d, 'a> {
         } else {
             root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
         };
-        let amplitude = self.swung(&["A", "B"], "m", amplitude);
+        let amplitude = self.page.find_once(&["A", "B"], "m", amplitude);
         Ok([frequency.into(), rest.into(), amplitude.into()])
     }
 
@@ -864,7 +1050,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let slack = if spring.rigid { None } else { self.slackened(&spring)? };
                 match slack.filter(|(time, _)| self.value(time) < self.value(&t)) {
                     Some((time, speed)) => {
-                        let left = self.swung(&[r"\Delta t"], "s", &t - time);
+                        let left = self.page.find_once(&[r"\Delta t"], "s", &t - time);
                         let first = spring.stretch.over(&spring.gamma);
                         let coast = &self.drive / &self.effective;
                         let more = in_sense(speed, self.sense) * left + ratio(1, 2) * coast * square(left);
@@ -890,7 +1076,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Some(x1) => x1,
             None => match self.stretch_at(&self.s.clone()) {
                 ZERO => ZERO,
-                from => self.swung(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
+                from => self.page.find_once(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
             },
         };
         let squares = square(&spring.stretch) - square(&last);
@@ -933,10 +1119,11 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(None);
         }
         let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
-        let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
+        let time = self.page.find_once(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
         let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
-        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(square(&self.v0) + work / &self.effective));
+        let speed =
+            self.page.find_once(&[r"v_{\mathrm{s}}"], "m/s", root(square(&self.v0) + work / &self.effective));
         Ok(Some((time.into(), speed.into())))
     }
 
@@ -1167,11 +1354,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
         if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
             let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
-            let force = root(square(x) + square(y));
-            return Ok(match quantity {
-                Quantity::PinForce => force,
-                _ => in_sense(arc_cosine(x / force), self.symbols.value(y)),
-            });
+            return Ok(if quantity == Quantity::PinForce { length(x, y) } else { self.angle_of(x, y) });
         }
         let upright = quantity == Quantity::PinY;
         let mut terms = Vec::new();
@@ -1234,9 +1417,6 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance or angle of a coordinate, a magnitude.
     fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
-        if self.turns_back {
-            return beyond(Beyond::GrowingForce);
-        }
         if self.own(c) { self.since_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
     }
 
@@ -1308,6 +1488,11 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if self.m.parts[c.body].a.is_some() && !self.m.parts[c.body].along.is_zero() {
             self.get(of_body(Quantity::A, c.body))?;
+        }
+        // Another one may have taken all equations together.
+        let label = self.label_of_tie(tie);
+        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
+            return Ok(*symbol);
         }
         let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
         let from = self.solved(c, symbol)?;
@@ -1517,9 +1702,6 @@ impl<'d, 'a> Account<'d, 'a> {
             let way = self.pulled(&action, true)?;
             return Ok(self.positive(&way));
         }
-        if self.turns_back {
-            return beyond(Beyond::GrowingForce);
-        }
         Ok(self.distance().by(self.magnitude(&self.point(&action))))
     }
 
@@ -1577,6 +1759,9 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn slip_distance(&mut self, body: usize) -> Result<Expr, DerivationStop> {
+        if self.scene.ties.iter().any(|t| matches!(t, Tie::Slide { body: b, .. } if *b == body)) {
+            return self.travel(along(body));
+        }
         let radius = self.scene.ties.iter().find_map(|tie| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
@@ -1723,9 +1908,14 @@ pub fn gathered(terms: &[Factors]) -> Expr {
     common.expr() * sum(inner.map(|i| i.expr()))
 }
 
+/// The sum of these, each with its share.
+fn weighed<const N: usize>(terms: [(&Expr, (i64, i64)); N]) -> Expr {
+    Sum::of(terms.map(|(of, (over, under))| of.factors().times(ratio(over, under)))).expr()
+}
+
 /// A symbol with a mark below it, behind what stands there already.
 pub fn marked(tex: &str, mark: &str) -> String {
-    match tex.split_once("_{").and_then(|(symbol, below)| Some((symbol, below.strip_suffix('}')?))) {
+    match tex.split_once('_').map(|(symbol, below)| (symbol, below.trim_matches(['{', '}']))) {
         Some((symbol, below)) => format!("{symbol}_{{{below},{mark}}}"),
         None => format!("{tex}_{{{mark}}}"),
     }
@@ -1748,6 +1938,6 @@ fn rank(action: &Action) -> u8 {
         (ForceSource::Couple(_), _) => 2,
         (ForceSource::Tie(_), _) if !action.contact => 3,
         (ForceSource::Tie(_), _) => 4,
-        (ForceSource::Weight(_), _) => 5,
+        (ForceSource::Weight(_) | ForceSource::Carrier(_), _) => 5,
     }
 }

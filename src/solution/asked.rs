@@ -33,6 +33,13 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
         }
     }
     all.extend(scene.formulas.found.map(|f| f.label));
+    let mut before = Vec::new();
+    all.retain(|l| {
+        !before.contains(l) && {
+            before.push(*l);
+            true
+        }
+    });
     all
 }
 
@@ -168,11 +175,7 @@ pub fn expression<V: Copy + PartialEq>(
 
 /// An angle in degrees as one in radians, where it is one.
 fn radians(draft: &mut Draft, angle: Expr, degrees: bool) -> Expr {
-    if !degrees {
-        return angle;
-    }
-    let half = draft.symbols.given(r"180^\circ", 180.0, "180", "", true);
-    angle * draft.pi() / half
+    if degrees { draft.radians(angle) } else { angle }
 }
 
 /// A number of a formula: whole, or a decimal, which is its own symbol.
@@ -227,6 +230,7 @@ pub fn not_given(draft: &mut Draft) {
         page.say("asked.unknown", &[("name", &*name), ("measured", &told), ("equation", &equation)]);
         match backward(&page, forward, measured, unknown) {
             Some(lines) => {
+                page.begin("backward");
                 page.say("asked.backward", &[]);
                 let lines: Vec<String> = lines.iter().map(|(symbol, is)| page.chain(*symbol, is)).collect();
                 page.formulas(lines);

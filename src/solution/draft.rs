@@ -264,6 +264,12 @@ impl<'a> Draft<'a> {
         self.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false)
     }
 
+    /// An angle in degrees as one in radians.
+    pub fn radians(&mut self, degrees: Expr) -> Expr {
+        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        degrees * self.pi() / half
+    }
+
     /// A phrase of the lists, its places filled in.
     pub fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
         self.words.say(name, pieces)
@@ -333,10 +339,26 @@ impl<'a> Draft<'a> {
         asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
     }
 
+    /// Are forces and accelerations that stay the same all that is asked of a motion?
+    pub fn rates_alone(&self) -> bool {
+        let s = self.scene;
+        let asked = asked::needed(s, self.problem);
+        let steady = s.end != End::AtOnce && s.spring().is_none() && s.growths.is_empty();
+        self.as_if.is_none() && steady && s.thrown().is_none() && asked.iter().all(|l| is_rate(l.quantity))
+    }
+
     /// Is this label asked?
     pub fn asks_label(&self, label: Label) -> bool {
         self.problem.questions.iter().any(|q| q.label == label)
     }
+}
+
+/// Is this a force or an acceleration, which asks for no place, speed or time where forces are constant?
+pub const fn is_rate(q: Quantity) -> bool {
+    use Quantity as Q;
+    matches!(q, Q::A | Q::Alpha | Q::Friction | Q::FrictionIfRolled | Q::MuRequired | Q::Normal)
+        || matches!(q, Q::Tension | Q::RimForce | Q::Direction | Q::Rolls)
+        || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinAngle)
 }
 
 /// The LaTeX of a unit in ASCII; empty for `1` and for what is no unit.

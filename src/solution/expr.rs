@@ -209,6 +209,11 @@ pub fn arc_cosine(of: impl Into<Expr>) -> Expr {
     Expr::Of(Function::ArcCosine, Box::new(of.into()))
 }
 
+/// The length of a vector with these components.
+pub fn length(x: impl Into<Expr>, y: impl Into<Expr>) -> Expr {
+    root(square(x) + square(y))
+}
+
 /// Magnitude.
 pub fn magnitude(of: impl Into<Expr>) -> Expr {
     Expr::Of(Function::Magnitude, Box::new(of.into()))

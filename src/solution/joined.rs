@@ -2,7 +2,7 @@
 use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::DerivedAnswer;
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
 };
@@ -27,40 +27,36 @@ const MOST: usize = 12;
 /// Is a joint of some kind?
 type IsKind = fn(&JointKind) -> bool;
 
-/// Who words bodies that are joined in the plane.
-pub struct Joined<'d, 'a> {
-    t: Plane<'d, 'a>,
-    /// `J` of `1/2 J q'^2`.
-    inertia: Sum,
-}
-
-stands_on!(Joined.t: Plane<'d, 'a>);
-
-impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
+impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn idea(&mut self) {
-        if self.t.blow.is_some() {
+        if self.blow.is_some() {
             self.say("joined.idea_struck", &[]);
         }
-        let name = match self.t.scene.end {
-            End::AtOnce if self.t.blow.is_some() => return,
+        let name = match self.scene.end {
+            End::AtOnce if self.blow.is_some() => return,
             End::Equilibrium => "joined.idea_rest",
             End::AtOnce => "joined.idea_instant",
             _ if self.rubs() => "joined.idea_rubs",
             End::Leaves(_) => "joined.idea_leaves",
             End::Angle(..) => "pinned.idea",
             End::Time(..) => "joined.idea_time",
+            End::TurningPoint(_) => "pinned.idea_turning",
             _ => "pinned.idea_speed",
         };
-        self.say(name, &[]);
-        if self.t.scene.is_still() || self.rubs() {
+        if !self.measured() {
+            self.say(name, &[]);
+        }
+        let carrier = self.carrier.clone();
+        self.page.say_carried(carrier.as_ref());
+        if self.scene.is_still() || self.rubs() {
             return;
         }
-        if let Some(pivot) = &self.t.pivot {
+        if let Some(pivot) = &self.pivot {
             let pin = format!("${}$", pivot.name);
             self.say("pinned.idea_pin", &[("pin", &pin)]);
             return;
         }
-        self.say("joined.idea_one", &[]);
+        self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
         let kinds: [(&str, IsKind); 5] = [
             ("pin", |k| matches!(k, JointKind::Pin { .. })),
             ("hinge", |k| matches!(k, JointKind::Hinge { .. })),
@@ -71,23 +67,23 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         let kinds: Vec<String> = kinds
             .into_iter()
             .filter(|(_, is)| self.joint(*is))
-            .map(|(name, _)| self.t.phrase(&format!("joined.idle_{name}"), &[]))
+            .map(|(name, _)| self.phrase(&format!("joined.idle_{name}"), &[]))
             .collect();
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        if self.t.blow.is_some() {
+        if self.blow.is_some() {
             self.struck();
         }
-        if self.t.scene.end == End::Equilibrium {
+        if self.scene.end == End::Equilibrium {
             self.at_rest()?;
-        } else if self.instant() && self.t.blow.is_some() {
-            let (rate, is) = (self.t.rate, self.t.positive(&self.t.first));
-            self.t.page.step(rate, is);
+        } else if self.instant() && self.blow.is_some() {
+            let (rate, is) = (self.rate, self.positive(&self.first));
+            self.page.step(rate, is);
         } else if self.instant() {
             self.motion("short", "one_motion")?;
-            self.t.begin_as("why", "which");
-            self.say("joined.why_instant", &[]);
+            self.begin_as("why", "which");
+            self.say(if self.moves { "joined.why_instant" } else { "joined.why_at_rest" }, &[]);
         } else if self.rubs() {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
@@ -110,11 +106,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
                 || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinRadial | Q::PinTangential)
                 || matches!(q, Q::PinAngle | Q::Drive)
         };
-        if self.t.pivot.is_some() {
+        if self.pivot.is_some() {
             self.forces_of_the_pin(&kinetic)?;
             return self.swings();
         }
-        let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        let asked: Vec<Label> = self.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
         if asked.is_empty() {
             return Ok(());
         }
@@ -131,8 +127,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
                 &[]
             };
             for quantity in parts.iter().copied().chain([label.quantity]) {
-                let symbol = self.t.get(Label { quantity, ..label })?;
-                self.t.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
+                let symbol = self.get(Label { quantity, ..label })?;
+                self.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
                 if !values.contains(&symbol) && told != Some(symbol) {
                     values.push(symbol);
                 }
@@ -141,20 +137,23 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         self.tell_values(values);
         Ok(())
     }
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        self.t.get(label)
+    fn is_grounded(&self, _: Quantity) -> bool {
+        false
+    }
+    fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        self.get(label)
     }
     fn before(&mut self, label: Label) {
-        if label.quantity == Quantity::T && !matches!(self.t.scene.end, End::Time(..)) {
-            self.t.tell_new();
+        if label.quantity == Quantity::T && !matches!(self.scene.end, End::Time(..)) {
+            self.tell_new();
             self.say("joined.time", &[]);
         }
     }
     fn holds(&mut self) -> Result<(), DerivationStop> {
-        if self.t.pivot.is_some() && !self.t.scene.is_still() {
+        if self.pivot.is_some() && !self.scene.is_still() {
             self.gets_there();
         }
-        let scene = self.t.scene;
+        let scene = self.scene;
         let (mut pressed, mut taut) = (Vec::new(), Vec::new());
         for (j, joint) in scene.joints.iter().enumerate() {
             let (quantity, list) = match joint.kind {
@@ -162,43 +161,43 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
                 kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
                 _ => continue,
             };
-            let Some(force) = self.t.of_joint(quantity, j) else { continue };
+            let Some(force) = self.of_joint(quantity, j) else { continue };
             if self.leaves() == Some(j) {
                 // The place is that of the key: there the force has to vanish.
-                let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
-                if self.t.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
+                let weight: f64 = self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum();
+                if self.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
                     return Err(Beyond::Differs(quantity).into());
                 }
-            } else if !self.t.symbols.value(force).is_nan() {
-                list.push(self.t.shown(force));
+            } else if !self.symbols.value(force).is_nan() {
+                list.push(self.shown(force));
             }
         }
         for (name, list) in [("joined.presses", pressed), ("joined.taut", taut)] {
             if !list.is_empty() {
-                let name = if self.t.scene.is_still() { format!("{name}_at_once") } else { name.to_owned() };
+                let name = if self.scene.is_still() { format!("{name}_at_once") } else { name.to_owned() };
                 self.say(&name, &[("force", &list.join(", "))]);
             }
         }
         Ok(())
     }
     fn limits(&mut self) -> Result<(), DerivationStop> {
-        let rotation = self.t.pivot.as_ref().map_or_else(|| self.t.rotation(), |p| Sum::one(&p.own));
-        let moving = self.t.moves && self.t.symbols.value(self.t.rate) > 0.0;
-        if moving && !self.inertia.is_zero() && !rotation.is_zero() {
-            let percent = 100.0 * self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr());
-            let percent = self.t.digits(percent, 2);
-            self.say("limits.spin", &[("percent", &percent)]);
-            if self.t.first == ZERO && percent != "100" {
-                let light = self.t.symbols.value(self.t.rate)
-                    / (1.0 - self.t.value(&rotation.expr()) / self.t.value(&self.inertia.expr())).sqrt();
-                let fast = self.t.rough(light, "rad/s");
-                let shown = self.t.shown(self.t.rate);
-                if !matches!(self.t.scene.end, End::Speed(..)) {
-                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
+        let rotation = self.pivot.as_ref().map_or_else(|| self.rotation(), |p| Sum::one(&p.own));
+        let moving = self.moves && self.symbols.value(self.rate) > 0.0 && self.carrier.is_none();
+        if moving && !self.moving.is_zero() && !rotation.is_zero() {
+            let share = self.value(&rotation.expr()) / self.value(&self.moving.expr());
+            let several = !self.single();
+            self.page.say_share(share, several);
+            if self.first == ZERO && self.digits(100.0 * share, 2) != "100" {
+                let light = self.symbols.value(self.rate) / (1.0 - share).sqrt();
+                let fast = self.rough(light, "rad/s");
+                let shown = self.shown(self.rate);
+                if !matches!(self.scene.end, End::Speed(..)) {
+                    let name = if several { "joined.massless" } else { "joined.massless_one" };
+                    self.say(name, &[("fast", &fast), ("rate", &shown)]);
                 }
             }
         }
-        let scene = self.t.scene;
+        let scene = self.scene;
         let weights = scene.pushes.is_empty() && scene.couples.is_empty() && scene.struts.is_empty();
         let body = &scene.bodies[0];
         let given =
@@ -209,59 +208,57 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
         Ok(())
     }
     fn onward(&self) -> &'static str {
-        match self.t.scene.end {
+        match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
-            End::AtOnce if self.t.blow.is_some() => "joined.onward_struck",
-            End::AtOnce if !self.t.moves => "joined.onward_instant",
+            End::AtOnce if self.blow.is_some() => "joined.onward_struck",
+            End::AtOnce if !self.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.t.springs.is_empty() => "joined.onward_spring",
-            _ if self.t.pivot.is_some() => "pinned.onward",
+            _ if !self.springs.is_empty() => "joined.onward_spring",
+            _ if self.pivot.is_some() => "pinned.onward",
+            _ if self.scene.drifts().is_some() => "joined.onward_drifts",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
         }
     }
 }
 
-impl<'d, 'a> Joined<'d, 'a> {
-    /// Of a scene.
-    ///
-    /// # Errors
-    /// Joints that do not place a body.
-    pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
-        Ok(Self { t: Plane::new(draft)?, inertia: Sum::default() })
-    }
+impl<'d, 'a> Plane<'d, 'a> {
     fn instant(&self) -> bool {
-        self.t.scene.end == End::AtOnce
+        self.scene.end == End::AtOnce
     }
     /// The joint whose contact ends the motion.
     fn leaves(&self) -> Option<usize> {
-        if let End::Leaves(joint) = self.t.scene.end { Some(joint) } else { None }
+        if let End::Leaves(joint) = self.scene.end { Some(joint) } else { None }
     }
     fn rubs(&self) -> bool {
-        !self.t.frictions.is_empty()
+        !self.frictions.is_empty()
     }
     fn radial(&self) -> bool {
-        self.t.pivot.as_ref().is_some_and(|p| p.radial)
+        self.pivot.as_ref().is_some_and(|p| p.radial)
     }
     fn single(&self) -> bool {
-        self.t.bodies.len() == 1
+        self.bodies.len() == 1
     }
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.t.page.say(name, pieces);
+        self.page.say(name, pieces);
+    }
+    /// Does nothing turn?
+    fn points(&self) -> bool {
+        self.bodies.iter().all(|b| b.alpha.is_none())
     }
     fn joint(&self, is: IsKind) -> bool {
-        self.t.scene.joints.iter().any(|j| is(&j.kind))
+        self.scene.joints.iter().any(|j| is(&j.kind))
     }
 
     /// Where the bodies are: what the joints say of their angles, and the place where the motion ends.
-    fn places(&mut self) {
-        let last = self.t.turns[0].at[1].clone();
-        let value = self.t.valued(&last, "1");
-        let name = match self.t.scene.end {
+    fn tell_places(&mut self) {
+        let last = self.turns[0].at[1].clone();
+        let value = self.valued(&last, "1");
+        let name = match self.scene.end {
             End::Leaves(j) => {
-                let force = self.t.of_joint(Quantity::Normal, j);
-                let force = force.map_or_else(String::new, |f| self.t.names(&[f]));
+                let force = self.of_joint(Quantity::Normal, j);
+                let force = force.map_or_else(String::new, |f| self.names(&[f]));
                 self.say("joined.leaves", &[("force", &force), ("angle", &value)]);
                 None
             }
@@ -274,11 +271,11 @@ impl<'d, 'a> Joined<'d, 'a> {
         if let Some(name) = name {
             self.say(name, &[("angle", &value)]);
         }
-        let own = |e: &Expr| matches!(e, Expr::Symbol(_)) && !self.t.turns[0].at.contains(e);
+        let own = |e: &Expr| matches!(e, Expr::Symbol(_)) && !self.turns[0].at.contains(e);
         let symbols = |turn: &Turn| turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
-        let names = self.t.followers().into_iter().map(|body| self.t.bodies[body].name.clone());
+        let names = self.followers().into_iter().map(|body| self.bodies[body].name.clone());
         let followers: Vec<(String, Vec<SymbolId>)> =
-            names.zip(self.t.turns[1..].iter().map(symbols)).collect();
+            names.zip(self.turns[1..].iter().map(symbols)).collect();
         if followers.is_empty() || followers.iter().all(|(_, symbols)| symbols.is_empty()) {
             return;
         }
@@ -287,19 +284,19 @@ impl<'d, 'a> Joined<'d, 'a> {
             .map(|(name, symbols)| {
                 let mut symbols = symbols.clone();
                 symbols.dedup();
-                let list: Vec<String> = symbols.iter().map(|s| self.t.shown(*s)).collect();
+                let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
                 format!("{name} {}", list.join(", "))
             })
             .collect();
-        let none = self.t.loops.is_empty();
+        let none = self.loops.is_empty();
         self.say(
             if none { "joined.angles_alone" } else { "joined.angles" },
             &[("angles", &angles.join("; "))],
         );
-        let loops: Vec<String> = self.t.loops.iter().map(|(_, [a, b])| format!("{a} = {b}")).collect();
+        let loops: Vec<String> = self.loops.iter().map(|(_, [a, b])| format!("{a} = {b}")).collect();
         match &loops[..] {
-            [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
-            _ => self.t.formulas(loops),
+            [one] if width(one) <= WITHIN => self.add(format!("${one}$.")),
+            _ => self.formulas(loops),
         }
     }
 
@@ -307,100 +304,114 @@ impl<'d, 'a> Joined<'d, 'a> {
     fn about_the_pin(&mut self, pivot: &Pivot) {
         let pin = format!("${}$", pivot.name);
         self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[("pin", &pin)]);
-        let square = self.t.bodies[0].mass.times(pivot.h.squared());
-        let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.t.from(pivot.about));
-        let line = self.t.chain(pivot.about, &whole);
+        let square = self.bodies[0].mass.times(pivot.h.squared());
+        let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.from(pivot.about));
+        let line = self.chain(pivot.about, &whole);
         let gathered = short != whole && !matches!(short, Expr::Sum(_)) && pivot.own != ZERO;
         if gathered && !line.contains('&') && width(&line) < LINE - 20.0 {
-            let both = format!(" = {} = ", self.t.tex(&short));
-            self.t.formula(line.replacen(" = ", &both, 1));
+            let both = format!(" = {} = ", self.tex(&short));
+            self.formula(line.replacen(" = ", &both, 1));
         } else {
-            self.t.display(pivot.about, &whole, "");
+            self.display(pivot.about, &whole, "");
         }
-        self.inertia = Sum::one(pivot.about);
+        self.moving = Sum::one(pivot.about);
     }
 
     /// The ratios of the angular velocities.
     fn ratios(&mut self) {
-        let ratios: Vec<SymbolId> = self.t.steps[..self.t.steps_of[0]].iter().map(|s| s.symbol).collect();
+        let ratios: Vec<SymbolId> = self.steps[..self.steps_of[0]].iter().map(|s| s.symbol).collect();
         if ratios.is_empty() {
             return;
         }
-        self.say("joined.ratios", &[("rate", &self.t.names(&[self.t.rate]))]);
-        self.t.tell(ratios.clone());
-        if ratios.iter().any(|s| self.t.symbols.value(*s) < 0.0) {
+        self.say("joined.ratios", &[("rate", &self.names(&[self.rate]))]);
+        self.tell(ratios.clone());
+        if ratios.iter().any(|s| self.symbols.value(*s) < 0.0) {
             self.say("joined.ratios_signs", &[]);
         }
     }
 
     /// The speeds of the mass centres and the inertia of the motion.
     fn kinetic(&mut self) {
-        if let Some(pivot) = self.t.pivot.clone() {
-            if self.t.blow.is_none() {
+        if let Some(pivot) = self.pivot.clone() {
+            if self.blow.is_none() {
                 self.about_the_pin(&pivot);
             }
             return;
         }
         self.ratios();
-        let before = self.t.steps.len();
-        let speeds = self.t.speeds();
-        self.inertia = self.t.inertia(END, &speeds);
+        let before = self.steps.len();
+        let speeds = self.speeds();
+        self.moving = self.inertia(END, &speeds);
         let moving: Vec<String> = (0..speeds.len())
             .filter(|b| speeds[*b] != ZERO)
             .map(|b| {
-                let is = speeds[b].by(self.t.rate);
-                self.t.stated(self.t.bodies[b].v, &is)
+                let is = speeds[b].by(self.rate);
+                self.stated(self.bodies[b].v, &is)
             })
             .collect();
-        let name = if self.single() { "joined.speed" } else { "joined.speeds" };
+        let name = match (self.single(), self.scene.drifts()) {
+            (true, Some(_)) => "joined.speed_drifts",
+            (true, None) => "joined.speed",
+            _ => "joined.speeds",
+        };
         self.say(name, &[("speeds", &moving.join(", "))]);
-        let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
-        self.t.tell(named);
-        let is = self.inertia.expr();
-        let plain = self.single() && self.inertia.terms().len() == 1;
+        let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
+        self.tell(named);
+        let is = self.moving.expr();
+        let plain = self.single() && self.moving.terms().len() == 1;
         if plain {
-            let energy = ratio(1, 2).by(&is).by(square(self.t.rate));
-            let energy = self.t.inline(&energy);
+            let energy = ratio(1, 2).by(&is).by(square(self.rate));
+            let energy = self.inline(&energy);
             self.say("joined.energy_plain", &[("energy", &energy)]);
         } else {
-            let j = self.t.page.find(&["J", r"J_{\mathrm{e}}"], "kg m^2", is.clone());
-            let energy = self.t.inline(&(ratio(1, 2).by(j).by(square(self.t.rate))));
+            let j = self.page.find(&["J", r"J_{\mathrm{e}}"], "kg m^2", is.clone());
+            let energy = self.inline(&(ratio(1, 2).by(j).by(square(self.rate))));
             self.say("joined.energy", &[("energy", &energy)]);
-            let line = self.t.step_of(j);
+            let line = self.step_of(j);
             if width(&line) <= WITHIN && !line.contains('&') {
-                self.t.add(format!("${line}$."));
-                self.t.told(j);
+                self.add(format!("${line}$."));
+                self.told(j);
             } else {
-                self.t.display(j, &is, "");
+                self.display(j, &is, "");
             }
-            self.t.j = Some(j);
+            self.j = Some(j);
         }
     }
 
     fn j(&self) -> Expr {
-        self.t.j.map_or_else(|| self.inertia.expr(), Expr::from)
+        self.j.map_or_else(|| self.moving.expr(), Expr::from)
     }
 
     fn energy(&mut self, title: &str) -> Result<(), DerivationStop> {
-        self.t.begin_as("short", title);
-        self.places();
+        self.begin_as("short", title);
+        self.tell_places();
         self.kinetic();
-        let [placed, acted] = self.t.steps_of;
-        let about = self.t.pivot.as_ref().map(|p| p.about);
+        let [placed, acted] = self.steps_of;
+        let about = self.pivot.as_ref().map(|p| p.about);
         let hidden: Vec<SymbolId> =
-            self.t.springs.iter().copied().chain(self.t.units.iter().copied()).chain(about).collect();
+            self.springs.iter().copied().chain(self.units.iter().copied()).chain(about).collect();
         let needed: Vec<SymbolId> =
-            self.t.steps[placed..acted].iter().map(|s| s.symbol).filter(|s| !hidden.contains(s)).collect();
+            self.steps[placed..acted].iter().map(|s| s.symbol).filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
-            self.say(if self.single() { "joined.ways" } else { "joined.ways_sinking" }, &[]);
+            let needs = |quantity: fn(&Expr) -> bool| needed.iter().any(|s| quantity(&self.from(*s)));
+            let angles = needs(|from| from.uses().len() > 1 && matches!(from, Expr::Quotient(..)));
+            let notes = [
+                ("joined.in_radians", angles),
+                ("joined.of_springs", !self.springs.is_empty()),
+                ("joined.sinking", !self.single()),
+            ];
+            let notes = notes.into_iter().filter(|(_, there)| *there);
+            let notes: Vec<String> = notes.map(|(note, _)| self.phrase(note, &[])).collect();
+            let notes = if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) };
+            self.say("joined.ways", &[("notes", &notes)]);
             // A stretch comes after the lengths that it takes.
-            let free = self.t.springs.is_empty();
-            let short = |s: &SymbolId| free && width(&self.t.step_of(*s)) <= WITHIN;
+            let free = self.springs.is_empty();
+            let short = |s: &SymbolId| free && width(&self.step_of(*s)) <= WITHIN;
             let (short, wide): (Vec<SymbolId>, Vec<SymbolId>) = needed.into_iter().partition(short);
-            self.t.tell(short);
-            self.t.tell(wide);
+            self.tell(short);
+            self.tell(wide);
         }
-        for strut in &self.t.scene.struts {
+        for strut in &self.scene.struts {
             match strut.acts {
                 Acts::Both => {}
                 Acts::Pushes => self.say("joined.only_pushes", &[]),
@@ -408,65 +419,65 @@ impl<'d, 'a> Joined<'d, 'a> {
             }
         }
         if !self.single() {
-            let all = positive_first(self.t.works.clone());
-            let work = self.t.page.find(&["W", "A_{W}"], "J", all.clone());
+            let all = positive_first(self.works.clone());
+            let work = self.page.find(&["W", "A_{W}"], "J", all.clone());
             self.say("joined.work", &[]);
-            self.t.display(work, &all, "");
-            self.t.works = vec![work.into()];
+            self.display(work, &all, "");
+            self.works = vec![work.into()];
         }
         self.balance()?;
-        self.t.skip_new();
-        for label in self.t.labels() {
+        self.skip_new();
+        for label in self.labels() {
             if matches!(label.quantity, Quantity::V | Quantity::Omega | Quantity::VX | Quantity::VY) {
-                let symbol = self.t.get(label)?;
-                self.t.answer(label, DerivedAnswer::Value(symbol));
+                let symbol = self.get(label)?;
+                self.answer(label, DerivedAnswer::Value(symbol));
             }
         }
-        self.t.tell_new();
+        self.tell_new();
         Ok(())
     }
 
     /// The balance, and the rate of the leading angle that it gives; where that is given, it gave the place.
     fn balance(&mut self) -> Result<(), DerivationStop> {
-        let (rate, from_rest) = (self.t.rate, self.t.first == ZERO);
-        let given = match self.t.scene.end {
+        let (rate, from_rest) = (self.rate, self.first == ZERO);
+        let given = match self.scene.end {
             End::TurningPoint(_) => Some(ZERO),
             End::Speed(_, w) => {
-                let w = self.t.number(w, r"\omega_1", "rad/s");
-                Some(w.over(self.t.spin(self.t.lead)))
+                let w = self.number(w, r"\omega_1", "rad/s");
+                Some(w.over(self.spin(self.lead)))
             }
             _ => None,
         };
         let j = self.j();
         let first = self.first_energy();
         self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
-        let works = positive_first(self.t.works.clone());
+        let works = positive_first(self.works.clone());
         let last = if given == Some(ZERO) { ZERO } else { ratio(1, 2).by(&j).by(square(rate)) };
-        let same = first == ratio(1, 2).by(&j).by(square(&self.t.first)) && last != ZERO;
+        let same = first == ratio(1, 2).by(&j).by(square(&self.first)) && last != ZERO;
         let right = match same && !from_rest {
-            true => ratio(1, 2) * &j * (square(rate) - square(&self.t.first)),
+            true => ratio(1, 2) * &j * (square(rate) - square(&self.first)),
             false => sum([last, -first.clone()]),
         };
         if let Some(is) = &given {
-            self.t.page.step(rate, is.clone());
+            self.page.step(rate, is.clone());
             // The place is that of the key: there the balance has to hold.
-            let (work, gain) = (self.t.value(&works), self.t.value(&right));
-            let size = work.abs() + gain.abs() + self.t.value(&first).abs();
-            if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.t.symbols.doubt(rate)) {
+            let (work, gain) = (self.value(&works), self.value(&right));
+            let size = work.abs() + gain.abs() + self.value(&first).abs();
+            if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.symbols.doubt(rate)) {
                 return Err(Beyond::Differs(Quantity::Omega).into());
             }
         }
         let mark = if given.is_some() { r" \quad (\mathrm{E})" } else { "" };
-        let line = self.t.equation(&works, &right);
+        let line = self.equation(&works, &right);
         if self.single() || !from_rest || given.is_some() {
-            let lines = format!(r"{} \\ &= {}", self.t.tex(&works), self.t.tex(&right));
-            self.t.formula(if width(&line) <= LINE { format!("{line}{mark}") } else { lines });
+            let lines = format!(r"{} \\ &= {}", self.tex(&works), self.tex(&right));
+            self.formula(if width(&line) <= LINE { format!("{line}{mark}") } else { lines });
         }
         if given.is_some() {
-            self.t.tell([rate]);
+            self.tell([rate]);
             return Ok(());
         }
-        let twice = Sum::of(self.t.works.iter().flat_map(|w| {
+        let twice = Sum::of(self.works.iter().flat_map(|w| {
             let terms = if let Expr::Sum(terms) = w { terms.clone() } else { vec![w.clone()] };
             terms.into_iter().map(|w| w.factors().times(number(2))).collect::<Vec<_>>()
         }));
@@ -474,57 +485,57 @@ impl<'d, 'a> Joined<'d, 'a> {
         let is = if from_rest {
             twice.over(&j)
         } else if same {
-            square(&self.t.first) + twice.over(&j)
+            square(&self.first) + twice.over(&j)
         } else {
             (twice + first.by(number(2))) / j
         };
         let is = root(is);
-        self.t.page.step(rate, is.clone());
-        if self.t.symbols.value(rate).is_nan() {
+        self.page.step(rate, is.clone());
+        if self.symbols.value(rate).is_nan() {
             return Err(Beyond::Unfound.into());
         }
-        self.t.display(rate, &is, r" \quad (\mathrm{E})");
-        if self.t.sense < 0.0 {
-            self.say("pinned.magnitude", &[("omega", &self.t.names(&[rate]))]);
+        self.display(rate, &is, r" \quad (\mathrm{E})");
+        if self.sense < 0.0 {
+            self.say("pinned.magnitude", &[("omega", &self.names(&[rate]))]);
         }
         Ok(())
     }
 
     /// Kinetic energy at the start.
     fn first_energy(&mut self) -> Expr {
-        if let Some(ratio) = self.t.spun {
-            let shown = self.t.shown(ratio);
+        if let Some(ratio) = self.spun {
+            let shown = self.shown(ratio);
             self.say("joined.first_spin", &[("ratio", &shown)]);
         }
-        if self.t.first == ZERO {
+        if self.first == ZERO {
             return ZERO;
         }
-        let value = self.t.first_inertia();
+        let value = self.first_inertia();
         let j = self.j();
-        let j = if (self.t.value(&j) - value).abs() <= AGREEMENT_REL * value {
+        let j = if (self.value(&j) - value).abs() <= AGREEMENT_REL * value {
             j
         } else {
-            let symbol = self.t.named(&["J_0", "J_a"], "kg m^2");
-            let is = self.t.inertia(START, &[]).expr();
-            if width(&self.t.tex(&is)) <= LINE - 20.0 {
-                self.t.page.step(symbol, is);
-                self.say("joined.first", &[("inertia", &self.t.names(&[symbol]))]);
-                self.t.tell([symbol]);
+            let symbol = self.named(&["J_0", "J_a"], "kg m^2");
+            let is = self.inertia(START, &[]).expr();
+            if width(&self.tex(&is)) <= LINE - 20.0 {
+                self.page.step(symbol, is);
+                self.say("joined.first", &[("inertia", &self.names(&[symbol]))]);
+                self.tell([symbol]);
             } else {
-                self.t.symbols.settle(symbol, value, 0.0);
-                let shown = self.t.shown(symbol);
+                self.symbols.settle(symbol, value, 0.0);
+                let shown = self.shown(symbol);
                 self.say("joined.first", &[("inertia", &shown)]);
             }
             symbol.into()
         };
-        ratio(1, 2).by(&j).by(square(&self.t.first))
+        ratio(1, 2).by(&j).by(square(&self.first))
     }
 
     /// What the blow does: momentum and angular momentum, and what follows.
     fn struck(&mut self) {
-        let Some(blow) = self.t.blow.clone() else { return };
-        self.t.begin("blow");
-        let pivot = self.t.pivot.clone();
+        let Some(blow) = self.blow.clone() else { return };
+        self.begin("blow");
+        let pivot = self.pivot.clone();
         if let Some(pivot) = &pivot {
             self.about_the_pin(pivot);
         }
@@ -536,107 +547,107 @@ impl<'d, 'a> Joined<'d, 'a> {
             Some(_) => "joined.blow_pinned",
         };
         self.say(name, &[("pin", &pin)]);
-        let rows = blow.rows.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
-        self.t.formulas(rows);
+        let rows = blow.rows.iter().map(|(l, r)| self.equation(l, r)).collect::<Vec<_>>();
+        self.formulas(rows);
         if !blow.demands.is_empty() && blow.demands.len() <= FEW {
             self.say("joined.blow_demands", &[]);
-            let lines = blow.demands.iter().map(|(l, r)| self.t.equation(l, r)).collect::<Vec<_>>();
-            self.t.formulas(lines);
+            let lines = blow.demands.iter().map(|(l, r)| self.equation(l, r)).collect::<Vec<_>>();
+            self.formulas(lines);
         }
         let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
         let mut order: Vec<SymbolId> = blow.steps.iter().map(|s| s.symbol).collect();
         order.splice(0..0, blow.unknowns.iter().copied().filter(|s| follows(s).is_none()));
-        order.retain(|s| !self.t.symbols.value(*s).is_nan());
+        order.retain(|s| !self.symbols.value(*s).is_nan());
         self.say("joined.together_blow", &[]);
         let lines =
-            order.iter().map(|s| self.t.chain(*s, &follows(s).map_or((*s).into(), |step| step.from.clone())));
+            order.iter().map(|s| self.chain(*s, &follows(s).map_or((*s).into(), |step| step.from.clone())));
         let lines: Vec<String> = lines.collect();
-        self.t.formulas(lines);
+        self.formulas(lines);
     }
 
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
     fn at_rest(&mut self) -> Result<(), DerivationStop> {
         self.motion("short", "rest_motion")?;
-        let weight: f64 = self.t.bodies.iter().map(|b| self.t.value(&b.mass.expr())).sum();
-        let rows: Vec<(Expr, Expr)> = (0..self.t.bodies.len()).flat_map(|b| self.t.equations(b)).collect();
-        let left = rows.iter().map(|(left, _)| self.t.value(left).abs()).fold(0.0, f64::max);
+        let weight: f64 = self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum();
+        let rows: Vec<(Expr, Expr)> = (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
+        let left = rows.iter().map(|(left, _)| self.value(left).abs()).fold(0.0, f64::max);
         if !left.le(&(AGREEMENT_REL * 9.81 * weight)) {
             return Err(Beyond::Differs(Quantity::Phi).into());
         }
-        let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.t.asks(*q));
+        let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.asks(*q));
         if !small {
             return Ok(());
         }
-        let Some(k) = self.t.stiffness() else { return Err(Beyond::Mechanism.into()) };
-        self.t.begin("swings");
-        self.t.skip_new();
+        let Some(k) = self.stiffness() else { return Err(Beyond::Mechanism.into()) };
+        self.begin("swings");
+        self.skip_new();
         self.kinetic();
-        let fits = width(&self.t.step_of(k)) <= LINE;
-        let shown = if fits && self.single() { self.t.names(&[k]) } else { self.t.shown(k) };
+        let fits = width(&self.step_of(k)) <= LINE;
+        let shown = if fits && self.single() { self.names(&[k]) } else { self.shown(k) };
         self.say(if self.single() { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
         if fits && self.single() {
-            self.t.tell([k]);
+            self.tell([k]);
         }
-        self.t.skip_new();
-        for label in self.t.labels() {
+        self.skip_new();
+        for label in self.labels() {
             if matches!(label.quantity, Quantity::OmegaSmall | Quantity::PeriodSmall) {
-                let symbol = self.t.get(label)?;
-                self.t.answer(label, DerivedAnswer::Value(symbol));
+                let symbol = self.get(label)?;
+                self.answer(label, DerivedAnswer::Value(symbol));
             }
         }
-        self.t.tell_new();
+        self.tell_new();
         Ok(())
     }
 
     /// The equations of motion at the place that is asked, and what the joints demand.
     fn motion(&mut self, id: &'static str, title: &str) -> Result<(), DerivationStop> {
-        self.t.begin_as(id, title);
+        self.begin_as(id, title);
         if id == "short" {
-            self.places();
-            let rate = self.t.rate;
+            self.tell_places();
+            let rate = self.rate;
             if self.instant() {
-                let is = self.t.first.clone();
-                let is = if self.t.value(&is) < 0.0 { -is } else { is };
-                self.t.page.step(rate, is);
-                if self.t.moves {
-                    self.t.tell([rate]);
+                let is = self.first.clone();
+                let is = if self.value(&is) < 0.0 { -is } else { is };
+                self.page.step(rate, is);
+                if self.moves {
+                    self.tell([rate]);
                 } else {
-                    self.t.told(rate);
+                    self.told(rate);
                 }
-                if let Some(pivot) = self.t.pivot.clone() {
+                if let Some(pivot) = self.pivot.clone() {
                     self.about_the_pin(&pivot);
                 }
-            } else if self.t.moves {
+            } else if self.moves {
                 let value = self.key_rate();
-                self.t.symbols.settle(rate, value, 0.0);
+                self.symbols.settle(rate, value, 0.0);
             }
-            if self.t.moves {
+            if self.moves {
                 self.ratios();
             }
         }
-        let before = self.t.steps.len();
-        self.t.solve()?;
-        let about = self.t.pivot.as_ref().map(|p| p.about);
-        let late: Vec<SymbolId> = self.t.steps[self.t.steps_of[0]..before]
+        let before = self.steps.len();
+        self.solve()?;
+        let about = self.pivot.as_ref().map(|p| p.about);
+        let late: Vec<SymbolId> = self.steps[self.steps_of[0]..before]
             .iter()
             .map(|s| s.symbol)
-            .filter(|s| *s != self.t.rate && Some(*s) != about)
+            .filter(|s| *s != self.rate && Some(*s) != about)
             .collect();
         // Of what the works take, only what the forces at this place need.
-        let mut used = [&self.t.springs[..], &self.t.units].concat();
+        let mut used = [&self.springs[..], &self.units].concat();
         for i in (0..before).rev() {
-            let step = &self.t.steps[i];
+            let step = &self.steps[i];
             if used.contains(&step.symbol) {
                 used.extend(step.from.uses());
             }
         }
         let late: Vec<SymbolId> = late.into_iter().filter(|s| self.instant() || used.contains(s)).collect();
-        let mut springs: Vec<SymbolId> = self.t.springs.to_vec();
-        springs.extend(self.t.units.iter().copied());
+        let mut springs: Vec<SymbolId> = self.springs.to_vec();
+        springs.extend(self.units.iter().copied());
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
         if !wanted.is_empty() {
-            let twists = self.t.scene.struts.iter().all(crate::scene::Strut::twists);
-            let name = match (self.t.springs.is_empty(), self.t.units.is_empty()) {
+            let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
+            let name = match (self.springs.is_empty(), self.units.is_empty()) {
                 (true, _) => "joined.cord_there",
                 (false, true) if twists => "joined.spring_moment",
                 (false, true) => "joined.spring_force",
@@ -644,40 +655,41 @@ impl<'d, 'a> Joined<'d, 'a> {
                 (false, false) => "joined.spring_there",
             };
             self.say(name, &[]);
-            self.t.tell(wanted);
+            self.tell(wanted);
         }
-        self.t.skip_new();
-        let pivot = self.t.pivot.clone();
-        let forces = pivot.as_ref().map(|p| p.force.map(|f| self.t.names(&[f])));
+        self.skip_new();
+        let pivot = self.pivot.clone();
+        let forces = pivot.as_ref().map(|p| p.force.map(|f| self.names(&[f])));
         let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
         let pieces = forces
             .as_ref()
             .map(|[radial, across]| [("radial", &**radial), ("across", &**across), ("pin", pin.as_str())]);
         // The place has been named with the force of the spring.
         let there =
-            if self.instant() || pieces.is_some() && !self.t.springs.is_empty() { "" } else { "_there" };
+            if self.instant() || pieces.is_some() && !self.springs.is_empty() { "" } else { "_there" };
         let name = match (pieces.is_some(), self.radial()) {
+            (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
             (true, true) => "pinned.senses",
             (true, false) => "pinned.plane_senses",
         };
         self.say(&format!("{name}{there}"), pieces.as_ref().map_or(&[], |p| &p[..]));
-        let each = |b: usize| (self.t.bodies[b].name.clone(), self.t.equations(b));
-        let all: Vec<_> = (0..self.t.bodies.len()).map(each).collect();
-        self.t.rows(&all);
-        let demands = if self.t.scene.end == End::Equilibrium { Vec::new() } else { self.t.demands() };
+        let each = |b: usize| (self.bodies[b].name.clone(), self.equations(b));
+        let all: Vec<_> = (0..self.bodies.len()).map(each).collect();
+        self.rows(&all);
+        let demands = if self.scene.end == End::Equilibrium { Vec::new() } else { self.demands() };
         if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {
-            self.say("joined.demands", &[]);
-            let lines: Vec<String> = demands.iter().map(|(l, r)| self.t.equation(l, r)).collect();
-            self.t.formulas(lines);
+            self.say(if self.points() { "joined.point_demands" } else { "joined.demands" }, &[]);
+            let lines: Vec<String> = demands.iter().map(|(l, r)| self.equation(l, r)).collect();
+            self.formulas(lines);
         }
         if let Some(joint) = self.leaves() {
             self.where_it_leaves(joint);
         } else if id == "long" {
             let (alpha, omega) = self.leading();
-            let angle = self.t.letter.clone();
+            let angle = self.letter.clone();
             let own = [("alpha", &*alpha), ("omega", &omega), ("angle", &angle)];
             let name = if self.radial() { "pinned.integral" } else { "joined.integral" };
             self.say(name, &[&own[..], pieces.as_ref().map_or(&[], |p| &p[..])].concat());
@@ -687,80 +699,77 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// The place at which a force has fallen to 0, by both methods.
     fn where_it_leaves(&mut self, joint: usize) {
-        let force = self.t.of_joint(Quantity::Normal, joint);
-        let force = force.map_or_else(String::new, |f| self.t.names(&[f]));
-        let rate = self.t.names(&[self.t.rate]);
+        let force = self.of_joint(Quantity::Normal, joint);
+        let force = force.map_or_else(String::new, |f| self.names(&[f]));
+        let rate = self.names(&[self.rate]);
         let j = self.j();
-        let found = self.t.leaving(joint, &j);
+        let found = self.leaving(joint, &j);
         let name = if found.is_some() { "joined.leaves_closed" } else { "joined.leaves_solved" };
         self.say(name, &[("force", &force), ("rate", &rate)]);
         let Some([left, right, wave, is]) = found else { return };
-        let (line, value) = (self.t.equation(&left, &right), self.t.valued(&is, "1"));
-        let value = format!("{} = {}", self.t.tex(&wave), value.trim_matches('$'));
-        self.t.formulas([line, value]);
+        let (line, value) = (self.equation(&left, &right), self.valued(&is, "1"));
+        let value = format!("{} = {}", self.tex(&wave), value.trim_matches('$'));
+        self.formulas([line, value]);
     }
 
     /// Symbols of the second and first derivative of the leading angle.
     fn leading(&self) -> (String, String) {
-        let omega = self.t.symbols.tex(self.t.rate).to_owned();
-        let own = self.t.bodies[self.t.lead]
-            .alpha
-            .filter(|_| self.t.bodies[self.t.lead].omega == Some(self.t.rate));
-        let alpha =
-            own.map_or_else(|| omega.replace(r"\dot", r"\ddot"), |a| self.t.symbols.tex(a).to_owned());
+        let omega = self.symbols.tex(self.rate).to_owned();
+        let own = self.bodies[self.lead].alpha.filter(|_| self.bodies[self.lead].omega == Some(self.rate));
+        let alpha = own.map_or_else(|| omega.replace(r"\dot", r"\ddot"), |a| self.symbols.tex(a).to_owned());
         (alpha, omega)
     }
 
     /// The rate of the leading angle that the key has.
     fn key_rate(&self) -> f64 {
-        let of = |quantity| self.t.variant.solved.get(Label { quantity, of: Owner::Body(self.t.lead) });
-        let spin = self.t.spin(self.t.lead);
-        let per = if spin == ZERO { f64::NAN } else { self.t.value(&spin).abs() };
+        let of = |quantity| self.variant.solved.get(Label { quantity, of: Owner::Body(self.lead) });
+        let spin = self.spin(self.lead);
+        let per = if spin == ZERO { f64::NAN } else { self.value(&spin).abs() };
         of(Quantity::Omega).map_or(f64::NAN, |e| e.value() / per)
     }
 
     fn integrate_friction(&mut self) -> Result<(), DerivationStop> {
-        let rate = self.t.rate;
-        if self.t.symbols.value(rate).is_nan() {
+        let rate = self.rate;
+        if self.symbols.value(rate).is_nan() {
             return Err(Beyond::Unfound.into());
         }
-        let mu = self.t.scene.joints.iter().find_map(|joint| match joint.kind {
+        let mu = self.scene.joints.iter().find_map(|joint| match joint.kind {
             JointKind::Guide { mu_k, .. } => mu_k,
             _ => None,
         });
-        let mu = mu.map_or(ZERO, |mu| self.t.number(mu, r"\mu_k", "1"));
-        let pieces = [("rate", self.t.names(&[rate])), ("mu", self.t.tex(&mu))];
+        let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
+        let pieces = [("rate", self.names(&[rate])), ("mu", self.tex(&mu))];
         self.say("joined.rubs", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
-        let shown = self.t.shown(rate);
+        let shown = self.shown(rate);
         self.say("joined.rubs_rate", &[("rate", &shown)]);
-        self.t.told(rate);
-        self.t.begin_as("why", "which");
-        let forces = self.t.names(&self.t.reactions());
+        self.told(rate);
+        self.begin_as("why", "which");
+        let forces = self.names(&self.reactions());
         self.say("joined.why_rubs", &[("forces", &forces)]);
         Ok(())
     }
 
     fn why(&mut self) {
         if self.leaves().is_some() {
-            self.t.begin_as("why", "which");
-            self.say("joined.why_leaves", &[("rate", &self.t.names(&[self.t.rate]))]);
+            self.begin_as("why", "which");
+            self.say("joined.why_leaves", &[("rate", &self.names(&[self.rate]))]);
             return;
         }
-        self.t.begin("why");
-        let (reactions, accelerations) = (self.t.reactions(), self.t.accelerations());
+        self.begin("why");
+        let (reactions, accelerations) = (self.reactions(), self.accelerations());
         // Where the speed at the end is given, the place is asked.
-        let given = matches!(self.t.scene.end, End::Speed(..) | End::TurningPoint(_));
-        let place = self.t.turns[0].at[END].uses();
-        let what = place.first().copied().filter(|_| given).unwrap_or(self.t.rate);
+        let given = matches!(self.scene.end, End::Speed(..) | End::TurningPoint(_));
+        let place = self.turns[0].at[END].uses();
+        let what = place.first().copied().filter(|_| given).unwrap_or(self.rate);
         let mut rates: Vec<SymbolId> = vec![what];
-        rates.extend(self.t.bodies.iter().filter_map(|b| b.omega).filter(|o| *o != self.t.rate));
-        let speeds: Vec<SymbolId> = self.t.bodies.iter().map(|b| b.v).collect();
+        rates.extend(self.bodies.iter().filter_map(|b| b.omega).filter(|o| *o != self.rate));
+        let speeds: Vec<SymbolId> = self.bodies.iter().map(|b| b.v).collect();
         let newton = [reactions.clone(), accelerations, rates.clone()].concat();
         let energy = [speeds, rates].concat();
-        if let Some(pivot) = &self.t.pivot {
+        if let Some(pivot) = &self.pivot {
             // Moments about the pin ask for none of its forces.
-            let (alpha, pin) = (self.t.names(&self.t.accelerations()), self.t.names(&pivot.force));
-            let few = self.t.names(&[what]);
+            let (alpha, pin) = (self.names(&self.accelerations()), self.names(&pivot.force));
+            let few = self.names(&[what]);
             let many = format!("{alpha}, {few}");
             let count = [("n", "2"), ("many", &*many), ("k", "1"), ("few", &few)];
             self.say("pinned.why", &[&count[..], &[("pin", &pin), ("alpha", &alpha)]].concat());
@@ -768,88 +777,89 @@ impl<'d, 'a> Joined<'d, 'a> {
             return;
         }
         let forces = if reactions.len() <= FEW {
-            self.t.names(&reactions)
+            self.names(&reactions)
         } else {
-            self.t.phrase("joined.forces_of_joints", &[])
+            self.phrase("joined.forces_of_joints", &[])
         };
-        self.t.compare(what, [&newton, &energy], Some("joined.ties"), Some(&forces));
+        let ties = if self.single() { "joined.ties_one" } else { "joined.ties" };
+        self.compare(what, [&newton, &energy], &[ties], Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
     }
 
     /// What is left when the forces of the joints have been eliminated, of a single body.
     fn eliminate(&mut self) {
-        if self.t.scene.end == End::Equilibrium {
-            self.t.unravel(None);
+        if self.scene.end == End::Equilibrium {
+            self.unravel(None);
             self.say("joined.rest_rows", &[]);
             return;
         }
-        let Some([power, bend]) = self.t.eliminated() else {
+        let Some([power, bend]) = self.eliminated() else {
             self.say("joined.together", &[]);
             return;
         };
         if self.instant() {
-            let before = self.t.steps.len();
-            let speeds = self.t.speeds();
-            self.inertia = self.t.inertia(END, &speeds);
-            let named: Vec<SymbolId> = self.t.steps[before..].iter().map(|s| s.symbol).collect();
+            let before = self.steps.len();
+            let speeds = self.speeds();
+            self.moving = self.inertia(END, &speeds);
+            let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
             if !named.is_empty() {
-                let speed = self.t.stated(self.t.bodies[0].v, &speeds[0].by(self.t.rate));
+                let speed = self.stated(self.bodies[0].v, &speeds[0].by(self.rate));
                 self.say("joined.speed", &[("speeds", &speed)]);
-                self.t.tell(named);
+                self.tell(named);
             }
         }
         let (alpha, _) = self.leading();
-        let bend = bend.times(square(self.t.rate)).opposite();
+        let bend = bend.times(square(self.rate)).opposite();
         let right = power.plus(&bend).expr();
-        let line = format!(r"{}\,{alpha} = {}", self.factor(&self.inertia.expr()), self.t.tex(&right));
+        let line = format!(r"{}\,{alpha} = {}", self.factor(&self.moving.expr()), self.tex(&right));
         let fits = width(&line) <= LINE;
         self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
         if fits {
-            self.t.formula(line);
-            let it = &self.t.bodies[self.t.lead];
-            if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.t.rate)) {
-                self.t.unravel(Some(alpha));
+            self.formula(line);
+            let it = &self.bodies[self.lead];
+            if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.rate)) {
+                self.unravel(Some(alpha));
             }
         }
     }
     /// The leading angular acceleration of several bodies, if it is asked, by the rate of the balance.
     fn by_rate(&mut self, asked: &[Label]) -> Option<SymbolId> {
-        let (j, letter) = (self.t.j.filter(|_| !self.t.scene.is_still())?, self.t.letter.clone());
-        let (lead, rate) = (&self.t.bodies[self.t.lead], self.t.rate);
+        let (j, letter) = (self.j.filter(|_| !self.scene.is_still())?, self.letter.clone());
+        let (lead, rate) = (&self.bodies[self.lead], self.rate);
         let alpha = lead
             .alpha
-            .filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.t.lead)))?;
-        let [force, _] = self.t.derivatives(&|plane| plane.work())?;
-        let [growth, _] = self.t.derivatives(&|plane| {
+            .filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.lead)))?;
+        let [force, _] = self.derivatives(&|plane| plane.work())?;
+        let [growth, _] = self.derivatives(&|plane| {
             let speeds = plane.speeds();
             plane.value(&plane.inertia(END, &speeds).expr())
         })?;
         let [w, g] = [("W", "N m", force), ("J", "kg m^2", growth)].map(|(name, unit, value)| {
-            let symbol = self.t.unknown(&tagged(name, &letter), unit);
-            self.t.symbols.settle(symbol, value, 0.0);
+            let symbol = self.unknown(&tagged(name, &letter), unit);
+            self.symbols.settle(symbol, value, 0.0);
             symbol
         });
         let is = (w - ratio(1, 2) * g * square(rate)) / j;
-        let (here, there) = (self.t.value(&is), self.t.symbols.value(alpha));
+        let (here, there) = (self.value(&is), self.symbols.value(alpha));
         if !(here - there).abs().le(&(DIFFERENCES_REL * there.abs())) {
             return None;
         }
         let pieces =
-            [("alpha", self.t.names(&[alpha])), ("derivatives", [w, g].map(|s| self.t.shown(s)).join(", "))];
+            [("alpha", self.names(&[alpha])), ("derivatives", [w, g].map(|s| self.shown(s)).join(", "))];
         self.say("joined.by_rate", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
-        self.t.display(alpha, &is, "");
+        self.display(alpha, &is, "");
         Some(alpha)
     }
     /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
     fn tell_values(&mut self, values: Vec<SymbolId>) {
-        let solved = [self.t.accelerations(), self.t.reactions()].concat();
-        let known = |s: &&SymbolId| !self.t.symbols.value(**s).is_nan() && !values.contains(s);
+        let solved = [self.accelerations(), self.reactions()].concat();
+        let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
         let all = [&values[..], &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
         let mut needed = values.clone();
         let mut at = 0;
         while let Some(symbol) = needed.get(at).copied() {
-            let uses = self.t.from(symbol).uses().into_iter();
+            let uses = self.from(symbol).uses().into_iter();
             let more: Vec<SymbolId> = uses.filter(|s| solved.contains(s) && !needed.contains(s)).collect();
             needed.extend(more);
             at += 1;
@@ -857,16 +867,16 @@ impl<'d, 'a> Joined<'d, 'a> {
         let chains = |symbols: &[SymbolId]| {
             let mut symbols = symbols.to_vec();
             symbols
-                .sort_by_key(|s| self.t.steps.iter().position(|step| step.symbol == *s).map_or(0, |i| i + 1));
-            symbols.into_iter().map(|s| self.t.step_of(s)).collect::<Vec<_>>()
+                .sort_by_key(|s| self.steps.iter().position(|step| step.symbol == *s).map_or(0, |i| i + 1));
+            symbols.into_iter().map(|s| self.step_of(s)).collect::<Vec<_>>()
         };
         let plain = |symbols: &[SymbolId]| {
-            let uses = |s: SymbolId| self.t.from(s).uses();
+            let uses = |s: SymbolId| self.from(s).uses();
             let apart = |s: SymbolId| uses(s).iter().all(|u| !solved.contains(u) || symbols.contains(u));
-            let short = |s: SymbolId| self.t.chain(s, &s.into());
+            let short = |s: SymbolId| self.chain(s, &s.into());
             let each = symbols
                 .iter()
-                .map(|s| if solved.contains(s) || !apart(*s) { short(*s) } else { self.t.step_of(*s) });
+                .map(|s| if solved.contains(s) || !apart(*s) { short(*s) } else { self.step_of(*s) });
             each.collect::<Vec<_>>()
         };
         let room = MOST.saturating_sub(self.lines());
@@ -874,35 +884,34 @@ impl<'d, 'a> Joined<'d, 'a> {
         let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
         let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
         match &told[..] {
-            [one] if width(one) <= WITHIN => self.t.add(format!("${one}$.")),
-            _ => self.t.formulas(told),
+            [one] if width(one) <= WITHIN => self.add(format!("${one}$.")),
+            _ => self.formulas(told),
         }
-        self.t.skip_new();
+        self.skip_new();
     }
 
     /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
     fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
-        let asked: Vec<Label> = self.t.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
-        let Some(pivot) = self.t.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
+        let asked: Vec<Label> = self.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        let Some(pivot) = self.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
+        let before = self.steps.len();
         for label in &asked {
-            let symbol = self.t.get(*label)?;
-            self.t.answer(*label, DerivedAnswer::Value(symbol));
+            let symbol = self.get(*label)?;
+            self.answer(*label, DerivedAnswer::Value(symbol));
         }
-        self.t.skip_new();
+        self.skip_new();
         let held = asked.iter().any(|l| l.quantity != Quantity::Alpha);
-        let solved = self.t.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));
-        let first = self.t.steps.iter().position(|s| self.t.accelerations().contains(&s.symbol));
-        let later: Vec<SymbolId> = self.t.steps[first.unwrap_or(0)..].iter().map(|s| s.symbol).collect();
-        let later = later.into_iter().filter(|s| !pivot.force.contains(s));
+        let solved = self.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));
+        let later: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         self.say("pinned.forces", &[("angle", &self.angle(END))]);
-        self.t.tell(solved.chain(later).collect::<Vec<_>>());
+        self.tell(solved.chain(later).collect::<Vec<_>>());
         if held && pivot.radial {
             let signs = [
                 ["radial", "pinned.pin_toward", "pinned.pin_outward"],
                 ["across", "pinned.pin_with", "pinned.pin_against"],
             ];
             for (symbol, [piece, plus, minus]) in pivot.force.into_iter().zip(signs) {
-                let (value, name) = (self.t.symbols.value(symbol), self.t.names(&[symbol]));
+                let (value, name) = (self.symbols.value(symbol), self.names(&[symbol]));
                 if value != 0.0 && !value.is_nan() {
                     self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
                 }
@@ -913,37 +922,38 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// Does nothing but its weight act on a body on a pin?
     fn pendulum(&self) -> Option<Pivot> {
-        let s = self.t.scene;
+        let s = self.scene;
         let alone = s.couples.is_empty() && s.pushes.is_empty() && s.struts.is_empty();
-        self.t.pivot.clone().filter(|_| alone)
+        let alone = alone && s.end != End::Equilibrium;
+        self.pivot.clone().filter(|_| alone)
     }
 
     /// Periods and the greatest speed of a pendulum.
     fn swings(&mut self) -> Result<(), DerivationStop> {
         let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
-        let [whole, small, _, fastest] = all.map(|q| self.t.asks(q));
-        let Some(pivot) = self.pendulum().filter(|_| all.iter().any(|q| self.t.asks(*q))) else {
+        let [whole, small, _, fastest] = all.map(|q| self.asks(q));
+        let Some(pivot) = self.pendulum().filter(|_| all.iter().any(|q| self.asks(*q))) else {
             return Ok(());
         };
         let of = |n: &mut Self, quantity| {
-            let label = of_body(quantity, n.t.lead);
-            let symbol = n.t.get(label)?;
-            n.t.answer(label, DerivedAnswer::Value(symbol));
+            let label = of_body(quantity, n.lead);
+            let symbol = n.get(label)?;
+            n.answer(label, DerivedAnswer::Value(symbol));
             Ok::<_, DerivationStop>(symbol)
         };
-        self.t.begin("swings");
-        self.t.skip_new();
+        self.begin("swings");
+        self.skip_new();
         if fastest {
             of(self, Quantity::OmegaMax)?;
             self.say("pinned.fastest", &[]);
-            self.t.tell_new();
+            self.tell_new();
         }
         let frequency = of(self, Quantity::OmegaSmall)?;
         if small {
             of(self, Quantity::PeriodSmall)?;
         }
         self.say("pinned.small", &[]);
-        self.t.tell_new();
+        self.tell_new();
         if whole {
             self.period(pivot, frequency);
         }
@@ -952,7 +962,7 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// The real period, by the arithmetic-geometric mean.
     fn period(&mut self, pivot: Pivot, frequency: SymbolId) {
-        let t = &mut self.t;
+        let t = &mut *self;
         let (first, started) = (t.turns[0].at[START].clone(), t.first != ZERO);
         let half =
             if pivot.up { t.symbols.given(r"180^\circ", 180.0, "180", "", true) - first } else { first };
@@ -998,39 +1008,39 @@ impl<'d, 'a> Joined<'d, 'a> {
 
     /// An angle of the leading body at the start or at the end, with its value.
     fn angle(&self, which: usize) -> String {
-        match &self.t.turns[0].at[which] {
-            Expr::Symbol(s) => self.t.shown(*s),
-            _ => format!("${} = 0$", self.t.letter),
+        match &self.turns[0].at[which] {
+            Expr::Symbol(s) => self.shown(*s),
+            _ => format!("${} = 0$", self.letter),
         }
     }
 
     /// Which way a body on a pin goes, and that it gets there.
     fn gets_there(&mut self) {
         let [start, end] = [START, END].map(|which| self.angle(which));
-        let sense = self.t.phrase(if self.t.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
-        let [first, last] = self.t.turns[0].at.each_ref().map(|a| self.t.value(a));
+        let sense = self.phrase(if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
+        let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
         // How often the moment changes its sense on the way.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
         let steps = ((last - first).abs() / LOOK).ceil().clamp(1.0, 4000.0) as u32;
         let places: Vec<f64> =
             (0..=steps).map(|i| first + (last - first) * f64::from(i) / f64::from(steps)).collect();
-        let looked = self.t.varied(0.0, |plane| {
+        let looked = self.varied(0.0, |plane| {
             let square = plane.pivot.clone().map_or(ZERO, |pivot| plane.square(&pivot));
             let drive = plane.expanded(&plane.equations(0).swap_remove(0).0);
             [drive, square].map(|e| places.iter().map(|at| plane.along_way(&e, *at)).collect::<Vec<f64>>())
         });
         let Some([moments, squares]) = looked else { return };
-        if self.t.first == ZERO {
-            let moment = self.t.rough(moments[0], "N m");
+        if self.first == ZERO {
+            let moment = self.rough(moments[0], "N m");
             self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
         } else {
             self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
         }
-        let drives: Vec<f64> = moments.iter().map(|moment| moment * self.t.sense).collect();
+        let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         let angle = [("angle", end.as_str())];
-        if matches!(self.t.scene.end, End::TurningPoint(_)) {
+        if matches!(self.scene.end, End::TurningPoint(_)) {
             self.say("pinned.turns_there", &angle);
         } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
             self.say("pinned.only_faster", &angle);
@@ -1038,13 +1048,13 @@ impl<'d, 'a> Joined<'d, 'a> {
             self.say("pinned.brakes_late", &angle);
         } else {
             let least = squares[1..].iter().copied().fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &self.t.rough(least, "rad^2/s^2"))]);
+            self.say("pinned.never_rests", &[angle[0], ("least", &self.rough(least, "rad^2/s^2"))]);
         }
     }
 
     /// Displayed lines so far.
     fn lines(&self) -> usize {
-        let written = self.t.sections.iter().chain([&self.t.out]).flat_map(|s| &s.blocks);
+        let written = self.sections.iter().chain([&self.out]).flat_map(|s| &s.blocks);
         let lines = written.map(|b| match b {
             Block::Formula(tex) => tex.matches(r" \\ ").count() + 1,
             _ => 0,
@@ -1053,7 +1063,7 @@ impl<'d, 'a> Joined<'d, 'a> {
     }
     /// An expression as a factor.
     fn factor(&self, of: &Expr) -> String {
-        let text = self.t.tex(of);
+        let text = self.tex(of);
         if matches!(of, Expr::Sum(_)) { format!("({text})") } else { text }
     }
 }

@@ -2,20 +2,21 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Made, Mass, Num, Owner, Quantity, Slope, Span, Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Quantity, Slope, Span, Thrown,
+    Tie,
 };
-use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
+use crate::solution::account::{Account, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
-use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::joined::Joined;
 use crate::solution::page::{Page, WITHIN};
+use crate::solution::plane::Plane;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
-use crate::solution::terms::{Action, ForceKind, ForceSource, Particles};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, relative, tagged};
 use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
@@ -27,7 +28,7 @@ const DRIVING: [ForceKind; 3] = [ForceKind::Given, ForceKind::Spring, ForceKind:
 
 /// Which way comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Short {
+pub enum Short {
     /// Work and energy: the question goes from a place to a speed, or from a speed to a place.
     Energy,
     /// Equations of motion: the question goes over a time.
@@ -38,6 +39,8 @@ enum Short {
     Together,
     /// Velocities and forces of an instant.
     Instant,
+    /// Forces and accelerations alone are asked: no place, speed or time is needed.
+    Rates,
 }
 
 /// Velocity, spin, displacement and angle of a thrown body at the end of a leg.
@@ -50,15 +53,17 @@ struct LegEnd {
 }
 
 /// What a solution says of a kind of scene. The order is one for all: [`tell`].
-pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target: DerefMut<Target = Page<'d, 'a>>> {
+pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     /// What to look at, and what need not be known.
     fn idea(&mut self);
     /// The short way, the long one, and why the one is shorter.
     fn ways(&mut self) -> Result<(), DerivationStop>;
     /// Forces that are asked.
     fn forces(&mut self) -> Result<(), DerivationStop>;
-    /// A quantity, looked up or derived.
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
+    /// Is this another quantity as it is seen from the ground?
+    fn is_grounded(&self, quantity: Quantity) -> bool;
+    /// A quantity, looked up or derived, as it is asked.
+    fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
     /// What is said before a quantity that is asked besides.
     fn before(&mut self, label: Label);
     /// Is what was assumed so?
@@ -78,16 +83,21 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     n.begin("forces");
     n.skip_new();
     n.forces()?;
-    n.begin("rest");
+    let measured = n.scene.formulas.found.is_some();
+    n.begin_as("rest", if measured { "measured" } else { "rest" });
     n.skip_new();
-    for label in asked::needed(n.scene, n.problem) {
-        if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
-            n.before(label);
-            let symbol = n.get(label)?;
-            n.answer(label, DerivedAnswer::Value(symbol));
+    let (ground, own): (Vec<Label>, Vec<Label>) =
+        asked::needed(n.scene, n.problem).into_iter().partition(|l| n.is_grounded(l.quantity));
+    for labels in [own, ground] {
+        for label in labels {
+            if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
+                n.before(label);
+                let symbol = n.asked(label)?;
+                n.answer(label, DerivedAnswer::Value(symbol));
+            }
         }
+        n.tell_new();
     }
-    n.tell_new();
     n.begin("holds");
     n.holds()?;
     n.begin("limits");
@@ -106,11 +116,8 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.carried.is_some() {
-        return Err(Beyond::Carried.into());
-    }
     if draft.scene.lead().is_some() {
-        return tell(&mut Joined::new(draft)?);
+        return tell(&mut Plane::new(draft)?);
     }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return particles(draft);
@@ -132,15 +139,16 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let short = match end {
         End::AtOnce => Short::Instant,
         _ if account.slip.is_some() => Short::Neither,
-        _ if stays || !account.m.one => Short::Together,
+        _ if stays => Short::Together,
+        _ if account.rates_alone() => Short::Rates,
+        _ if !account.m.one => Short::Together,
         _ if !rolled.is_empty() && alone => Short::Neither,
         _ if !rolled.is_empty() => Short::Together,
         End::Time(..) => Short::Motion,
         _ => Short::Energy,
     };
-    let mut n = Narrator::new(account, short);
-    n.rolled = rolled;
-    tell(&mut n)
+    (account.short, account.supposed) = (short, rolled);
+    tell(&mut account)
 }
 
 /// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
@@ -271,14 +279,17 @@ pub fn as_if(
     how: AsIf,
     labels: &[Label],
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
-    let mut account = Account::new(draft, None)?;
-    account.arrive()?;
-    let mut n = Narrator::new(account, Short::Instant);
+    let mut n = Account::new(draft, None)?;
+    if labels.iter().all(|l| is_rate(l.quantity)) {
+        n.accelerate();
+    } else {
+        n.arrive()?;
+    }
     n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
     n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
     n.write_rows();
     n.tell_ratios();
-    let a = n.acceleration();
+    let a = n.rate();
     if n.m.one {
         let right = n.effective.by(a);
         let line = n.equation(&n.share_sum(&DRIVING), &right);
@@ -300,8 +311,9 @@ pub fn as_if(
 
 /// Is there a difference in it, which may have either sign?
 fn subtracts(e: &Expr) -> bool {
-    let less = |t: &&Expr| matches!(t, Expr::Minus(_));
-    matches!(e, Expr::Sum(_)) && e.parts().iter().any(less) || e.parts().into_iter().any(subtracts)
+    let less = |t: &&&Expr| matches!(t, Expr::Minus(_));
+    let minus = e.parts().iter().filter(less).count();
+    matches!(e, Expr::Sum(_)) && (1..e.parts().len()).contains(&minus) || e.parts().into_iter().any(subtracts)
 }
 
 /// What friction rolling would need on a contact that is said to slip.
@@ -312,11 +324,11 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(None);
     }
-    let account = Account::new(draft, Some(tie))?;
-    let mut n = Narrator::new(account, Short::Neither);
+    let mut n = Account::new(draft, Some(tie))?;
+    n.short = Short::Neither;
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
-    let closed = if n.m.one { n.t.closed_friction(body) } else { None };
+    let closed = if n.m.one { n.closed_friction(body) } else { None };
     let needed = match (closed, n.m.force_of(tie)) {
         (Some(closed), Some(f)) => n.found(friction, f, closed.expr()),
         _ => {
@@ -346,28 +358,15 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     Ok(Some(std::mem::replace(&mut n.out, SolutionSection::new("", ""))))
 }
 
-/// Who words the sections, one after the other.
-struct Narrator<'d, 'a> {
-    t: Account<'d, 'a>,
-    short: Short,
-    /// The rows as they are numbered.
-    rows: Vec<(Coordinate, usize)>,
-    gone: Vec<Eliminated>,
-    /// Does a thrown body still slip at the time that is asked?
-    still_slips: bool,
-    /// Are the ratios of displacements on the page?
-    ratios_told: bool,
-    /// What is said of contacts that are taken as rolling.
-    rolled: Vec<SolutionSection>,
-}
-
-stands_on!(Narrator.t: Account<'d, 'a>);
-
-impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
+impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
     fn idea(&mut self) {
         let spring = self.spring.is_some();
+        let found = self.measured();
         let name = match (self.short, self.scene.end) {
+            _ if found => "idea.found",
             (Short::Instant, _) => "idea.instant",
+            (Short::Rates, _) if self.slips() => "idea.rates_slip",
+            (Short::Rates, _) => "idea.rates",
             (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
             (Short::Neither, End::Rolling(_)) => "thrown.idea",
@@ -378,8 +377,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
-        self.say(name, &[]);
-        if matches!(self.short, Short::Energy | Short::Motion) {
+        if !found {
+            self.say(name, &[]);
+        }
+        let carrier = self.m.carrier.clone();
+        self.page.say_carried(carrier.as_ref());
+        if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
             let ties =
                 [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
@@ -392,8 +395,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 }
             }
             if !cords.is_empty() {
-                let what = if cords.iter().all(|t| self.is_cord(*t)) { "cords" } else { "rims" };
-                self.say(&format!("idea.{what}"), &[]);
+                let loads = |t: usize| matches!(&self.scene.ties[t], Tie::Cord(c) if c.made == Made::Rests);
+                let what = match () {
+                    () if cords.iter().all(|t| self.is_cord(*t)) => "cords",
+                    () if cords.iter().all(|t| loads(*t)) => "loads",
+                    () => "rims",
+                };
+                let one = what == "cords" && cords.len() == 1;
+                self.say(&if one { "idea.cord".to_owned() } else { format!("idea.{what}") }, &[]);
                 if self.short == Short::Energy {
                     let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
                     self.say(&format!("idea.idle_{what}"), &[("forces", &self.names(&forces))]);
@@ -402,7 +411,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         }
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        let rolled = std::mem::take(&mut self.rolled);
+        let rolled = std::mem::take(&mut self.supposed);
         self.end();
         self.draft.sections.extend(rolled);
         let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
@@ -410,6 +419,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
             Short::Energy => {
                 self.energy();
+                self.grow_up();
                 self.motion("long")?;
                 self.why();
                 Ok(())
@@ -431,6 +441,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 Ok(())
             }
             Short::Instant => self.instant(),
+            Short::Rates => {
+                self.motion("short")?;
+                self.begin_as("why", "which");
+                self.say("why.rates", &[]);
+                Ok(())
+            }
         }
     }
     fn forces(&mut self) -> Result<(), DerivationStop> {
@@ -452,12 +468,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
         if sprung {
-            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.acceleration()]);
+            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.rate()]);
             self.forget(at_end.collect::<Vec<_>>());
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
-            let a = self.acceleration();
-            let place = matches!(self.scene.end, End::Travel(..)) && self.straight();
+            let a = self.rate();
+            let even = self.grown.is_empty() && self.straight();
+            let place = matches!(self.scene.end, End::Travel(..)) && even;
             let back = place && self.short == Short::Energy && self.v0 == ZERO;
             let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
             let by = self.stated(a, &in_sense(by, self.sense));
@@ -473,12 +490,18 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         }
         Ok(())
     }
-    fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        self.t.get(label)
+    fn is_grounded(&self, quantity: Quantity) -> bool {
+        Account::is_grounded(self, quantity)
+    }
+    fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        Account::asked(self, label)
     }
     fn before(&mut self, label: Label) {
+        if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
+            self.say("carried.ground", &[]);
+        }
         let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
-        let even = self.m.one && self.v0 == ZERO && self.spring.is_none();
+        let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
             self.say("forces.mean", &[]);
         }
@@ -531,7 +554,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
             return Ok(());
         }
-        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
+        if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty() {
             self.massless_limit();
             self.balance_limit();
         }
@@ -550,14 +573,16 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     fn onward(&self) -> &'static str {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
+        let level = self.scene.bodies.iter().all(|b| b.line.is_none_or(|l| l.slope == Slope::Level));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
         let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         match () {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
-            () if self.short == Short::Neither => "onward.slips",
+            () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
             () if self.spring.is_some() => "onward.spring",
+            () if wheel && pulled && level => "onward.spool",
             () if wheel && pulled => "onward.pulled",
             () if wheel => "onward.wheel",
             () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
@@ -567,30 +592,22 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     }
 }
 
-impl<'d, 'a> Narrator<'d, 'a> {
-    fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self {
-            t,
-            short,
-            rows: Vec::new(),
-            gone: Vec::new(),
-            still_slips: false,
-            ratios_told: false,
-            rolled: Vec::new(),
-        }
-    }
-    // As those of the account and the page; named here so that what they are given may look at the narrator.
+impl<'d, 'a> Account<'d, 'a> {
+    // As those of the page; named here so that what they are given may look at the account.
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.t.page.say(name, pieces);
+        self.page.say(name, pieces);
     }
     fn formula(&mut self, tex: String) {
-        self.t.page.formula(tex);
+        self.page.formula(tex);
+    }
+    fn slips(&self) -> bool {
+        self.m.parts.iter().any(|p| p.slips)
     }
     fn forced(&self) -> bool {
         self.short != Short::Instant || self.forces_asked()
     }
     fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
-        self.t.page.tell(symbols);
+        self.page.tell(symbols);
     }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
@@ -604,7 +621,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.m.speed(self.lead()).unwrap_or(SymbolId(0))
     }
     /// The acceleration of the lead.
-    fn acceleration(&self) -> SymbolId {
+    fn rate(&self) -> SymbolId {
         self.m.acceleration(self.lead()).unwrap_or(SymbolId(0))
     }
 
@@ -694,7 +711,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega)).ok();
+        let v = self.of_lead(Quantity::V, Quantity::Omega);
+        let v = self.get(v).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
             let kept = self.steps.split_off(at.unwrap_or(0));
@@ -703,6 +721,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.tell_as_known(normals);
             self.tell_new();
             self.steps.extend(kept);
+        }
+        let grown: Vec<SymbolId> =
+            self.grown.iter().filter_map(|g| Some([g.last, g.mean?])).flatten().collect();
+        if !grown.is_empty() {
+            self.say("energy.grows", &[]);
+            self.tell(grown);
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
@@ -768,7 +792,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
                 _ => self.formula(line),
             }
-            if self.symbols.value(gamma) > 1.0 && !spring {
+            let ahead = self.value(&self.m.point(&action).per(&action.along).expr()) > 0.0;
+            if !ahead && !spring {
+                self.say("energy.ratio_against", &[]);
+            } else if self.symbols.value(gamma) > 1.0 && !spring {
                 self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
             }
         }
@@ -841,7 +868,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
-            let _ = self.get(of_body(Quantity::VMax, self.lead().body));
+            let body = self.lead().body;
+            let _ = self.get(of_body(Quantity::VMax, body));
             self.say("energy.fastest", &[]);
             self.tell_new();
         }
@@ -880,12 +908,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let title = match (id, self.short) {
             (_, Short::Instant) => "motion",
             ("long", _) => "long_motion",
-            (_, Short::Neither | Short::Together) => "one_motion",
+            (_, Short::Neither | Short::Together | Short::Rates) => "one_motion",
             _ => "short_motion",
         };
         self.begin_as(id, title);
         let first = self.short == Short::Instant
-            || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
+            || id == "short" && matches!(self.short, Short::Motion | Short::Energy)
+            || self.short == Short::Rates && !self.slips();
         self.tell_ratios();
         if let Some(slip) = self.slip {
             self.slip_at_start(slip)?;
@@ -895,7 +924,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if first || self.short == Short::Together && self.m.one {
             self.tell_frictions();
         }
-        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
+        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.still())
             && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
         {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
@@ -910,14 +939,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
             let law = &s.stiffness * (&s.stretch - s.gamma.by(s_now));
-            if !self.t.still() {
+            if !self.still() {
                 self.say("motion.spring", &[("law", &self.stated(s.tension, &law))]);
             }
         }
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
         }
-        if self.short == Short::Neither {
+        if self.short == Short::Neither || self.short == Short::Rates && self.slips() && self.m.one {
             return match (self.scene.thrown(), self.slip) {
                 (Some(thrown), Some(slip)) => self.legs(&thrown, slip),
                 _ => self.two_freedoms(),
@@ -925,7 +954,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let gone = if self.m.one { self.elimination().ok() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
-        let a = self.acceleration();
+        let a = self.rate();
         let from: Vec<String> = gone
             .iter()
             .map(|g| {
@@ -1017,7 +1046,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     fn say_senses(&mut self) {
-        self.say("motion.senses", &[]);
+        let both = self.m.parts.iter().filter(|p| p.a.is_some() && p.alpha.is_some());
+        let ahead: Vec<bool> = both.map(|p| self.value(&p.along.times(&p.turn).expr()) >= 0.0).collect();
+        let wheels = !ahead.is_empty() && ahead.iter().all(|a| *a);
+        self.say(if wheels { "motion.senses" } else { "motion.senses_alone" }, &[]);
+        if self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some()) {
+            self.say("motion.senses_axle", &[]);
+        }
         let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
         if slopes && !self.rolling().is_empty() && self.short != Short::Neither {
             self.say("motion.other_sign", &[]);
@@ -1032,7 +1067,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.rows = rows.filter_map(|((c, ..), n)| Some(((*c)?, n))).collect();
         let plain =
             all.into_iter().map(|(name, rows)| (name, rows.into_iter().map(|(_, l, r)| (l, r)).collect()));
-        self.t.page.rows(&plain.collect::<Vec<_>>());
+        self.page.rows(&plain.collect::<Vec<_>>());
     }
 
     fn number_of(&self, c: Coordinate) -> String {
@@ -1041,7 +1076,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// From the acceleration to the speed, or to the distance.
     fn integrate(&mut self, again: bool) {
-        let a = self.acceleration();
+        let a = self.rate();
         let v = self.speed();
         let gain = ratio(1, 2) * (square(&self.v) - square(&self.v0));
         let pieces = [
@@ -1054,18 +1089,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
         ];
         let pieces: Vec<(&str, &str)> = pieces.iter().map(|(n, t)| (*n, t.as_str())).collect();
         match self.scene.end {
+            _ if self.short == Short::Rates => {}
             End::Time(..) if self.spring.is_some() => {}
             End::Time(..) => {
                 let grown: Vec<SymbolId> = self.grown.iter().map(|g| g.last).chain(self.first_rate).collect();
                 if grown.is_empty() {
                     self.say("motion.over_time", &pieces);
                 } else {
-                    self.say("motion.grows", &[]);
+                    let even = self.scene.law() == Some(Law::EVEN);
+                    self.say(if even { "motion.grows" } else { "motion.grows_power" }, &[]);
                     self.tell(grown);
-                    self.say("motion.over_time_grows", &pieces);
-                    if self.turns_back {
-                        self.say("thrown.turns_back", &[]);
-                    }
+                    self.say(if even { "motion.over_time_grows" } else { "motion.over_time_power" }, &pieces);
                 }
                 // What comes after the acceleration.
                 let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
@@ -1074,9 +1108,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 self.tell_new();
             }
             End::AtOnce => {}
-            _ if self.spring.is_some() => self.say("motion.integral_spring", &pieces),
+            _ if again && (self.spring.is_some() || !self.grown.is_empty()) => {
+                self.say("motion.integral_spring", &pieces);
+            }
             _ if again => self.say("motion.integral", &pieces),
             _ => {}
+        }
+        let magnitudes = self.short == Short::Energy && self.sense < 0.0;
+        if again && magnitudes {
+            self.say("motion.signed", &[]);
         }
     }
 
@@ -1097,7 +1137,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if value == 0.0 {
             return Err(Beyond::Unfound.into());
         }
-        self.say("thrown.slip", &[]);
+        let c = self.scene.thrown().map(|t| self.number(t.radius_m, "R", "m"));
+        let c = c.map_or_else(String::new, |c| self.tex(&c));
+        let (u, v) = (self.free(&["u", "w"]), tagged("v", &relative(self, "")));
+        self.say("thrown.slip", &[("u", &u), ("v", &v), ("c", &c)]);
         self.tell([slip]);
         let size = self.sized(slip);
         self.ends_as(of_body(Quantity::SlipSpeed, body), size);
@@ -1117,7 +1160,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let tex = self.free(&["u", "w"]);
         let rate = self.find(&[&format!(r"\dot{{{tex}}}")], "m/s^2", a - &c * alpha);
         let closes = self.symbols.value(rate) * sense < 0.0;
-        self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[]);
+        self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[("u", &tex)]);
         let asked = match self.scene.end {
             End::Time(_, t) => Some(self.number(t, "t_1", "s")),
             _ => None,
@@ -1152,9 +1195,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.value(&v0) * self.symbols.value(first.v) < 0.0 {
             self.say("thrown.turns_back", &[]);
         }
-        let left = spins.map_or(ZERO, |_| self.find(&["u_1", "w_1"], "m/s", slip + rate * &slid).into());
+        let left =
+            spins.map_or(ZERO, |_| self.find(&[&format!("{tex}_1")], "m/s", slip + rate * &slid).into());
         let mean = in_sense(slip + left, sense);
-        self.say("thrown.heat", &[]);
+        self.say("thrown.heat", &[("u", &tex)]);
         let distance = self.find(&["l", r"\ell", r"\lambda"], "m", mean.by(&slid).by(ratio(1, 2)));
         let mu_k = self.number(thrown.mu_k, r"\mu_k", "1");
         let heat = self.find(&["Q", "Q_f"], "J", mu_k * normal * distance);
@@ -1205,7 +1249,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let level = rolling == ZERO;
         self.say(if level { "thrown.roll_level" } else { "thrown.roll" }, &[]);
         let f = self.get(of_body(Quantity::Friction, body))?;
-        let [a_tex, f_tex] = [self.acceleration(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
+        let [a_tex, f_tex] = [self.rate(), f].map(|s| marked(self.symbols.tex(s), r"\mathrm{r}"));
         let a = self.find(&[&a_tex], "m/s^2", rolling);
         let back = -f64::from(self.m.parts[body].up);
         let f = self.find(&[&f_tex], "N", if level { ZERO } else { in_sense(j.by(a), back) });
@@ -1249,10 +1293,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let tex = n.free(names);
             if mark.is_empty() { tex } else { marked(&tex, mark) }
         };
-        let (tex, spin_tex) = (name(self, &["v", "v_G"]), name(self, &[r"\omega", r"\Omega"]));
+        let own = ["v", "v_G", "x", "x_G"].map(|n| tagged(n, &relative(self, "")));
+        let (tex, spin_tex) = (name(self, &[&own[0], &own[1]]), name(self, &[r"\omega", r"\Omega"]));
         let v = self.find(&[&tex], "m/s", v);
         let w = self.find(&[&spin_tex], "rad/s", spin.unwrap_or_else(|| v / c));
-        let tex = name(self, &["x", "x_G"]);
+        let tex = name(self, &[&own[2], &own[3]]);
         let x = self.find(&[&tex], "m", x);
         self.tell_new();
         let tex = name(self, &[r"\phi", r"\varphi", r"\psi"]);
@@ -1277,7 +1322,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (fall, mass, own) =
             (self.share_sum(&[ForceKind::Given]), self.m.parts[body].mass.clone(), self.inertia_of(body));
         let level = fall == ZERO;
-        self.begin_as("long", "slip_energy");
+        self.begin_as("long", "momentum");
         self.say(if level { "thrown.momentum_level" } else { "thrown.momentum" }, &[]);
         let spun = |w: &Expr, v: &Expr| own.by(w) + mass.times(c).by(v);
         let half = ratio(1, 2);
@@ -1335,7 +1380,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
         }
         self.skip_new();
-        let v = self.get(self.of_lead(Quantity::V, Quantity::Omega))?;
+        if self.short == Short::Rates {
+            return Ok(());
+        }
+        let v = self.of_lead(Quantity::V, Quantity::Omega);
+        let v = self.get(v)?;
         if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
@@ -1401,8 +1450,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("why.neither", &[("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)]);
         } else {
             let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
-            let gone = (!self.gone.is_empty()).then(|| self.names(&reactions));
-            self.t.page.compare(what, [&newton, &energy], tied.then_some("why.ties"), gone.as_deref());
+            let gone = (!reactions.is_empty()).then(|| self.names(&reactions));
+            let more: Vec<&str> = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")]
+                .into_iter()
+                .filter_map(|(is, name)| is.then_some(name))
+                .collect();
+            self.page.compare(what, [&newton, &energy], &more, gone.as_deref());
             let silent: Vec<SymbolId> =
                 reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
             if !silent.is_empty() {
@@ -1443,6 +1496,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let sense = self.way(body, value);
         if value != 0.0 {
+            let moments = self.row(Coordinate { body, degree: Degree::Turn });
+            if moments.iter().all(|(action, _)| action.contact) {
+                self.say("friction.alone", &[("f", &self.names(&[f]))]);
+            }
             self.say("friction.points", &[("f", &self.names(&[f])), ("way", &sense)]);
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
@@ -1474,12 +1531,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let whole = lever.expr();
             let force = self.inline(&action.force);
             let name = match action.source {
+                _ if self.value(&whole) == 0.0 => "friction.none",
                 _ if subtracts(&whole) => "friction.changes",
                 ForceSource::Weight(_) => "friction.weight",
                 _ => "friction.force",
             };
             let sense = self.way(body, self.value(&(whole.clone() * self.size(action.force.clone()))));
-            let factor = self.inline(&whole);
+            let factor = if name == "friction.none" { self.tex(&whole) } else { self.inline(&whole) };
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
     }
@@ -1502,7 +1560,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             }
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
-            let push = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
+            let push = self.at_start(&self.share_sum(&[ForceKind::Given]));
+            let push = positive_first([in_sense(push, self.sense)]);
             let hold = (mu * n) * self.magnitude(self.m.ratio(along)).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
@@ -1603,7 +1662,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         };
         self.say("holds.taut_spring", &[("t", &least)]);
         if self.scene.span == Span::ToTurningPoint
-            && let Ok((slack, true)) = self.t.turning_or_slack()
+            && let Ok((slack, true)) = self.turning_or_slack()
         {
             self.say("holds.goes_slack", &[("s", &self.valued(&self.positive(&slack), "m"))]);
         }
@@ -1618,7 +1677,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;
         let level = self.spring.as_ref().is_some_and(|s| !s.rigid) && self.value(&self.drive) == 0.0;
-        if !turns || level {
+        if !turns || level || !self.grown.is_empty() || self.short == Short::Rates {
             return Ok(());
         }
         self.skip_new();
@@ -1685,14 +1744,20 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
-        if !self.spins() || !moving || self.value(&self.v) == 0.0 {
+        if self.m.carrier.is_some()
+            || !self.spins()
+            || !moving
+            || self.value(&self.v) == 0.0
+            || self.short == Short::Rates
+        {
             return Ok(());
         }
         self.skip_new();
         let share = self.get(of_scene(Quantity::RotationalFraction))?;
-        let percent = self.digits(100.0 * self.symbols.value(share), 2);
+        let share = self.symbols.value(share);
         self.skip_new();
-        self.say("limits.spin", &[("percent", &percent)]);
+        let several = self.m.parts.len() > 1;
+        self.page.say_share(share, several);
         Ok(())
     }
 }

@@ -2,10 +2,12 @@
 //! sentences, wide ones on lines of their own.
 use crate::num::linear::Linear;
 use crate::num::shown;
+use crate::scene::Num;
 use crate::solution::draft::{Detail, Draft, tex_of};
-use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, positive_first};
+use crate::solution::expr::{Expr, SymbolId, ZERO, arc_cosine, in_sense, length, magnitude, positive_first};
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::terms::Carrying;
 use crate::solution::text::{Block, LINE, SolutionSection};
 use crate::solution::written::width;
 
@@ -229,11 +231,12 @@ impl<'d, 'a> Page<'d, 'a> {
         &mut self,
         what: SymbolId,
         [newton, energy]: [&[SymbolId]; 2],
-        ties: Option<&str>,
+        ties: &[&str],
         gone: Option<&str>,
     ) {
         let (what, many, few) = (self.names(&[what]), self.names(newton), self.names(energy));
-        let ties = ties.map_or_else(String::new, |ties| self.phrase(ties, &[]));
+        let ties: String = ties.iter().map(|ties| self.phrase(ties, &[])).collect();
+        let ties = ties.replace(",,", ",");
         let n = newton.len().to_string();
         self.say("why.newton", &[("what", &what), ("many", &many), ("n", &n), ("ties", &ties)]);
         match gone {
@@ -241,6 +244,44 @@ impl<'d, 'a> Page<'d, 'a> {
             None => self.say("why.no_reaction", &[]),
         }
         self.say("why.energy", &[("few", &few), ("k", &energy.len().to_string())]);
+    }
+    /// The share of the kinetic energy that rotation has.
+    pub fn say_share(&mut self, share: f64, several: bool) {
+        let percent = self.digits(100.0 * share, 2);
+        if percent != "100" {
+            self.say(if several { "limits.spin_many" } else { "limits.spin" }, &[("percent", &percent)]);
+        }
+    }
+    /// From where it all is seen, if something carries it.
+    pub fn say_carried(&mut self, carrier: Option<&Carrying>) {
+        let Some(Carrying { speed, acceleration, .. }) = carrier else { return };
+        let [speed, acceleration] = [speed, acceleration].map(|e| self.inline(e));
+        let steady = carrier.is_some_and(|c| c.acceleration == ZERO);
+        let name = if steady { "carried.steady" } else { "carried.apparent" };
+        self.say(name, &[("speed", &speed), ("acceleration", &acceleration)]);
+    }
+    /// Says what is looked for where an answer was measured; `false` where none was.
+    pub fn measured(&mut self) -> bool {
+        let Some(found) = self.scene.formulas.found else { return false };
+        let [name, measured] =
+            [found.unknown.datum, found.measured.datum].map(|datum| self.number(Num::Datum(datum), "x", "1"));
+        let (name, measured) = (self.inline(&name), self.valued(&measured, "1"));
+        self.say("idea.found", &[("name", &name), ("measured", &measured)]);
+        true
+    }
+    /// The angle of a vector with these components, counter-clockwise from the right.
+    pub fn angle_of(&self, x: SymbolId, y: SymbolId) -> Expr {
+        in_sense(arc_cosine(x / length(x, y)), self.symbols.value(y))
+    }
+    /// The magnitude of a quantity: itself, or under bars where it is negative.
+    pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {
+        if self.symbols.value(symbol) >= 0.0 {
+            return symbol;
+        }
+        let name = format!(r"\left|{}\right|", self.symbols.tex(symbol));
+        let size = self.symbols.unknown_like(&name, symbol);
+        self.symbols.settle_by(size, &magnitude(symbol));
+        size
     }
     /// A number with so many figures, as it is printed.
     pub fn digits(&self, value: f64, figures: usize) -> String {

@@ -12,13 +12,13 @@ use crate::scene::{
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    signed, sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, ratio, root, signed, sine,
+    square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{self, tagged};
+use crate::solution::terms::{self, Carrying, tagged};
 use crate::solution::written::width;
 
 /// The start, and the place that is asked.
@@ -267,6 +267,10 @@ pub struct Plane<'d, 'a> {
     /// The place of which forces are told: at the start for blows, else [`END`].
     here: usize,
     g: Expr,
+    /// What carries it all.
+    pub carrier: Option<Carrying>,
+    /// `J` of `1/2 J q'^2`.
+    pub moving: Sum,
 }
 
 stands_on!(Plane.page: Page<'d, 'a>);
@@ -283,6 +287,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return beyond() };
         let g = terms::gravity(draft);
+        let carrier = Carrying::of(draft);
         let mut page = Page::new(draft);
         let rate = page.unknown("?", "rad/s");
         let mut this = Self {
@@ -315,6 +320,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             blow: None,
             here: END,
             g,
+            carrier,
+            moving: Sum::default(),
         };
         this.first = this.start_rate();
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
@@ -491,14 +498,18 @@ impl<'d, 'a> Plane<'d, 'a> {
             let inertia = terms::inertia(self, body, &mass, &g, &tag);
             let planar = body.planar.as_ref();
             let centre = planar.map_or(ZERO, |p| self.length(i, &tag, p.centre)).factors();
-            let a = ["x", "y"].map(|way| self.named(&[&tagged("a", &format!("{tag}{way}"))], "m/s^2"));
+            let a = ["x", "y"].map(|way| {
+                let below = terms::relative(self, &format!("{tag}{way}"));
+                self.named(&[&tagged("a", &below)], "m/s^2")
+            });
             let named = |this: &mut Self, names: [&str; 2], unit| {
                 let names = names.map(|n| tagged(n, &own));
                 body.turns.then(|| this.named(&[&names[0], &names[1]], unit))
             };
             let alpha = named(self, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
             let omega = named(self, [r"\omega", r"\Omega"], "rad/s");
-            let v = [tagged("v", if several { &tag } else { "G" }), tagged("u", &tag)];
+            let below = terms::relative(self, if several { &tag } else { "G" });
+            let v = [tagged("v", &below), tagged("u", &below)];
             let v = self.named(&[&v[0], &v[1]], "m/s");
             let name = names::body_within(self.words, scene, i);
             self.bodies.push(PlaneBody {
@@ -668,10 +679,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             return turned;
         }
         let [first, last] = self.turns[0].at.clone();
-        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-        let pi = self.draft.pi();
-        let name = format!(r"\Delta {}", self.letter);
-        let turned = self.page.find(&[&name], "rad", (last - first) * pi / half);
+        let (name, is) = (format!(r"\Delta {}", self.letter), self.draft.radians(last - first));
+        let turned = self.page.find(&[&name], "rad", is);
         self.turned = Some(turned);
         turned
     }
@@ -812,7 +821,18 @@ impl<'d, 'a> Plane<'d, 'a> {
             });
             each.sum()
         };
-        Some(if miss(way) <= miss(-way) { way } else { -way }.to_degrees())
+        let (ahead, behind) = (miss(way), miss(-way));
+        if (ahead - behind).abs() > NOTHING {
+            return Some(if ahead < behind { way } else { -way }.to_degrees());
+        }
+        // Both alike: the sense in which weights and apparent forces set it off.
+        let moving = self.poses(0.0, false)?;
+        let [x, y] = numbers.carried.unwrap_or_default();
+        let powers = self.bodies.iter().zip(&moving).map(|(it, pose)| {
+            let v = pose.point([self.value(&it.centre.expr()), 0.0]).map(|v| v.first);
+            -self.value(&it.mass.expr()) * (v[0] * x + v[1] * (y + numbers.gravity))
+        });
+        Some((way * powers.sum::<f64>().signum()).to_degrees())
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -1179,6 +1199,20 @@ impl<'d, 'a> Plane<'d, 'a> {
                 }
             }
         }
+        if let Some(carrier) = self.carrier.clone().filter(|c| c.acceleration != ZERO) {
+            for body in 0..self.bodies.len() {
+                let force = self.bodies[body].mass.times(&carrier.acceleration);
+                let (unit, centre) = (carrier.direction.each_ref().map(|e| e.factors()), self.centre(body));
+                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
+                let pull = self.pull(body, &centre, force.clone(), against, None);
+                self.pulls.push(pull);
+                if !still {
+                    let way = dot(&centre, &unit);
+                    let back = self.at(&way, START).plus(&self.at(&way, END).opposite());
+                    self.works.push(force.by(back.expr()));
+                }
+            }
+        }
         for push in scene.pushes.iter().filter(|p| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             let unit = self.direction(push.direction_deg);
@@ -1231,10 +1265,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 } else {
                     let Some(turn) = self.bodies[couple.body].turn else { return beyond() };
                     let [first, last] = self.turns[turn].at.clone();
-                    let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-                    let pi = self.draft.pi();
-                    let name = tagged(r"\Delta\psi", &i.to_string());
-                    self.page.find(&[&name], "rad", (last - first) * pi / half)
+                    let is = self.draft.radians(last - first);
+                    self.page.find(&[&tagged(r"\Delta\psi", &i.to_string())], "rad", is)
                 };
                 self.works.push(size.signed(own).by(turned));
             }
@@ -1343,8 +1375,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
         let Some(turn) = self.bodies[it.at.body].turn else { return beyond() };
         let angles = self.turns[turn].at.clone();
-        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
-        let pi = self.draft.pi();
         let stiffness = self.number(it.stiffness_n_m, "k_t", "N m/rad");
         let (Rest::Length(rest) | Rest::Stretch(rest)) = it.rest;
         let rest = self.number(rest, r"\beta_0", "deg");
@@ -1356,7 +1386,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 Rest::Stretch(_) if instant => rest.clone(),
                 Rest::Stretch(_) => &rest + &angles[which] - &angles[START],
             };
-            let is = angle * pi / half;
+            let is = self.draft.radians(angle);
             wound.push(self.named_by([r"\vartheta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
         }
         if let [first, last] = &wound[..] {
@@ -1993,7 +2023,12 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let is = self.component(pivot, i);
                     self.page.step(a, is);
                 }
-                a
+                let with = self.carrier.as_ref().map_or(ZERO, |c| &c.acceleration * c.direction[i].clone());
+                if with == ZERO {
+                    return Ok(a);
+                }
+                let way = tagged("a", &format!("{}{}", self.bodies[b].tag, ["x", "y"][i]));
+                new(self, [&way, &tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
                 let centre = self.centre(b);
@@ -2030,14 +2065,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::Phi, _) => {
                 let turned = self.turned();
-                if self.symbols.value(turned) >= 0.0 {
-                    turned
-                } else {
-                    let name = format!(r"\left|{}\right|", self.symbols.tex(turned));
-                    let size = self.symbols.unknown_like(&name, turned);
-                    self.symbols.settle_by(size, &magnitude(turned));
-                    size
-                }
+                self.sized(turned)
             }
             (
                 Q::Normal
@@ -2129,7 +2157,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PinX | Q::PinY if !pivot.radial => {
                 return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
             }
-            Q::PinForce => (["F_O", "O"], root(square(r) + square(s))),
+            Q::PinForce => (["F_O", "O"], length(r, s)),
             Q::PinX | Q::PinY => {
                 let i = usize::from(label.quantity == Q::PinY);
                 let shares = [r, s].into_iter().zip(self.basis());
@@ -2138,8 +2166,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             Q::PinAngle => {
                 let (x, y) = (of(self, Q::PinX)?, of(self, Q::PinY)?);
-                let angle = arc_cosine(x / root(square(x) + square(y)));
-                ([r"\psi_O", r"\chi_O"], in_sense(angle, self.symbols.value(y)))
+                ([r"\psi_O", r"\chi_O"], self.angle_of(x, y))
             }
             Q::RotationalFraction => ([r"\eta", r"eta"], pivot.own.over(about)),
             Q::AngularMomentum => (["L", r"\Lambda"], about.by(of(self, Q::Omega)?)),
@@ -2171,13 +2198,12 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Velocities and energy right after a blow on bodies at rest.
     fn just_after(&mut self, blow: &Blow, label: Label) -> Option<SymbolId> {
         use Quantity as Q;
-        let size = |v: &[Expr; 2]| root(square(&v[0]) + square(&v[1]));
         let it = |b: usize| &blow.bodies[b];
         let (names, is) = match (label.quantity, label.of) {
             (Q::VX, Owner::Body(b)) => return Some(it(b).a[0]),
             (Q::VY, Owner::Body(b)) => return Some(it(b).a[1]),
             (Q::V, Owner::Body(b)) => {
-                (["v", "u"].map(|l| tagged(l, &it(b).tag)), size(&it(b).a.map(Expr::from)))
+                (["v", "u"].map(|l| tagged(l, &it(b).tag)), length(it(b).a[0], it(b).a[1]))
             }
             (Q::Omega, Owner::Body(b)) => {
                 let omega = it(b).alpha?;
@@ -2193,7 +2219,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let spin = in_sense(spin, f64::from(self.sense_of(spot.body)));
                 let [a, b] = it(spot.body).a;
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
-                (["v", "u"].map(|l| tagged(l, name)), size(&[a - y.expr() * &spin, b + x.expr() * spin]))
+                (["v", "u"].map(|l| tagged(l, name)), length(a - y.expr() * &spin, b + x.expr() * spin))
             }
             (Q::KineticEnergy, _) => {
                 let each = blow.bodies.iter().flat_map(|b| {
@@ -2292,12 +2318,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             Quantity::PinForce => {
                 let [x, y, ..] = own[..] else { return None };
                 let name = tagged("R", &names::joint(self.scene, joint));
-                Some(self.page.find(&[&name], "N", root(square(x) + square(y))))
+                Some(self.page.find(&[&name], "N", length(x, y)))
             }
             Quantity::PinAngle => {
                 let [x, y, ..] = own[..] else { return None };
-                let angle = arc_cosine(x / root(square(x) + square(y)));
-                let angle = in_sense(angle, self.symbols.value(y));
+                let angle = self.angle_of(x, y);
                 Some(self.page.find(&[&tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
             }
             Quantity::PinY => own.get(1).copied(),

@@ -61,11 +61,9 @@ macro_rules! beyond {
     };
 }
 beyond! {
-    Carried "carried";
     GrowingForce "growing_force";
     Mechanism "mechanism";
     Next "next";
-    Resting "resting";
     Unfound "unfound";
 }
 

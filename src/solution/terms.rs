@@ -4,12 +4,12 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Aim, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Particle, Quantity,
-    RotaryInertia, Shape, Slope, Start, Tie,
+    Aim, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Numbers, Owner, Particle,
+    Quantity, RotaryInertia, Shape, Slope, Start, Tie,
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
-use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, square, sum};
+use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, ratio, signed, sine, square, sum};
 use crate::solution::factors::{Cancel, Factors};
 use crate::solve::outcome::Entry;
 
@@ -22,6 +22,8 @@ pub enum ForceSource {
     Couple(usize),
     /// A tie, by index.
     Tie(usize),
+    /// What carries this body: the apparent force of its acceleration.
+    Carrier(usize),
 }
 
 /// What is known of a force.
@@ -102,6 +104,55 @@ pub struct Terms {
     pub tied: bool,
     /// And does it move? Not where a contact holds by friction.
     pub one: bool,
+    /// What carries it all.
+    pub carrier: Option<Carrying>,
+}
+
+/// What carries a scene, which is told as it is seen from there.
+#[derive(Debug, Clone)]
+pub struct Carrying {
+    /// Speed at the start.
+    pub speed: Expr,
+    /// Acceleration.
+    pub acceleration: Expr,
+    /// Its direction, to the right and up.
+    pub direction: [Expr; 2],
+    slope: Slope,
+}
+
+impl Carrying {
+    /// That of the scene.
+    pub fn of(draft: &mut Draft) -> Option<Self> {
+        let carrier = draft.scene.carried?;
+        let speed = draft.number(carrier.speed_m_s, "u", "m/s");
+        let acceleration = draft.number(carrier.acceleration_m_s2, "A", "m/s^2");
+        let [climb, level] = slope(draft, Some(carrier.slope));
+        Some(Self { speed, acceleration, direction: [level, climb], slope: carrier.slope })
+    }
+    /// How much of it is forward along the line of a body, and out of it.
+    pub fn shares(&self, draft: &mut Draft, body: &Body) -> [Expr; 2] {
+        let Some(line) = body.line else { return [ZERO, ZERO] };
+        if line.slope == self.slope {
+            return [signed(ONE, line.forward_up), ZERO];
+        }
+        let ([climb, level], [right, up]) = (slope(draft, Some(line.slope)), &self.direction);
+        let along = right * &level + up * &climb;
+        [signed(along, line.forward_up), up * level - right * climb]
+    }
+    /// Its speed after a time, and its way.
+    pub fn after(&self, time: &Expr) -> [Expr; 2] {
+        let way = &self.speed * time + ratio(1, 2) * &self.acceleration * square(time);
+        [&self.speed + &self.acceleration * time, way]
+    }
+}
+
+/// What belongs to the motion as it is seen from what carries the scene.
+pub fn relative(draft: &Draft, tag: &str) -> String {
+    match (draft.scene.carried, tag) {
+        (None, tag) => tag.to_owned(),
+        (_, "") => r"\mathrm{rel}".to_owned(),
+        (_, tag) => format!(r"{tag},\mathrm{{rel}}"),
+    }
 }
 
 /// Friction or tension of a tie as a symbol.
@@ -117,8 +168,9 @@ impl Terms {
     pub fn new(draft: &mut Draft, rolled: Option<usize>) -> Self {
         let lead = draft.scene.ending_coordinate();
         let g = gravity(draft);
-        let parts = parts(draft, rolled);
-        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true };
+        let carrier = Carrying::of(draft);
+        let parts = parts(draft, rolled, carrier.as_ref());
+        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true, carrier };
         this.act(draft, rolled);
         this.tied = this.ratios(draft, rolled).is_some();
         if !this.tied {
@@ -212,8 +264,8 @@ impl Terms {
             Aim::Upright(up) if upright => Factors::one().signed(if up { 1 } else { -1 }),
             Aim::Level(_) | Aim::Upright(_) => Factors::zero(),
             Aim::Along(body, forward) => {
-                let scene = draft.scene;
-                let [climb, level] = slope(draft, &scene.bodies[body]);
+                let line = draft.scene.bodies[body].line;
+                let [climb, level] = slope(draft, line.map(|l| l.slope));
                 let way = if forward { 1 } else { -1 };
                 if upright {
                     climb.factors().signed(way * self.parts[body].up)
@@ -224,11 +276,19 @@ impl Terms {
         }
     }
 
-    /// The weights of the bodies on slopes.
+    /// The weights of the bodies on slopes, and the apparent forces of what is carried.
     fn weigh(&mut self, draft: &mut Draft) {
         let scene = draft.scene;
         for (i, body) in scene.bodies.iter().enumerate() {
-            let [climb, _] = slope(draft, body);
+            if let Some(carrier) = &self.carrier {
+                let [forward, _] = carrier.shares(draft, body);
+                let force = self.parts[i].mass.expr() * &carrier.acceleration;
+                if force != ZERO {
+                    let levers = [forward.factors().opposite(), Factors::zero()];
+                    self.push(ForceSource::Carrier(i), ForceKind::Given, false, i, force, levers);
+                }
+            }
+            let [climb, _] = slope(draft, body.line.map(|l| l.slope));
             if climb != ZERO {
                 let part = &self.parts[i];
                 let levers = [climb.factors().signed(-part.up), Factors::zero()];
@@ -449,15 +509,26 @@ impl Particles {
     }
 }
 
+/// Up to this share of an acceleration another one is the same.
+const ROUNDING: f64 = 1e-12;
+
 /// Does friction hold this body where it slides as soon as it moves? As the key has it.
 fn stays(draft: &Draft, body: usize) -> bool {
+    let numbers = Numbers::<f64>::new(draft.scene, &draft.variant.data);
     let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
-    let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(_, v)| draft.datum(v) == 0.0);
-    rests && of(Quantity::A) == Some(0.0) && of(Quantity::V).is_none_or(|v| v == 0.0)
+    let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(c, v)| numbers.start(c, v) == 0.0);
+    match numbers.bodies[body].carried {
+        // It stays on what carries it.
+        Some([forward, _]) => {
+            let own = of(Quantity::A).map(|a| (a - forward.acceleration).abs());
+            rests && own.is_some_and(|a| a <= ROUNDING * forward.acceleration.abs())
+        }
+        None => rests && of(Quantity::A) == Some(0.0) && of(Quantity::V).is_none_or(|v| v == 0.0),
+    }
 }
 
 /// The bodies with their unknowns, before anything ties them.
-pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
+fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -> Vec<BodyTerms> {
     let scene = draft.scene;
     let g = gravity(draft);
     let mut parts = Vec::new();
@@ -471,21 +542,30 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
         let own = if scene.bodies.len() > 1 { tag.as_str() } else { "" };
         let mass = mass(draft, body, &g, own);
         let inertia = inertia(draft, body, &mass, &g, own);
-        let named = |draft: &mut Draft, names: &[&str], several: bool, unit: &str| {
-            let tag = below(draft, if several { &tag } else { "" }, rolled);
-            let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
-            let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            draft.named(&names, unit)
+        let turning = |draft: &mut Draft, names: [&str; 2], unit: &str| {
+            let tag = below(draft, if turns > 1 { &tag } else { "" }, rolled);
+            let names = names.map(|n| tagged(n, &tag));
+            draft.named(&[&names[0], &names[1]], unit)
         };
         let moves = body.line.is_some();
-        let a = moves.then(|| named(draft, &["a", "a_G"], lines > 1, "m/s^2"));
-        let v = moves.then(|| named(draft, &["v", "v_2"], lines > 1, "m/s"));
-        let alpha = body.turns.then(|| named(draft, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
-        let omega = body.turns.then(|| named(draft, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
-        let [_, level] = slope(draft, body);
-        let normal = body.line.is_some_and(|l| l.surface).then(|| {
+        let line = |draft: &mut Draft, names: &[&str], unit: &str| {
+            let tag = below(draft, if lines > 1 { &tag } else { "" }, rolled);
+            let tag = relative(draft, &tag);
+            let names = [tagged(names[0], &tag), tagged(names[1], &tag)];
+            draft.named(&[&names[0], &names[1]], unit)
+        };
+        let a = moves.then(|| line(draft, &["a", "a_G"], "m/s^2"));
+        let v = moves.then(|| line(draft, &["v", "v_2"], "m/s"));
+        let alpha = body.turns.then(|| turning(draft, [r"\alpha", r"\dot{\omega}"], "rad/s^2"));
+        let omega = body.turns.then(|| turning(draft, [r"\omega", r"\omega_2"], "rad/s"));
+        let [_, level] = slope(draft, body.line.map(|l| l.slope));
+        let out = carrier.map_or(ZERO, |c| &c.acceleration * c.shares(draft, body)[1].clone());
+        // How wheels share a load is not known.
+        let normal_of = Label { quantity: Quantity::Normal, of: Owner::Body(i) };
+        let pressed = body.line.is_some_and(|l| l.surface) && scene.tells(normal_of);
+        let normal = pressed.then(|| {
             let n = draft.named(&[&tagged("N", if surfaces > 1 { &tag } else { "" }), "N_s"], "N");
-            (n, mass.expr() * &g * level)
+            (n, mass.expr() * (&g * level + out))
         });
         parts.push(BodyTerms {
             label: names::body(draft.words, draft.scene, i),
@@ -541,8 +621,8 @@ pub fn mark_of(draft: &Draft, rolled: Option<usize>) -> &'static str {
 }
 
 /// Components of the weight along the line of a body and across, over the weight.
-fn slope(draft: &mut Draft, body: &Body) -> [Expr; 2] {
-    match body.line.map(|l| l.slope) {
+fn slope(draft: &mut Draft, of: Option<Slope>) -> [Expr; 2] {
+    match of {
         None => [ZERO, ZERO],
         Some(Slope::Level) => [ZERO, ONE],
         Some(Slope::Vertical) => [ONE, ZERO],
