@@ -3,7 +3,7 @@
 use crate::bank::Problem;
 use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
-use crate::scene::{AsIf, Given, Label, Owner, Scene, Term};
+use crate::scene::{AsIf, Given, Label, Num, Owner, Quantity, Scene, Taken, Term};
 use crate::solution::derive;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -14,6 +14,7 @@ use crate::solution::narrate;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{Symbols, tex_digits};
+use crate::solve::outcome::Entry;
 use crate::words::Words;
 
 /// Steps of a search for a datum: so many places of its range, then halvings.
@@ -32,6 +33,8 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
             _ => all.push(label),
         }
     }
+    let next = scene.formulas.others.iter().filter(|(how, _)| *how == AsIf::Next);
+    all.extend(next.flat_map(|(_, next)| next.formulas.taken.iter().map(|t| t.label)));
     all.extend(scene.formulas.found.map(|f| f.label));
     let mut before = Vec::new();
     all.retain(|l| {
@@ -65,11 +68,13 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             .collect();
         if !labels.is_empty() {
             if *how == AsIf::Next {
-                return Err(Beyond::Next.into());
+                hand_over(draft, other)?;
             }
             (draft.scene, draft.as_if) = (other, Some(*how));
             let found = narrate::as_if(draft, *how, &labels);
             (draft.scene, draft.as_if) = (scene, None);
+            draft.values.clone_from(&draft.variant.data);
+            draft.handed.clear();
             others.extend(found?.into_iter().map(|(label, symbol)| (i, label, symbol)));
         }
     }
@@ -90,6 +95,36 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
     }
     page.tell_new();
     page.end();
+    Ok(())
+}
+
+/// What a motion that follows takes over, from what was found of the one before it: its numbers, and the data with it.
+fn hand_over(draft: &mut Draft, next: &Scene) -> Result<(), DerivationStop> {
+    let first = draft.scene.ending_coordinate();
+    let way = Label { quantity: Quantity::Displacement, of: Owner::Body(first.body) };
+    // Bodies on lines; the way of one has the sense of its motion.
+    let Some(way) = draft.variant.solved.get(way).map(Entry::value) else { return Err(Beyond::Next.into()) };
+    let given = draft.values.len();
+    let mut taken: Vec<Expr> = Vec::new();
+    for Taken { label, directed } in &next.formulas.taken {
+        let Some(DerivedAnswer::Value(symbol)) = draft.found_for(*label) else {
+            return Err(Beyond::Next.into());
+        };
+        let back = *directed && way < 0.0;
+        taken.push(if back { -Expr::from(symbol) } else { symbol.into() });
+        let value = draft.symbols.value(symbol);
+        draft.values.push(if back { -value } else { value });
+    }
+    for (i, number) in next.formulas.numbers.iter().enumerate() {
+        if number.formula.names().all(|g| g.datum < given) {
+            continue;
+        }
+        let from = expression(draft, &number.formula, &|draft, g: Given| {
+            let taken = g.datum.checked_sub(given).and_then(|i| taken.get(i)).cloned();
+            Ok(taken.map_or_else(|| given_as(draft, g), |taken| (taken, false)))
+        })?;
+        draft.handed.push((Num::Derived(i), from));
+    }
     Ok(())
 }
 
@@ -114,7 +149,7 @@ fn named(draft: &mut Draft, term: Term, others: &[(usize, Label, SymbolId)]) -> 
 
 /// A datum in a formula.
 pub fn given_as(draft: &mut Draft, given: Given) -> (Expr, bool) {
-    (draft.number(crate::scene::Num::Datum(given.datum), "x", "1"), given.degrees)
+    (draft.number(Num::Datum(given.datum), "x", "1"), given.degrees)
 }
 
 /// A formula of the bank in the symbols of the solution; angles outside of waves count in radians.
@@ -221,8 +256,8 @@ pub fn not_given(draft: &mut Draft) {
     }
     if let (Some(found), Some(Given { datum, .. })) =
         (page.scene.formulas.found, page.scene.formulas.found.map(|f| f.unknown))
-        && let Expr::Symbol(unknown) = page.number(crate::scene::Num::Datum(datum), "x", "1")
-        && let Expr::Symbol(measured) = page.number(crate::scene::Num::Datum(found.measured.datum), "x", "1")
+        && let Expr::Symbol(unknown) = page.number(Num::Datum(datum), "x", "1")
+        && let Expr::Symbol(measured) = page.number(Num::Datum(found.measured.datum), "x", "1")
         && let Some(DerivedAnswer::Value(forward)) = page.found_for(found.label)
     {
         let (name, told) = (page.names(&[unknown]), page.shown(measured));

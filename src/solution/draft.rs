@@ -89,6 +89,10 @@ pub struct Draft<'a> {
     pub varies: Option<f64>,
     /// What the contacts are taken as, where another scene is worked.
     pub as_if: Option<AsIf>,
+    /// The data as the scene takes them, with what it takes over where it follows another motion.
+    pub values: Vec<f64>,
+    /// Numbers of a motion that follows, by what was found of the one before it.
+    pub handed: Vec<(Num, Expr)>,
     /// Constants of the bank that were given a symbol: value (bits) and symbol.
     constants: Vec<(u64, String, SymbolId)>,
 }
@@ -130,6 +134,8 @@ impl<'a> Draft<'a> {
             unknown,
             varies: None,
             as_if: None,
+            values: variant.data.clone(),
+            handed: Vec::new(),
             constants: Vec::new(),
         };
         for (i, datum) in problem.data.iter().enumerate() {
@@ -180,6 +186,9 @@ impl<'a> Draft<'a> {
     /// A number of the scene as an expression: its datum's symbol, or that of a constant of the bank, for which `tex` and the
     /// SI `unit` (ASCII, `deg` for a slope) are taken. A constant 0 is [`ZERO`].
     pub fn number(&mut self, num: Num, tex: &str, unit: &str) -> Expr {
+        if let Some((_, from)) = self.handed.iter().find(|(n, _)| *n == num) {
+            return from.clone();
+        }
         match num {
             Num::Datum(i) => match self.data.get(i).copied().flatten() {
                 Some(symbol) => symbol.into(),
@@ -233,7 +242,7 @@ impl<'a> Draft<'a> {
 
     /// The value of a number of the scene, SI, slopes in degrees.
     pub fn datum(&self, num: Num) -> f64 {
-        self.scene.value(num, &self.variant.data)
+        self.scene.value(num, &self.values)
     }
 
     /// The first of these symbols that no datum bears; if all are taken, the last one with a star.

@@ -285,8 +285,13 @@ pub fn as_if(
     } else {
         n.arrive()?;
     }
-    n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
-    n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
+    let (title, says) = match how {
+        AsIf::Rolls => ("rolled", "asked.rolls"),
+        AsIf::Smooth => ("smooth", "asked.smooth"),
+        AsIf::Next => ("next", "asked.next"),
+    };
+    n.begin_as("as_if", title);
+    n.say(says, &[]);
     n.write_rows();
     n.tell_ratios();
     let a = n.rate();

@@ -428,7 +428,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Where all bodies are when the leading angle has changed by this, rad, in numbers.
     fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
-        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let numbers = Numbers::<f64>::new(self.scene, &self.values);
         Layout::new(self.scene, &numbers)?.poses::<Jet<f64>>(way, at_start)
     }
 
@@ -795,7 +795,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn way_of_key(&self) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
-        let numbers = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let numbers = Numbers::<f64>::new(self.scene, &self.values);
         let start = self.poses(0.0, true)?;
         let mut spin = self.value(&self.first);
         if self.scene.is_struck() {

@@ -514,7 +514,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// Does friction hold this body where it slides as soon as it moves? As the key has it.
 fn stays(draft: &Draft, body: usize) -> bool {
-    let numbers = Numbers::<f64>::new(draft.scene, &draft.variant.data);
+    let numbers = Numbers::<f64>::new(draft.scene, &draft.values);
     let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
     let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(c, v)| numbers.start(c, v) == 0.0);
     match numbers.bodies[body].carried {
