@@ -1,7 +1,9 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie};
+use crate::scene::{
+    AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie,
+};
 use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, length, magnitude, number, positive_first,
@@ -657,6 +659,17 @@ impl<'d, 'a> Account<'d, 'a> {
     fn friction_sense(&self, body: usize) -> f64 {
         if let Some(slip) = self.slip {
             return -self.symbols.value(slip).signum() * f64::from(self.m.parts[body].up);
+        }
+        if self.as_if == Some(AsIf::Next) {
+            // The key has the motion before it; this one goes on, or is set off by what is given.
+            let (v0, spring) = (self.value(&self.v0), self.spring.as_ref());
+            let pulls = |s: &CordSpring| {
+                self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch)
+            };
+            let push = self.value(&self.share_sum(&[ForceKind::Given])) + spring.map_or(0.0, pulls);
+            let goes = if v0 == 0.0 { push } else { v0 };
+            let own = self.value(&self.m.ratio(along(body)).expr());
+            return -(goes * own).signum() * f64::from(self.m.parts[body].up);
         }
         let key = self.variant.solved.get(of_body(Quantity::Friction, body));
         key.map_or(1.0, |entry| if entry.value() < 0.0 { -1.0 } else { 1.0 })

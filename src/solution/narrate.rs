@@ -309,6 +309,15 @@ pub fn as_if(
     let mut wanted = vec![a];
     wanted.extend(found.iter().map(|(_, symbol)| *symbol));
     wanted.extend(n.kinetic_frictions());
+    // Of another motion all that is used on the way is new.
+    let mut at = if how == AsIf::Next { 0 } else { wanted.len() };
+    while let Some(step) = wanted.get(at).map(|symbol| n.steps.iter().find(|s| s.symbol == *symbol)) {
+        let uses = step.map_or_else(Vec::new, |s| s.from.uses().into_iter().collect());
+        let new = uses.into_iter().filter(|s| n.steps.iter().any(|step| step.symbol == *s));
+        let new: Vec<SymbolId> = new.filter(|s| !wanted.contains(s)).collect();
+        wanted.extend(new);
+        at += 1;
+    }
     n.tell(wanted);
     n.end();
     Ok(found)
