@@ -257,6 +257,24 @@ fn solve_says_what_is_not_answered() {
     assert!(one.exit == Exit::Fine && one.out.contains("1.00000000000"), "{}{}", one.out, one.err);
 }
 
+/// A block slides down a slope until the pull that grows turns it back: it does not go the other way, it turns.
+#[test]
+fn a_growing_force_that_turns_a_motion_is_said_to_turn_it() {
+    let room = Room::new();
+    let text = "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {t1: {name: time, unit: s, draw: always 5}}\n    scene:
+      surfaces: {ramp: {slope: 30 deg}}
+      bodies: {B: {mass: 4 kg, moves: along ramp}}
+      ties: [cord: {from: {body: B, tied at: centre, leaves: forward}, pulled with: 10 N, growing by: 5 N/s}]
+      start: at rest
+      end: {time: {of: B, is: t1}}
+    questions: {a: {ask: how fast, unit: m/s^2}}
+    statement: '{{ t1 }} {{ g }}'
+";
+    fs::write(room.path("bank.yaml"), text).unwrap();
+    let solved = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+    assert!(solved.out.contains("5.0000 s asked, the motion turns before"), "{}", solved.out);
+}
+
 /// The end by a length of cord needs the radius as a datum, and says so.
 #[test]
 fn a_cord_that_unwinds_from_a_constant_radius_names_the_radius() {
