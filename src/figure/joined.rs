@@ -232,16 +232,28 @@ impl Plane {
         let [right, left] = aside(view, planar).map(|x| axis.left() * (x * self.scale));
         let lamina = (left - right).norm() > THICK;
         let (left, right) = if lamina { (left, right) } else { (side, -side) };
-        board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
-        if !lamina && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
-            let mass = view.kilograms(this);
-            let round = match &this.inertia {
-                Some(RotaryInertia::Shape(_, r)) => view.of(*r),
-                _ if mass > 0.0 => (view.inertia(this) / mass).max(0.0).sqrt(),
-                _ => 0.0,
-            };
-            board.circle(self.centre(view, laid, body), (round * self.scale).max(9.0), role);
+        // What rolls or slides on a circle of it is drawn as this circle; else its shape, or its radius of gyration.
+        let touching = |joint: &Joint| match joint.kind {
+            JointKind::Contact { at, radius_m, .. } if at.body == body => {
+                Some((self.spot(view, laid, at), view.of(radius_m))).filter(|(_, radius)| *radius > 0.0)
+            }
+            _ => None,
+        };
+        let mut circles: Vec<(Vec2, f64)> = view.scene.joints.iter().filter_map(touching).collect();
+        let mass = view.kilograms(this);
+        let round = match &this.inertia {
+            Some(RotaryInertia::Shape(Shape::Rod, _)) => None,
+            Some(RotaryInertia::Shape(_, r)) => Some(view.of(*r)),
+            _ if !circles.is_empty() => None,
+            _ if mass > 0.0 => Some((view.inertia(this) / mass).max(0.0).sqrt()),
+            _ => Some(0.0),
+        };
+        circles.extend(round.filter(|_| !lamina).map(|r| (self.centre(view, laid, body), r)));
+        circles.dedup();
+        for (centre, radius) in circles {
+            board.circle(centre, (radius * self.scale).max(9.0), role);
         }
+        board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
     }
 }
 
@@ -249,8 +261,16 @@ impl Plane {
 fn lay(view: &SceneView, numbers: &Numbers<f64>, angle: &Half<f64>, at_start: bool) -> Option<Vec<Laid>> {
     let laid = pose::poses(view.scene, numbers, angle, at_start)?;
     let vector = |[x, y]: [f64; 2]| vec2(x, y);
-    let laid: Vec<Laid> =
+    let mut laid: Vec<Laid> =
         laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
+    // What slides on a cylinder without turning by itself is drawn along it.
+    for joint in &view.scene.joints {
+        if let JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } = joint.kind
+            && !view.scene.bodies[at.body].turns
+        {
+            laid[at.body].axis = (laid[at.body].origin - ground(view, centre_m)).unit();
+        }
+    }
     laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
 }
 
@@ -349,7 +369,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
         board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots);
     }
-    letters(board, view, &plane);
+    letters(board, view, &plane, &plane.start, None);
     angles(board, view, &plane);
     for b in 0..view.scene.bodies.len() {
         sizes(board, view, &plane, b);
@@ -501,7 +521,6 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
             let place = plane.spot(view, &plane.start, at);
             let radius = view.of(radius_m) * plane.scale;
             if radius > 0.0 {
-                board.circle(place, radius, Role::Body);
                 // A round shape has its radius beside its mass.
                 let told = view.scene.bodies[at.body].inertia.as_ref();
                 if !matches!(told, Some(RotaryInertia::Shape(_, r)) if *r == radius_m) {
@@ -535,13 +554,13 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
     }
 }
 
-/// Names of points, and the mass centre of a single body.
-fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
+/// Names of points, and the mass centre, of a single body or of this one alone.
+pub fn letters(board: &mut Board, view: &SceneView, plane: &Plane, laid: &[Laid], only: Option<usize>) {
     let mut named: Vec<Vec2> = Vec::new();
-    let single = view.scene.bodies.len() == 1;
-    for (b, body) in view.scene.bodies.iter().enumerate() {
+    let single = view.scene.bodies.len() == 1 || only.is_some();
+    for (b, body) in view.scene.bodies.iter().enumerate().filter(|(b, _)| only.is_none_or(|o| o == *b)) {
         let Some(planar) = body.planar.as_ref().filter(|_| body.turns) else { continue };
-        let axis = plane.start[b].axis;
+        let axis = laid[b].axis;
         let mut letter = |text: &str, at: Vec2, dot: bool| {
             if named.iter().any(|p| (*p - at).norm() < 3.0) {
                 return;
@@ -564,10 +583,10 @@ fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
             board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
         };
         if single {
-            letter("G", plane.centre(view, &plane.start, b), true);
+            letter("G", plane.centre(view, laid, b), true);
         }
         for (point, (name, _)) in planar.points.iter().enumerate() {
-            letter(name, plane.spot(view, &plane.start, Spot { body: b, point }), false);
+            letter(name, plane.spot(view, laid, Spot { body: b, point }), false);
         }
     }
 }

@@ -66,6 +66,11 @@ pub fn free(problem: &Problem, candidates: &[String]) -> String {
     }
 }
 
+/// The symbols of a size that the bank gives as an expression, best first: of a part of R that is r.
+pub fn sizes(tex: &str) -> Vec<&str> {
+    if tex == "R" { vec!["R", "r"] } else { vec![tex] }
+}
+
 /// The symbol with something below it.
 pub fn tagged(symbol: &str, tag: &str) -> String {
     if tag.is_empty() { symbol.to_owned() } else { format!("{symbol}_{{{tag}}}") }

@@ -269,7 +269,8 @@ impl<'d, 'a> Account<'d, 'a> {
             let (t, per) = (self.number(t, "t", "s"), self.number(growth.rate, "c", "N/s"));
             let name =
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
-            let name = marked(&name, "1");
+            // Of a first value `M_0` the last one is `M_1`.
+            let name = marked(name.strip_suffix("_0").unwrap_or(&name), "1");
             let last = self.page.find(&[&name], unit, &first + &per * t);
             for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
                 action.force = last.into();
@@ -1725,9 +1726,15 @@ pub fn gathered(terms: &[Factors]) -> Expr {
 
 /// A symbol with a mark below it, behind what stands there already.
 pub fn marked(tex: &str, mark: &str) -> String {
-    match tex.split_once("_{").and_then(|(symbol, below)| Some((symbol, below.strip_suffix('}')?))) {
-        Some((symbol, below)) => format!("{symbol}_{{{below},{mark}}}"),
-        None => format!("{tex}_{{{mark}}}"),
+    let (base, raised) = tex.split_at(tex.find('^').unwrap_or(tex.len()));
+    // An index within an accent belongs to what the accent stands on.
+    let whole = |symbol: &str| symbol.matches('{').count() == symbol.matches('}').count();
+    match base.split_once('_').filter(|(symbol, _)| whole(symbol)) {
+        Some((symbol, below)) => {
+            let within = below.strip_prefix('{').and_then(|b| b.strip_suffix('}')).unwrap_or(below);
+            format!("{symbol}_{{{within},{mark}}}{raised}")
+        }
+        None => format!("{base}_{{{mark}}}{raised}"),
     }
 }
 

@@ -4,6 +4,7 @@ use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression;
 use crate::finding::Finding;
+use crate::figure::names;
 use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
@@ -204,7 +205,7 @@ impl<'a> Draft<'a> {
                 let unit = if degrees { String::new() } else { tex_of(unit) };
                 // Constants of different values bear different symbols.
                 let taken = |t: &str| self.told.iter().any(|d| d.starts_with(&format!("{t} =")));
-                let mut name = self.free(&[tex]);
+                let mut name = self.free(&names::sizes(tex));
                 for i in 1..10 {
                     if taken(&name) {
                         name = match tex.split_once('_') {
