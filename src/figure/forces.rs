@@ -757,11 +757,13 @@ fn angle_of(board: &mut Board, view: &SceneView, laid: &[joined::Laid], body: us
         return;
     }
     let from = zero.angle_of();
-    board.line(corner, corner + zero * (ANGLE + 14.0), Role::Ghost);
-    board.arc(corner, ANGLE, from, from + turned, Role::Dimension);
+    // Of what does not turn, beyond the arrow of the surface.
+    let radius = if view.scene.bodies[body].turns { ANGLE } else { ANGLE + SHORTEST };
+    board.line(corner, corner + zero * (radius + 14.0), Role::Ghost);
+    board.arc(corner, radius, from, from + turned, Role::Dimension);
     let spots = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| {
         let d = Vec2::at_angle(from + turned * share);
-        (corner + d * ANGLE, d)
+        (corner + d * radius, d)
     });
     board.label(vec![label], Role::Dimension, (LabelTie::Clear, 4.0), spots.to_vec());
 }
