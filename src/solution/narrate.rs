@@ -300,14 +300,15 @@ pub fn as_if(
 
 /// Is there a difference in it, which may have either sign?
 fn subtracts(e: &Expr) -> bool {
-    let less = |t: &&Expr| matches!(t, Expr::Minus(_));
-    matches!(e, Expr::Sum(_)) && e.parts().iter().any(less) || e.parts().into_iter().any(subtracts)
+    let less = |t: &Expr| matches!(t, Expr::Minus(_));
+    let mixed = e.parts().into_iter().any(less) && !e.parts().into_iter().all(less);
+    matches!(e, Expr::Sum(_)) && mixed || e.parts().into_iter().any(subtracts)
 }
 
 /// What friction rolling would need on a contact that is said to slip.
 fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
     let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
-    let told = draft.scene.end != End::AtOnce;
+    let told = draft.scene.end != End::AtOnce || draft.asks(Quantity::Rolls);
     let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(None);
@@ -367,6 +368,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
     fn idea(&mut self) {
         let spring = self.spring.is_some();
         let name = match (self.short, self.scene.end) {
+            (Short::Instant, _) if self.asks(Quantity::Rolls) => "idea.which",
+            (Short::Instant, _) if self.starts() => "idea.start",
             (Short::Instant, _) => "idea.instant",
             (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
@@ -556,10 +559,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         match () {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
-            () if self.short == Short::Neither => "onward.slips",
+            () if self.short == Short::Neither || self.m.parts.iter().any(|p| p.slips) => "onward.slips",
             () if self.spring.is_some() => "onward.spring",
-            () if wheel && pulled => "onward.pulled",
-            () if wheel => "onward.wheel",
+            () if wheel && pulled && self.level() => "onward.pulled_level",
+            () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
+            () if wheel && !pulled => "onward.wheel",
             () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
             () if self.held().is_some() => "onward.held",
             () => "onward.other",
@@ -1003,6 +1007,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
+        if self.starts() {
+            return self.motion("short");
+        }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
             let _ = self.get(speed_of(c));
@@ -1014,6 +1021,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("instant.energy", &[]);
         self.tell_new();
         if self.forces_asked() { self.motion("long") } else { Ok(()) }
+    }
+
+    /// Is an instant looked at in which all is at rest, so that there is no energy to speak of?
+    fn starts(&self) -> bool {
+        let at_rest = self.scene.start.is_empty() && !self.scene.is_struck();
+        at_rest && self.forces_asked() && !self.asks(Quantity::KineticEnergy)
     }
 
     fn say_senses(&mut self) {
@@ -1122,7 +1135,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             End::Time(_, t) => Some(self.number(t, "t_1", "s")),
             _ => None,
         };
-        let names = if asked.is_some() { ["t_r", "t_e"] } else { ["t", "t_r"] };
+        let names = if asked.is_some() { [r"t_{\mathrm{r}}", "t_e"] } else { ["t", r"t_{\mathrm{r}}"] };
         let event = closes.then(|| self.find(&names, "s", -(slip / rate)));
         self.tell_new();
         // Would it roll on?
@@ -1473,12 +1486,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for (action, lever) in terms {
             let whole = lever.expr();
             let force = self.inline(&action.force);
+            let value = self.value(&(whole.clone() * self.size(action.force.clone())));
             let name = match action.source {
+                _ if value == 0.0 => "friction.none",
                 _ if subtracts(&whole) => "friction.changes",
                 ForceSource::Weight(_) => "friction.weight",
                 _ => "friction.force",
             };
-            let sense = self.way(body, self.value(&(whole.clone() * self.size(action.force.clone()))));
+            let sense = self.way(body, value);
             let factor = self.inline(&whole);
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
@@ -1660,21 +1675,29 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Where the driving force just balances: nothing happens.
     fn balance_limit(&mut self) {
-        let pull = self.shares(&[ForceKind::Given]).into_iter().find(|(a, share)| {
-            matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
-        });
-        let Some((action, share)) = pull else { return };
-        let others = self.shares(&[ForceKind::Given]).into_iter();
-        let others: Vec<Expr> = others.filter(|(a, _)| a.source != action.source).map(|(_, e)| -e).collect();
-        let per = Factors::of(&share).per(&action.force);
-        let needed = positive_first(others.clone()).over(&per);
-        if others.is_empty() || self.value(&needed) <= 0.0 {
-            return;
-        }
+        let Some((action, needed)) = self.balancing_pull() else { return };
         let force = self.tex(&action.force);
         let digits = self.digits(self.value(&needed), FIGURES);
         let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
         self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
+    }
+
+    /// Is every line on which something moves level?
+    fn level(&self) -> bool {
+        self.scene.bodies.iter().filter_map(|b| b.line).all(|l| l.slope == Slope::Level)
+    }
+
+    /// The pull that drives it, and how large it would be in equilibrium.
+    fn balancing_pull(&self) -> Option<(Action, Expr)> {
+        let pull = self.shares(&[ForceKind::Given]).into_iter().find(|(a, share)| {
+            matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
+        });
+        let (action, share) = pull?;
+        let others = self.shares(&[ForceKind::Given]).into_iter();
+        let others: Vec<Expr> = others.filter(|(a, _)| a.source != action.source).map(|(_, e)| -e).collect();
+        let per = Factors::of(&share).per(&action.force);
+        let needed = positive_first(others.clone()).over(&per);
+        (!others.is_empty() && self.value(&needed) > 0.0).then_some((action, needed))
     }
 
     /// Has anything that turns a moment of inertia?
