@@ -8,12 +8,18 @@ use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
 fn kind<'w>(words: &'w Words, body: &Body) -> &'w str {
-    let id = body.name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+    let id = kind_id(words, body);
     let known = format!("solution.body.{id}");
-    if words.has(&known) {
-        return words.get(&known);
+    if words.has(&known) { words.get(&known) } else { words.get(&format!("figure.{id}")) }
+}
+
+/// The name of this word.
+fn kind_id<'b>(words: &Words, body: &'b Body) -> &'b str {
+    let id = body.name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+    if words.has(&format!("solution.body.{id}")) {
+        return id;
     }
-    let name = match &body.inertia {
+    match &body.inertia {
         None if body.line.is_some_and(|l| !l.surface && l.slope == Slope::Vertical) => "load",
         None => "block",
         Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
@@ -22,8 +28,7 @@ fn kind<'w>(words: &'w Words, body: &Body) -> &'w str {
         Some(_) if body.pin.is_some() => "body",
         Some(_) if body.line.is_none() => "drum",
         Some(_) => "wheel",
-    };
-    words.get(&format!("figure.{name}"))
+    }
 }
 
 /// A body in words, as a heading: `Wheel`; of several of a kind `Load 2`, or `Block B` where their ids are letters.
@@ -55,6 +60,13 @@ pub fn body_within(words: &Words, scene: &Scene, index: usize) -> String {
         Some((word, mark)) => format!("{} {mark}", word.to_lowercase()),
         None => name.to_lowercase(),
     }
+}
+
+/// The same with its article.
+pub fn the_body(words: &Words, scene: &Scene, index: usize) -> String {
+    let Some(this) = scene.bodies.get(index) else { return String::new() };
+    let article = words.get(&format!("solution.article.{}", kind_id(words, this)));
+    format!("{article} {}", body_within(words, scene, index))
 }
 
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
@@ -172,7 +184,24 @@ pub fn mass(view: &SceneView, body: usize) -> Vec<TextRun> {
         Mass::Kilograms(n) => view.symbol(*n),
         Mass::Weight(_) | Mass::OfParts => Vec::new(),
     };
-    if given.is_empty() { symbol::symbol(&of_body(view, body, &["m", "m_G"], |_| true)) } else { given }
+    if !given.is_empty() {
+        return given;
+    }
+    // Of several parts it is the sum of theirs.
+    let parts: Vec<Vec<TextRun>> = match &this.mass {
+        Mass::OfParts => {
+            let symbol = |(n, weight): (Num, bool)| if weight { Vec::new() } else { view.symbol(n) };
+            view.masses(this).into_iter().map(symbol).collect()
+        }
+        _ => Vec::new(),
+    };
+    if parts.is_empty() || parts.iter().any(Vec::is_empty) {
+        return symbol::symbol(&of_body(view, body, &["m", "m_G"], |_| true));
+    }
+    let mut sum = symbol::upright("(");
+    sum.extend(parts.join(&symbol::upright("\u{a0}+\u{a0}")[..]));
+    sum.extend(symbol::upright(")"));
+    sum
 }
 
 /// Weight of a body: `mg`, or the symbol of a given weight.

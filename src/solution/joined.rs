@@ -11,6 +11,7 @@ use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
 use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::symbols::FIGURES;
 use crate::solution::terms::tagged;
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
@@ -194,7 +195,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
                 let fast = self.t.rough(light, "rad/s");
                 let shown = self.t.shown(self.t.rate);
                 if !matches!(self.t.scene.end, End::Speed(..)) {
-                    self.say("joined.massless", &[("fast", &fast), ("rate", &shown)]);
+                    let name = if self.single() { "joined.massless_one" } else { "joined.massless" };
+                    self.say(name, &[("fast", &fast), ("rate", &shown)]);
                 }
             }
         }
@@ -217,6 +219,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Joined<'d, 'a> {
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.t.springs.is_empty() => "joined.onward_spring",
             _ if self.t.pivot.is_some() => "pinned.onward",
+            _ if self.single() && !self.t.scene.pushes.is_empty() => "joined.onward_pushed",
+            _ if self.single() && self.on_the_floor() => "joined.onward_floor",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
         }
@@ -246,6 +250,11 @@ impl<'d, 'a> Joined<'d, 'a> {
     }
     fn single(&self) -> bool {
         self.t.bodies.len() == 1
+    }
+    /// Is nothing but a surface under one of its points there to hold it?
+    fn on_the_floor(&self) -> bool {
+        let joints = &self.t.scene.joints;
+        joints.len() == 1 && matches!(joints[0].kind, JointKind::Guide { one_sided: true, .. })
     }
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
         self.t.page.say(name, pieces);
@@ -978,7 +987,7 @@ impl<'d, 'a> Joined<'d, 'a> {
         for _ in 0..40 {
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
             if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| t.digits(x, 6));
+                let [a, b] = [a, b].map(|x| t.digits(x, FIGURES));
                 pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
             }
             if (a - b).abs() <= 1e-15 * a {
@@ -986,7 +995,7 @@ impl<'d, 'a> Joined<'d, 'a> {
             }
         }
         t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
-        let name = t.free(&[r"\mu", r"\nu"]);
+        let name = t.free(&[r"a_{\infty}", r"b_{\infty}"]);
         let mean = t.symbols.found(&name, a, "");
         let shown = t.shown(mean);
         t.page.say("pinned.mean_found", &[("mean", &shown)]);

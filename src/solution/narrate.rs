@@ -20,6 +20,7 @@ use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
+use crate::words::plain::capital;
 use std::ops::DerefMut;
 
 /// What drives the lead or holds it back.
@@ -388,7 +389,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
                 [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
             for (found, name, idle) in ties {
                 let Some((t, body)) = found else { continue };
-                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
+                self.say_of(&format!("idea.{name}"), body, &[]);
                 if self.short == Short::Energy {
                     let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
                     self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
@@ -396,7 +397,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
             }
             if !cords.is_empty() {
                 let what = if cords.iter().all(|t| self.is_cord(*t)) { "cords" } else { "rims" };
-                self.say(&format!("idea.{what}"), &[]);
+                let told = if what == "cords" && cords.len() == 1 { "cord" } else { what };
+                self.say(&format!("idea.{told}"), &[]);
                 if self.short == Short::Energy {
                     let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
                     self.say(&format!("idea.idle_{what}"), &[("forces", &self.names(&forces))]);
@@ -554,7 +556,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Narrator<'d, 'a> {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
+        let pulley = self.m.parts.iter().filter(|p| p.a.is_none() && p.alpha.is_some()).count() == 1
+            && self.scene.formulas.found.is_none();
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         match () {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
@@ -602,6 +605,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
     fn body(&self, body: usize) -> String {
         names::body_within(self.words, self.scene, body)
+    }
+    /// Says something of a body, which stands there alone and with its article, within a sentence and at its beginning.
+    fn say_of(&mut self, name: &str, body: usize, pieces: &[(&str, &str)]) {
+        let (own, the) = (self.body(body), names::the_body(self.words, self.scene, body));
+        let at_first = capital(&the);
+        let all = [&[("body", &*own), ("the", &*the), ("The", &*at_first)][..], pieces].concat();
+        self.say(name, &all);
     }
     /// The speed of the lead.
     fn speed(&self) -> SymbolId {
@@ -687,14 +697,16 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin_as("short", "short_energy");
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
-        if self.asks(Quantity::Direction) {
+        let directed = self.asks(Quantity::Direction);
+        if directed {
             self.tell_direction();
         }
         let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
-            self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
+            let name = if directed { "energy.counted" } else { "energy.against" };
+            self.say_of(name, lead.body, &[("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
@@ -762,7 +774,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
             let name = if spring { "energy.ratio_spring" } else { "energy.ratio" };
-            self.say(name, &[("centre", &c), ("point", &away)]);
+            let own = self.names(&[gamma]);
+            self.say_of(name, action.body, &[("centre", &c), ("point", &away), ("gamma", &own)]);
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
             let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
@@ -846,7 +859,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
             let _ = self.get(of_body(Quantity::VMax, self.lead().body));
-            self.say("energy.fastest", &[]);
+            if let (Some(spring), Ok(rest)) = (self.spring.clone(), self.get(of_scene(Quantity::XEq))) {
+                let (k, x) = (&spring.stiffness, &spring.stretch);
+                let pull = -(k * spring.gamma.by(rest));
+                let works = ratio(1, 2) * k * (square(x) - square(rest)) - k * rest * (x - rest);
+                let all = ratio(1, 2) * k * square(x - rest);
+                let (others, all) = (self.inline(&pull), format!("${}$", self.equation(&works, &all)));
+                self.say("energy.fastest", &[("others", &others), ("square", &all)]);
+            }
             self.tell_new();
         }
     }
@@ -860,7 +880,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let drive = self.drive.clone();
                 let against = self.valued(&self.positive(&drive), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
-                self.say(name, &[("pull", &self.valued(&pull, "N")), ("against", &against), ("way", &sense)]);
+                let force = self.valued(&(&s.stiffness * &s.stretch), "N");
+                let pull = self.valued(&pull, "N");
+                let pieces = [("force", &*force), ("pull", &pull), ("against", &against), ("way", &sense)];
+                self.say_of(name, lead.body, &pieces);
             }
             None => {
                 let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
@@ -874,7 +897,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let free = against.is_empty();
                 let (pull, against) = (size(self, with), size(self, against));
                 let name = if free { "energy.direction_free" } else { "energy.direction" };
-                self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
+                self.say_of(name, lead.body, &[("pull", &pull), ("against", &against), ("way", &sense)]);
             }
         }
     }
@@ -1087,9 +1110,25 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 self.tell_new();
             }
             End::AtOnce => {}
-            _ if self.spring.is_some() => self.say("motion.integral_spring", &pieces),
-            _ if again => self.say("motion.integral", &pieces),
-            _ => {}
+            _ => {
+                if let Some(spring) = self.spring.clone() {
+                    let pull = self.tex(&spring.gamma.by(spring.tension));
+                    let (k, x) = (self.tex(&spring.stiffness), r"x\,\mathrm{d}x");
+                    let stored = ratio(1, 2) * &spring.stiffness * (square(&spring.stretch) - square(&self.last));
+                    let stored = self.inline(&stored);
+                    let share = format!(r"${pull}\,\mathrm{{d}}s = -{k}\,{x}$");
+                    let share = self.phrase("motion.share_of_spring", &[("share", &share), ("stored", &stored)]);
+                    self.say("motion.integral_spring", &[&pieces[..], &[("spring", &share)]].concat());
+                } else if again {
+                    self.say("motion.integral", &pieces);
+                }
+                let against = |e: &Expr| self.value(e) < 0.0;
+                if (self.spring.is_some() || again)
+                    && (against(&self.s) || self.accelerations().into_iter().any(|a| against(&a.into())))
+                {
+                    self.say("motion.signed", &[]);
+                }
+            }
         }
     }
 
@@ -1110,7 +1149,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if value == 0.0 {
             return Err(Beyond::Unfound.into());
         }
-        self.say("thrown.slip", &[]);
+        let c = self.radius_of(body).unwrap_or_else(Factors::one);
+        self.say("thrown.slip", &[("c", &self.tex(&c.expr()))]);
         self.tell([slip]);
         let size = self.sized(slip);
         self.ends_as(of_body(Quantity::SlipSpeed, body), size);
@@ -1167,11 +1207,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let left = spins.map_or(ZERO, |_| self.find(&["u_1", "w_1"], "m/s", slip + rate * &slid).into());
         let mean = in_sense(slip + left, sense);
-        self.say("thrown.heat", &[]);
+        let warm = self.asks(Quantity::Heat) || self.asks(Quantity::SlipDistance);
+        if warm {
+            self.say("thrown.heat", &[]);
+        }
         let distance = self.find(&["l", r"\ell", r"\lambda"], "m", mean.by(&slid).by(ratio(1, 2)));
         let mu_k = self.number(thrown.mu_k, r"\mu_k", "1");
         let heat = self.find(&["Q", "Q_f"], "J", mu_k * normal * distance);
-        self.tell_new();
+        if warm {
+            self.tell_new();
+        }
+        self.skip_new();
         let mut end = first;
         let mut rates = [a, alpha];
         let of_rolling = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
@@ -1297,20 +1343,30 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
         let (w, v) = (Expr::from(end.w), Expr::from(end.v));
         self.formula(self.equation(&(spun(w0, v0) + fall.by(c).by(t)), &spun(&w, &v)));
-        self.say("thrown.balance", &[]);
-        self.formula(self.equation(&(kinetic(w0, v0) - heat + fall.by(end.x)), &kinetic(&w, &v)));
+        let warm = self.asks(Quantity::Heat) || self.asks(Quantity::SlipDistance);
+        if warm {
+            self.say("thrown.balance", &[]);
+            self.formula(self.equation(&(kinetic(w0, v0) - heat + fall.by(end.x)), &kinetic(&w, &v)));
+        }
         if level && (rolls || !matches!(self.scene.end, End::Time(..))) {
             // The speed at which rolling begins, and the heat, without the friction.
-            let carried = mass.plus(&own.per(square(c)));
-            let speed = (mass.by(v0) + own.by(w0).over(c)).over(&carried);
+            let whole = mass.expr();
+            let per_mass = own.per(&whole);
+            let speed = (v0 + per_mass.by(w0).over(c)).over(&(Expr::Number(1, 1) + per_mass.per(square(c)).expr()));
             let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
             let lost = mass.times(&own).times(square(slip)).over(&whole);
-            self.say("thrown.by_momentum", &[]);
-            let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| self.chain(symbol, &from));
+            self.say(if warm { "thrown.by_momentum" } else { "thrown.by_speed" }, &[]);
+            let lines = [(end.v, speed), (heat, lost)].into_iter().take(if warm { 2 } else { 1 });
+            let lines: Vec<String> = lines.map(|(symbol, from)| self.chain(symbol, &from)).collect();
             self.formulas(lines);
         }
         self.begin_as("why", "which");
-        self.say(if level { "thrown.why_level" } else { "thrown.why" }, &[]);
+        let why = match level {
+            true if warm => "thrown.why_level",
+            true => "thrown.why_speed",
+            false => "thrown.why",
+        };
+        self.say(why, &[]);
         self.say("why.ask_slip", &[]);
     }
 
@@ -1530,8 +1586,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mu = self.number(mu, r"\mu_s", "1");
         let n = self.get(of_body(Quantity::Normal, body))?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
-        let (name, most) = (self.body(body), self.valued(&(mu * n), "N"));
-        self.say("holds.held", &[("body", &name), ("f", &self.shown(f)), ("most", &most)]);
+        let most = self.valued(&(mu * n), "N");
+        let f = self.shown(f);
+        self.say_of("holds.held", body, &[("f", &f), ("most", &most)]);
         Ok(())
     }
 
