@@ -62,11 +62,15 @@ pub fn body_within(words: &Words, scene: &Scene, index: usize) -> String {
     }
 }
 
-/// The same with its article.
+/// The same with its article, which one of several does not have: `load 2`.
 pub fn the_body(words: &Words, scene: &Scene, index: usize) -> String {
-    let Some(this) = scene.bodies.get(index) else { return String::new() };
-    let article = words.get(&format!("solution.article.{}", kind_id(words, this)));
-    format!("{article} {}", body_within(words, scene, index))
+    let name = body_within(words, scene, index);
+    match scene.bodies.get(index) {
+        Some(this) if !name.contains(' ') => {
+            format!("{} {name}", words.get(&format!("solution.article.{}", kind_id(words, this))))
+        }
+        _ => name,
+    }
 }
 
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.

@@ -75,13 +75,20 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
         for (i, question) in asked.iter().filter(|(i, _)| direct(*i) == first) {
             let Some(asked) = scene.formulas.asked.get(*i) else { continue };
             let from = expression(&mut page, &asked.formula, &|draft, term| named(draft, term, &others))?;
-            let told = !question.ask.contains("{{") && !matches!(from, Expr::Symbol(_));
-            if told {
-                page.say("asked.told", &[("what", &capital(&question.ask))]);
-            }
-            let symbol = match from {
-                Expr::Symbol(symbol) => symbol,
-                from => {
+            let what = (!question.ask.contains("{{")).then(|| capital(&question.ask));
+            let known = page.constant_as(&from, &asked.unit);
+            let symbol = match (from, known) {
+                (Expr::Symbol(symbol), _) => symbol,
+                (_, Some(known)) => {
+                    if let Some(what) = what {
+                        page.say("asked.known", &[("what", &what), ("symbol", &page.shown(known))]);
+                    }
+                    known
+                }
+                (from, None) => {
+                    if let Some(what) = what {
+                        page.say("asked.told", &[("what", &what)]);
+                    }
                     let name = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
                     let own = if is_symbol(&question.id) { question.id.as_str() } else { &name };
                     page.find(&[own, &name, &format!("{name}^{{*}}")], &asked.unit, from)

@@ -232,6 +232,16 @@ impl<'a> Draft<'a> {
         }
     }
 
+    /// A constant of the data that is the same as an expression, in the same unit.
+    pub fn constant_as(&self, from: &Expr, unit: &str) -> Option<SymbolId> {
+        let value = from.value(&self.symbols);
+        let same = |symbol: SymbolId| {
+            let known = self.symbols.value(symbol);
+            (known - value).abs() <= 1e-12 * value.abs() && self.symbols.unit(symbol) == tex_of(unit)
+        };
+        self.constants.iter().map(|(_, _, symbol)| *symbol).find(|s| same(*s))
+    }
+
     /// The value of a number of the scene, SI, slopes in degrees.
     pub fn datum(&self, num: Num) -> f64 {
         self.scene.value(num, &self.variant.data)

@@ -721,8 +721,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.steps.extend(kept);
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
-        self.say(start, &[]);
         let links = self.links(false, |n, c| n.m.speed(c));
+        // Of a start with a speed the gain is written with them already.
+        let (before, links) = if self.v0 == ZERO { (Vec::new(), links) } else { (links, Vec::new()) };
+        if !before.is_empty() {
+            self.say("energy.linked", &[("links", &before.join(", "))]);
+        }
+        self.say(start, &[]);
         self.formula(self.balance(&self.distance()));
         self.tell_frictions();
         if !links.is_empty() {
@@ -737,7 +742,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.tell_groups();
         // Speeds that are asked.
         self.skip_new();
-        if !place {
+        if !place && (self.asks(Quantity::V) || self.asks(Quantity::Omega)) {
             self.forget(v);
         }
         for label in asked::needed(self.scene, self.problem) {

@@ -189,7 +189,8 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// A sentence of the paragraph that is being written.
     pub fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        let text = self.phrase(name, pieces);
+        // A symbol and what it equals are one formula.
+        let text = self.phrase(name, pieces).replace("$ $=", " =");
         self.open.push(text);
     }
     /// A displayed formula; lines with an `&` stand under each other.
