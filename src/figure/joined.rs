@@ -6,6 +6,7 @@ use crate::num::half::Half;
 use crate::picture::board::{Board, LabelTie};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
+use crate::words::plain::capital;
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
     Shape, Spot, Strut, StrutEnd, Surface, pose,
@@ -869,7 +870,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
             }
             JointKind::Contact { at, radius_m, surface, rolls } => {
-                let what = if rolls { "rolls" } else { "slides" };
+                let what = match rolls {
+                    true => "rolls",
+                    false if view.of(radius_m) == 0.0 => "slides_itself",
+                    false => "slides",
+                };
                 let on = match surface {
                     Surface::Line { direction_deg, .. } => {
                         let line = say("sloped", &[("angle", &say::text(view, direction_deg, "°"))]);
@@ -881,7 +886,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                     }
                 };
                 let radius = say::text(view, radius_m, "m");
-                say(what, &[("point", &called(at)), ("radius", &radius), ("on", &on)])
+                let point = match view.scene.bodies[at.body].turns {
+                    true => called(at),
+                    false => capital(&names::the_body(view.words, view.scene, at.body)),
+                };
+                say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
             }
             JointKind::Cord { at, place_m } => {
                 say("cord", &[("point", &called(at)), ("place", &place(place_m))])

@@ -273,7 +273,7 @@ pub fn pinned(view: &SceneView, index: usize, out: &mut Vec<String>) {
         };
         let list = [text(view, spring.stiffness_n_m, "N/m"), rest].join(separator(view));
         out.push(say(
-            "spring",
+            if view.of(spring.x_m) == 0.0 { "spring_above" } else { "spring" },
             &[
                 ("x", &text(view, spring.x_m, "m")),
                 ("y", &text(view, spring.y_m, "m")),

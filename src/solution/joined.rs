@@ -652,7 +652,8 @@ impl<'d, 'a> Joined<'d, 'a> {
                 (false, false) if self.radial() => "pinned.spring_there",
                 (false, false) => "joined.spring_there",
             };
-            self.say(name, &[]);
+            let arm = self.t.free(&["p", r"p_{\mathrm{s}}"]);
+            self.say(name, &[("arm", &format!("${arm}$"))]);
             self.t.tell(wanted);
         }
         self.t.skip_new();
