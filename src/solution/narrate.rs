@@ -910,6 +910,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// The equations of motion, the elimination, the integral.
     fn motion(&mut self, id: &'static str) -> Result<(), DerivationStop> {
         let title = match (id, self.short) {
+            (_, Short::Instant) if self.starts() => "one_motion",
             (_, Short::Instant) => "motion",
             ("long", _) => "long_motion",
             (_, Short::Neither | Short::Together) => "one_motion",
@@ -1036,7 +1037,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
         if self.starts() {
-            return self.motion("short");
+            self.motion("short")?;
+            self.begin_as("why", "which");
+            self.say("why.start", &[]);
+            return Ok(());
         }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
@@ -1548,8 +1552,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let whole = lever.expr();
             let force = self.inline(&action.force);
             let value = self.value(&(whole.clone() * self.size(action.force.clone())));
+            let vanishes = self.value(&whole) == 0.0;
+            if value == 0.0 && !vanishes {
+                continue;
+            }
             let name = match action.source {
-                _ if value == 0.0 => "friction.none",
+                _ if vanishes => "friction.none",
                 _ if subtracts(&whole) => "friction.changes",
                 ForceSource::Weight(_) => "friction.weight",
                 _ => "friction.force",

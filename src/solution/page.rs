@@ -189,8 +189,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// A sentence of the paragraph that is being written.
     pub fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        // A symbol and what it equals are one formula.
-        let text = self.phrase(name, pieces).replace("$ $=", " =");
+        let text = self.phrase(name, pieces);
         self.open.push(text);
     }
     /// A displayed formula; lines with an `&` stand under each other.
