@@ -14,7 +14,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, JointKind, Num, Owner, Pin, Quantity, Side, Slope, StrutEnd, Surface, Tie, pose,
+    Arm, Couple, End, Far, GivenForce, JointKind, Num, Owner, Pin, Quantity, Side, Slope, StrutEnd, Surface,
+    Tie, pose,
 };
 use crate::words::Words;
 
@@ -716,7 +717,8 @@ fn surfaces(
                     }
                     Surface::Arc { centre_m, radius_m, .. } => {
                         let place_m = vec2(view.of(centre_m[0]), view.of(centre_m[1]));
-                        let (centre, round) = (place_m * plane.scale + shift, view.of(radius_m) * plane.scale);
+                        let (centre, round) =
+                            (place_m * plane.scale + shift, view.of(radius_m) * plane.scale);
                         let (middle, half) = ((place - centre).angle_of(), CUT / round);
                         board.arc(centre, round, middle - half, middle + half, Role::Ghost);
                         continue;
@@ -818,7 +820,8 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
             let ends = forces.iter().filter(|f| f.towards.x * f.value * sense > 0.9 * f.value.abs());
             ends.map(|f| symbol::plain(&f.label).chars().count()).max().unwrap_or(0) as f64 * 0.5 * TEXT
         };
-        let (before, after) = (wide.max(30.0 + label(forces, 1.0)), wide.max(30.0 + label(&kinetic.parts, -1.0)));
+        let (before, after) =
+            (wide.max(30.0 + label(forces, 1.0)), wide.max(30.0 + label(&kinetic.parts, -1.0)));
         let middle = f.high.x + before;
         let mut equals = Board::new();
         equals.wish_for(sign("=", vec2(middle, 0.0), 26.0));

@@ -6,11 +6,11 @@ use crate::num::half::Half;
 use crate::picture::board::{Board, LabelTie};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
-use crate::words::plain::capital;
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
     Shape, Spot, Strut, StrutEnd, Surface, pose,
 };
+use crate::words::plain::capital;
 
 /// Pixels of the height of all that moves, at most.
 const HIGH: f64 = 330.0;

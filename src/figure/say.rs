@@ -1,7 +1,7 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
 use crate::figure::layout::{Placed, SceneLayout};
-use crate::figure::view::SceneView;
 use crate::figure::names;
+use crate::figure::view::SceneView;
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::scene::{

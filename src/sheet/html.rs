@@ -472,7 +472,10 @@ fn beside(tex: &str) -> Vec<String> {
         return vec![tex.to_owned()];
     }
     let last = tex.matches(GAP).count();
-    tex.split(GAP).enumerate().map(|(i, part)| if i < last { format!("{part},") } else { part.to_owned() }).collect()
+    tex.split(GAP)
+        .enumerate()
+        .map(|(i, part)| if i < last { format!("{part},") } else { part.to_owned() })
+        .collect()
 }
 
 /// A formula as MathML; one that cannot be read is shown as it was written.

@@ -3,8 +3,8 @@
 use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression;
-use crate::finding::Finding;
 use crate::figure::names;
+use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};

@@ -1123,10 +1123,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 if let Some(spring) = self.spring.clone() {
                     let pull = self.tex(&spring.gamma.by(spring.tension));
                     let (k, x) = (self.tex(&spring.stiffness), r"x\,\mathrm{d}x");
-                    let stored = ratio(1, 2) * &spring.stiffness * (square(&spring.stretch) - square(&self.last));
+                    let stored =
+                        ratio(1, 2) * &spring.stiffness * (square(&spring.stretch) - square(&self.last));
                     let stored = self.inline(&stored);
                     let share = format!(r"${pull}\,\mathrm{{d}}s = -{k}\,{x}$");
-                    let share = self.phrase("motion.share_of_spring", &[("share", &share), ("stored", &stored)]);
+                    let share =
+                        self.phrase("motion.share_of_spring", &[("share", &share), ("stored", &stored)]);
                     self.say("motion.integral_spring", &[&pieces[..], &[("spring", &share)]].concat());
                 } else if again {
                     self.say("motion.integral", &pieces);
@@ -1361,7 +1363,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             // The speed at which rolling begins, and the heat, without the friction.
             let whole = mass.expr();
             let per_mass = own.per(&whole);
-            let speed = (v0 + per_mass.by(w0).over(c)).over(&(Expr::Number(1, 1) + per_mass.per(square(c)).expr()));
+            let speed =
+                (v0 + per_mass.by(w0).over(c)).over(&(Expr::Number(1, 1) + per_mass.per(square(c)).expr()));
             let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
             let lost = mass.times(&own).times(square(slip)).over(&whole);
             self.say(if warm { "thrown.by_momentum" } else { "thrown.by_speed" }, &[]);

@@ -706,7 +706,8 @@ fn the_share_of_a_pull_in_friction_is_read_by_its_sign() {
         let bank = pulled(leaves, &hub.to_string(), "hub", &incline);
         let problem = &bank.problems[0];
         let variant = Maker::new(problem, 1, "pulled").variant("0").unwrap_or_else(|u| panic!("{u}"));
-        let sign = if leaves.starts_with("top") { hub * 0.48 - 0.24 * 0.24 } else { -hub * 0.48 - 0.24 * 0.24 };
+        let sign =
+            if leaves.starts_with("top") { hub * 0.48 - 0.24 * 0.24 } else { -hub * 0.48 - 0.24 * 0.24 };
         let weight = 20.0 * 9.81 * slope.to_radians().sin() * 0.24 * 0.24;
         let friction = (90.0 * sign + weight) / (0.48f64.powi(2) + 0.24f64.powi(2));
         let key = make_key::key(problem, &variant);
@@ -717,7 +718,8 @@ fn the_share_of_a_pull_in_friction_is_read_by_its_sign() {
             for name in ["none", "changes", "force"] {
                 // The end of the sentence: what stands before it hangs on the forces.
                 let phrase = language.0.get(&format!("solution.friction.{name}"));
-                let end = phrase.rsplit("{factor}").next().expect("a part").split('{').next().expect("a part");
+                let end =
+                    phrase.rsplit("{factor}").next().expect("a part").split('{').next().expect("a part");
                 let end = if name == "force" { phrase.rsplit("{way}").next().expect("a part") } else { end };
                 assert_eq!(text.contains(end), name == says, "{leaves} {hub} {name}: {end}\n{text}");
             }
@@ -733,7 +735,7 @@ fn a_pull_is_asked_to_hold_a_wheel_only_where_it_can() {
     for (leaves, slope, holds) in
         [("top forward", "level", false), ("top forward", incline, true), ("top back", incline, false)]
     {
-        let bank = pulled(leaves, "0.10", "hub", slope);
+        let bank = pulled(leaves, "0.40", "hub", slope);
         let problem = &bank.problems[0];
         let variant = Maker::new(problem, 1, "pulled").variant("0").unwrap_or_else(|u| panic!("{u}"));
         for language in &languages() {
@@ -753,7 +755,8 @@ fn what_is_asked_at_the_start_has_no_time() {
     for student in 0..30 {
         let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
         let of = |symbol| datum(&problem, &variant, symbol);
-        let needed = of("P") * (0.5 * of("R") * of("R") + of("k") * of("k")) / (of("R").powi(2) + of("k").powi(2));
+        let needed =
+            of("P") * (0.5 * of("R") * of("R") + of("k") * of("k")) / (of("R").powi(2) + of("k").powi(2));
         let rolls = needed <= of("mu_s") * of("m") * 9.81;
         seen[usize::from(rolls)] = true;
         for language in &languages() {
@@ -807,7 +810,9 @@ fn free_bodies_stand_as_the_bodies_do() {
     let english = Words::english();
     let circles = |picture: &Picture| {
         let round = picture.elements.iter().filter_map(|e| match e.outline {
-            Outline::Circle { centre, radius } if e.role == Role::Body && radius > 9.5 => Some((centre, radius)),
+            Outline::Circle { centre, radius } if e.role == Role::Body && radius > 9.5 => {
+                Some((centre, radius))
+            }
             _ => None,
         });
         round.collect::<Vec<_>>()
@@ -820,7 +825,9 @@ fn free_bodies_stand_as_the_bodies_do() {
         assert_eq!(found.len(), count, "{found:?}");
         for (centre, radius) in found {
             let level = |e: &&slipstick::picture::Element| match &e.outline {
-                Outline::Lines { points, .. } if matches!(e.role, Role::Ghost | Role::Ground) && points.len() == 2 => {
+                Outline::Lines { points, .. }
+                    if matches!(e.role, Role::Ghost | Role::Ground) && points.len() == 2 =>
+                {
                     (points[0].y - points[1].y).abs() < 1e-9
                         && (points[0].x - points[1].x).abs() > radius
                         && ((points[0].y - centre.y).abs() - radius).abs() < 1e-6
