@@ -754,7 +754,8 @@ fn angle_of(board: &mut Board, view: &SceneView, laid: &[joined::Laid], body: us
     let [x, y] = planar.from.components();
     let (corner, zero) = (laid[body].origin, vec2(x, y));
     let axis = laid[body].axis;
-    let turned = zero.perp(&axis).atan2(zero.dot(&axis));
+    let (round, between) = (2.0 * std::f64::consts::PI, axis.angle_of() - zero.angle_of());
+    let turned = between - round * (between / round).round();
     if label.is_empty() || turned.abs() < 0.1 {
         return;
     }

@@ -512,7 +512,7 @@ fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             // Round the top, behind where cords leave; on an axle where it is free.
             let places =
                 [113.0, 68.0, 160.0, 20.0, 205.0, 230.0, 310.0, 335.0].map(|degrees| p.direction(degrees));
-            let clear = |d: &Vec2| taken.iter().all(|t| t.dot(d) < (half + 0.25).cos());
+            let clear = |d: &Vec2| taken.iter().all(|t| t.dot(d) < Vec2::at_angle(half + 0.25).x);
             let d = places.iter().copied().find(clear).unwrap_or(places[0]);
             let mid = d.angle_of();
             board.curved_arrow(p.centre, radius, mid - sense * half, mid + sense * half, Role::Motion);
