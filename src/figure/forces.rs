@@ -819,10 +819,10 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
         // Beside the sign there is room for a label of an arrow that points to it.
         let label = |forces: &[ForceArrow], sense: f64| {
             let ends = forces.iter().filter(|f| f.towards.x * f.value * sense > 0.9 * f.value.abs());
-            ends.map(|f| symbol::plain(&f.label).chars().count()).max().unwrap_or(0) as f64 * 0.5 * TEXT
+            ends.map(|f| symbol::width(&f.label, TEXT)).fold(0.0, f64::max)
         };
         let (before, after) =
-            (wide.max(30.0 + label(forces, 1.0)), wide.max(30.0 + label(&kinetic.parts, -1.0)));
+            (wide.max(20.0 + label(forces, 1.0)), wide.max(20.0 + label(&kinetic.parts, -1.0)));
         let middle = f.high.x + before;
         let mut equals = Board::new();
         equals.wish_for(sign("=", vec2(middle, 0.0), 26.0));
