@@ -14,7 +14,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, JointKind, Owner, Pin, Quantity, Side, Slope, StrutEnd, Tie, pose,
+    Arm, Couple, End, Far, GivenForce, JointKind, Num, Owner, Pin, Quantity, Side, Slope, StrutEnd, Surface,
+    Tie, pose,
 };
 use crate::words::Words;
 
@@ -34,6 +35,10 @@ const SHORT: f64 = 16.0;
 const BESIDE: f64 = 15.0;
 /// A lever arm below this is not drawn.
 const NEAR_POLE: f64 = 12.0;
+/// How far a surface is drawn to each side of a contact.
+const CUT: f64 = 28.0;
+/// Radius at which the angle of a body in the plane is drawn.
+const ANGLE: f64 = 34.0;
 /// Size of the caption.
 const CAPTION: f64 = 13.0;
 /// Share of the largest force below which a force counts as 0.
@@ -55,13 +60,20 @@ struct ForceArrow {
     aside: Vec2,
     /// Symbol of its lever arm about the point of the moments; empty where none is drawn.
     arm: Vec<TextRun>,
+    /// Is it drawn although it is 0 now: the force of a contact that ends here?
+    ends: bool,
 }
 
 impl ForceArrow {
+    /// Is it drawn, beside forces up to this one?
+    fn acts(&self, most: f64) -> bool {
+        self.ends || self.value.is_finite() && self.value.abs() > NOTHING * most
+    }
     /// A pull, as long as the others.
     fn new(at: Vec2, towards: Vec2, value: f64, label: Vec<TextRun>) -> Self {
         let (role, most) = (Role::Force, LONGEST);
-        Self { at, value, towards, label, role, push: false, most, aside: Vec2::ZERO, arm: Vec::new() }
+        let (push, aside, arm, ends) = (false, Vec2::ZERO, Vec::new(), false);
+        Self { at, value, towards, label, role, push, most, aside, arm, ends }
     }
 }
 
@@ -91,6 +103,10 @@ struct Diagram<'a> {
     pole: Vec2,
     /// Pixels per metre.
     scale: f64,
+    /// Symbol of the force of the axle, where it is drawn.
+    held: Option<Vec<TextRun>>,
+    /// Are forces taken to the right and up?
+    axes: bool,
     /// Draws the body.
     body: Box<dyn Fn(&mut Board) + 'a>,
 }
@@ -211,7 +227,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     }
     cords(view, body, &p, &plan, ratio, &mut forces);
     let couples = couples_on(view, body, p.clockwise);
-    let mut unknown = None;
+    let (mut unknown, mut held) = (None, None);
     if this.massless() {
         forces.remove(0);
     }
@@ -227,6 +243,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         if this.massless() {
             unknown = Some(axle);
         } else {
+            held = (axle.value > NOTHING * weight).then(|| axle.label.clone());
             forces.push(axle);
         }
     }
@@ -279,6 +296,8 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         centre,
         pole: centre,
         scale: plan.scale * ratio,
+        axes: false,
+        held,
         body: Box::new(draw),
     })
 }
@@ -296,6 +315,18 @@ fn couples_on(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
         Turning { value: value_left, label: symbol::magnitude(symbol, value < 0.0) }
     };
     view.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body).map(turning).collect()
+}
+
+/// The symbol of a lever arm, as in the solution.
+fn arm_symbol(view: &SceneView, radius: Num) -> Vec<TextRun> {
+    let derived = |i: usize| view.scene.formulas.numbers.get(i).is_some_and(|n| !n.any);
+    match radius {
+        Num::Derived(i) if derived(i) => {
+            let names: Vec<String> = names::sizes("R").into_iter().map(str::to_owned).collect();
+            symbol::symbol(&names::free(view.problem, &names))
+        }
+        _ => view.symbol(radius),
+    }
 }
 
 /// Normal force and friction.
@@ -348,7 +379,7 @@ fn contact(
     let arm = tie.and_then(|t| view.scene.ties[t].actions().find_map(|a| a.arm));
     forces.push(ForceArrow {
         role: Role::Friction,
-        arm: arm.map_or_else(Vec::new, |(radius, _)| view.symbol(radius)),
+        arm: arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius)),
         ..ForceArrow::new(
             at,
             p.forward,
@@ -405,7 +436,7 @@ fn cords(
                     symbol::symbol(&names::tension(view, run.tie)),
                 ),
             };
-            let arm = pull.arm.map_or_else(Vec::new, |(radius, _)| view.symbol(radius));
+            let arm = pull.arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
             let pull = ForceArrow::new(at, *towards, value, symbol::magnitude(label, value < 0.0));
             forces.push(ForceArrow { arm, ..pull });
         }
@@ -507,7 +538,8 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
     let (centre, pole, scale) = (g, Vec2::ZERO, hung.scale);
-    Diagram { forces, couples, unknown: None, kinetic, centre, pole, scale, body: Box::new(draw) }
+    let (unknown, axes, held, body) = (None, false, None, Box::new(draw));
+    Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body }
 }
 
 /// The diagrams of a body in the plane, at the position that is asked.
@@ -523,6 +555,15 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     };
     let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
         ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
+    };
+    // Of the contact that ends here the equations have the force still, as 0.
+    let pressing = |joint: usize, at: Vec2, value: f64, towards: Vec2, mut label: Vec<TextRun>| {
+        let ends = view.scene.end == End::Leaves(joint);
+        if ends {
+            label.extend(symbol::upright("\u{a0}=\u{a0}0"));
+            return ForceArrow { ends, role: Role::Ghost, ..ForceArrow::new(at, towards, 0.0, label) };
+        }
+        force(at, value, towards, label)
     };
     let mut forces = Vec::new();
     if !view.scene.lies_level() {
@@ -546,7 +587,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                 JointKind::Guide { direction_deg, mu_k, .. } => {
                     let direction = Vec2::at_degrees(view.of(direction_deg));
                     let normal = found(Quantity::Normal);
-                    forces.push(force(at, normal, direction.left(), name(j, "N")));
+                    forces.push(pressing(j, at, normal, direction.left(), name(j, "N")));
                     if mu_k.is_some() {
                         let up = pose::upward([direction.x, direction.y]);
                         let rubs = found(Quantity::Friction);
@@ -557,7 +598,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                 JointKind::Contact { radius_m, surface, rolls, .. } => {
                     let normal = plane.normal(view, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
-                    forces.push(force(foot, found(Quantity::Normal), normal, name(j, "N")));
+                    forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
                         let rubs = found(Quantity::Friction);
                         let friction = force(foot, rubs, normal.right(), name(j, "F"));
@@ -598,7 +639,14 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         let a = found(view, quantity, body);
         ForceArrow { role: Role::Motion, ..ForceArrow::new(g, towards, mass * a, with_mass(symbol, a)) }
     };
-    let mut parts = vec![part(Quantity::AX, Vec2::RIGHT, "a_x"), part(Quantity::AY, Vec2::UP, "a_y")];
+    let tag = if view.scene.bodies.len() > 1 {
+        names::tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
+    } else {
+        String::new()
+    };
+    let along = |way: &str| names::tagged("a", &format!("{tag}{way}"));
+    let mut parts =
+        vec![part(Quantity::AX, Vec2::RIGHT, &along("x")), part(Quantity::AY, Vec2::UP, &along("y"))];
     let alpha = found(view, Quantity::Alpha, body);
     let turn = this.turns.then(|| {
         let mut label = symbol::symbol(&names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]));
@@ -634,12 +682,93 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     laid[body].origin = (laid[body].origin - g) * ratio;
     let scale = close.scale;
     let draw = move |board: &mut Board| {
+        surfaces(board, view, &close, &laid, body, -g * ratio);
         close.outline(board, view, &laid, body, Role::Body);
         board.dot(Vec2::ZERO);
+        joined::letters(board, view, &close, &laid, Some(body));
+        angle_of(board, view, &laid, body);
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
     let (centre, pole) = (Vec2::ZERO, Vec2::ZERO);
-    Some(Diagram { forces, couples, unknown: None, kinetic, centre, pole, scale, body: Box::new(draw) })
+    let (unknown, axes, held, body) = (None, true, None, Box::new(draw));
+    Some(Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body })
+}
+
+/// What a body in the plane stands on or leans against, cut away, as a reference; what is fixed is drawn off by `shift`.
+fn surfaces(
+    board: &mut Board,
+    view: &SceneView,
+    plane: &joined::Plane,
+    laid: &[joined::Laid],
+    body: usize,
+    shift: Vec2,
+) {
+    for joint in &view.scene.joints {
+        let (at, radius, surface) = match joint.kind {
+            JointKind::Guide { at, direction_deg, one_sided: true, .. } if at.body == body => {
+                (at, 0.0, Vec2::at_degrees(view.of(direction_deg)))
+            }
+            JointKind::Contact { at, radius_m, surface, .. } if at.body == body => {
+                let place = plane.spot(view, laid, at);
+                let radius = view.of(radius_m) * plane.scale;
+                match surface {
+                    Surface::Line { direction_deg, .. } => {
+                        (at, radius, Vec2::at_degrees(view.of(direction_deg)))
+                    }
+                    Surface::Arc { centre_m, radius_m, .. } => {
+                        let place_m = vec2(view.of(centre_m[0]), view.of(centre_m[1]));
+                        let (centre, round) =
+                            (place_m * plane.scale + shift, view.of(radius_m) * plane.scale);
+                        let (middle, half) = ((place - centre).angle_of(), CUT / round);
+                        board.arc(centre, round, middle - half, middle + half, Role::Ghost);
+                        continue;
+                    }
+                }
+            }
+            _ => continue,
+        };
+        let foot = plane.spot(view, laid, at) - surface.left() * radius;
+        let long = radius + CUT;
+        board.line(foot - surface * long, foot + surface * long, Role::Ghost);
+    }
+}
+
+/// The angle of the leading body, where its axis lies.
+fn angle_of(board: &mut Board, view: &SceneView, laid: &[joined::Laid], body: usize) {
+    let Some(planar) = view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) else { return };
+    let given = match view.scene.end {
+        End::Angle(_, n) => Some(n),
+        End::AtOnce => planar.start_deg,
+        _ => None,
+    };
+    // The angle that is found bears the letter of the one at the start.
+    let started = match planar.start_deg {
+        Some(Num::Datum(i)) => view.problem.data[i].tex.split('_').next().unwrap_or_default(),
+        _ => "",
+    };
+    let label = match given {
+        Some(n) => view.symbol(n),
+        None if started.is_empty() => Vec::new(),
+        None => symbol::symbol(&names::free(view.problem, &[1, 2].map(|i| format!("{started}_{i}")))),
+    };
+    let [x, y] = planar.from.components();
+    let (corner, zero) = (laid[body].origin, vec2(x, y));
+    let axis = laid[body].axis;
+    let (round, between) = (2.0 * std::f64::consts::PI, axis.angle_of() - zero.angle_of());
+    let turned = between - round * (between / round).round();
+    if label.is_empty() || turned.abs() < 0.1 {
+        return;
+    }
+    let from = zero.angle_of();
+    // Of what does not turn, beyond the arrow of the surface.
+    let radius = if view.scene.bodies[body].turns { ANGLE } else { ANGLE + SHORTEST };
+    board.line(corner, corner + zero * (radius + 14.0), Role::Ghost);
+    board.arc(corner, radius, from, from + turned, Role::Dimension);
+    let spots = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| {
+        let d = Vec2::at_angle(from + turned * share);
+        (corner + d * radius, d)
+    });
+    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 4.0), spots.to_vec());
 }
 
 /// Both diagrams with the sign between them.
@@ -668,23 +797,45 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
     tell(view, forces, couples, kinetic, desc);
     let free = if scale.is_some() { "scale" } else { "free" };
     desc.push(view.words.get(&format!("figure.forces.{free}")).to_owned());
-    let mut captions = Vec::new();
+    let caption = |name: &str| view.words.get(&format!("figure.forces.{name}")).replace(' ', "\u{a0}");
+    let mut captions: Vec<Vec<TextRun>> = Vec::new();
+    if view.scene.thrown().is_some() && view.scene.end != End::AtOnce {
+        captions.push(symbol::upright(caption("slipping")));
+        desc.push(view.words.get("figure.forces.while_slipping").to_owned());
+    }
     if scale.is_none() {
-        captions.push("figure.forces.caption");
+        captions.push(symbol::upright(caption("caption")));
+    }
+    if let Some(f) = &diagram.held {
+        captions.push([f.clone(), symbol::upright(caption("caption_held"))].concat());
     }
     if diagram.unknown.is_some() {
-        captions.push("figure.forces.caption_axle");
+        captions.push(symbol::upright(caption("caption_axle")));
         desc.push(view.words.get("figure.forces.axle").to_owned());
     }
-    let captions: Vec<_> =
-        captions.iter().map(|name| symbol::upright(view.words.get(name).replace(' ', "\u{a0}"))).collect();
     let (mine, theirs) = (one.frame(), two.frame());
     if let (Some(f), Some(h)) = (mine, theirs) {
-        let wide = 58.0;
-        let middle = f.high.x + wide;
+        let wide: f64 = 58.0;
+        // Beside the sign there is room for a label of an arrow that points to it.
+        let label = |forces: &[ForceArrow], sense: f64| {
+            let ends = forces.iter().filter(|f| f.towards.x * f.value * sense > 0.9 * f.value.abs());
+            ends.map(|f| symbol::width(&f.label, TEXT)).fold(0.0, f64::max)
+        };
+        let (before, after) =
+            (wide.max(20.0 + label(forces, 1.0)), wide.max(20.0 + label(&kinetic.parts, -1.0)));
+        let middle = f.high.x + before;
         let mut equals = Board::new();
         equals.wish_for(sign("=", vec2(middle, 0.0), 26.0));
-        two.shift(vec2(f.high.x + 2.0 * wide - h.low.x, 0.0));
+        if diagram.axes {
+            let corner = vec2(middle - 10.0, -64.0);
+            for (name, way) in [("x", Vec2::RIGHT), ("y", Vec2::UP)] {
+                let tip = corner + way * 24.0;
+                equals.arrow(corner, tip, Role::Dimension);
+                let spots = vec![(tip, way)];
+                equals.label(vec![symbol::italic(name)], Role::Dimension, (LabelTie::Near, 2.0), spots);
+            }
+        }
+        two.shift(vec2(middle + after - h.low.x, 0.0));
         // The sign comes first: all other labels make room for it.
         equals.put(one);
         equals.put(two);
@@ -735,9 +886,10 @@ fn arrows(board: &mut Board, forces: &[ForceArrow], pixels: Option<f64>) -> bool
     let room =
         |f: &ForceArrow| if f.value.abs() > 0.0 { f.most * most / (LONGEST * f.value.abs()) } else { 1.0 };
     let scale = forces.iter().map(room).fold(1.0, f64::min).max(0.5) * LONGEST;
-    for f in forces.iter().filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most) {
+    for f in forces.iter().filter(|f| f.acts(most)) {
         any = true;
         let long = match pixels {
+            _ if f.ends => SHORTEST,
             Some(pixels) => pixels * f.value.abs(),
             None => (scale * f.value.abs() / most).max(SHORTEST),
         };
@@ -762,7 +914,7 @@ fn arrows(board: &mut Board, forces: &[ForceArrow], pixels: Option<f64>) -> bool
 /// From the point of the moments square to the lines of action, each with its symbol.
 fn lever_arms(board: &mut Board, diagram: &Diagram) {
     let most = diagram.forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
-    let acts = |f: &&ForceArrow| f.value.is_finite() && f.value.abs() > NOTHING * most;
+    let acts = |f: &&ForceArrow| f.acts(most);
     for f in diagram.forces.iter().filter(acts).filter(|f| !f.arm.is_empty()) {
         let foot = f.at + f.towards * (diagram.pole - f.at).dot(&f.towards);
         let out = (foot - diagram.pole).unit();
@@ -831,7 +983,7 @@ fn tell(
         let most = forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
         let mut items: Vec<String> = forces
             .iter()
-            .filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most)
+            .filter(|f| f.acts(most))
             .map(|f| format!("{} {}", symbol::plain(&f.label), way(f.towards * f.value.signum())))
             .collect();
         items.extend(turns.filter(|t| t.value.abs() > 1e-12).map(turn));

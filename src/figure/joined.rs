@@ -10,6 +10,7 @@ use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
     Shape, Spot, Strut, StrutEnd, Surface, pose,
 };
+use crate::words::plain::capital;
 
 /// Pixels of the height of all that moves, at most.
 const HIGH: f64 = 330.0;
@@ -232,23 +233,28 @@ impl Plane {
         let [right, left] = aside(view, planar).map(|x| axis.left() * (x * self.scale));
         let lamina = (left - right).norm() > THICK;
         let (left, right) = if lamina { (left, right) } else { (side, -side) };
-        board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
-        // A wheel is as large as where it touches.
-        let wheel = view.scene.joints.iter().find_map(|j| match j.kind {
-            JointKind::Contact { at, radius_m, .. } if at.body == body => Some((at, view.of(radius_m))),
+        // What rolls or slides on a circle of it is drawn as this circle; else its shape, or its radius of gyration.
+        let touching = |joint: &Joint| match joint.kind {
+            JointKind::Contact { at, radius_m, .. } if at.body == body => {
+                Some((self.spot(view, laid, at), view.of(radius_m))).filter(|(_, radius)| *radius > 0.0)
+            }
             _ => None,
-        });
-        if let Some((at, radius)) = wheel.filter(|(_, radius)| *radius > 0.0) {
-            board.circle(self.spot(view, laid, at), radius * self.scale, role);
-        } else if !lamina && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, _))) {
-            let mass = view.kilograms(this);
-            let round = match &this.inertia {
-                Some(RotaryInertia::Shape(_, r)) => view.of(*r),
-                _ if mass > 0.0 => (view.inertia(this) / mass).max(0.0).sqrt(),
-                _ => 0.0,
-            };
-            board.circle(self.centre(view, laid, body), (round * self.scale).max(9.0), role);
+        };
+        let mut circles: Vec<(Vec2, f64)> = view.scene.joints.iter().filter_map(touching).collect();
+        let mass = view.kilograms(this);
+        let round = match &this.inertia {
+            Some(RotaryInertia::Shape(Shape::Rod, _)) => None,
+            Some(RotaryInertia::Shape(_, r)) => Some(view.of(*r)),
+            _ if !circles.is_empty() => None,
+            _ if mass > 0.0 => Some((view.inertia(this) / mass).max(0.0).sqrt()),
+            _ => Some(0.0),
+        };
+        circles.extend(round.filter(|_| !lamina).map(|r| (self.centre(view, laid, body), r)));
+        circles.dedup();
+        for (centre, radius) in circles {
+            board.circle(centre, (radius * self.scale).max(9.0), role);
         }
+        board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
     }
 }
 
@@ -256,8 +262,16 @@ impl Plane {
 fn lay(view: &SceneView, numbers: &Numbers<f64>, angle: &Half<f64>, at_start: bool) -> Option<Vec<Laid>> {
     let laid = pose::poses(view.scene, numbers, angle, at_start)?;
     let vector = |[x, y]: [f64; 2]| vec2(x, y);
-    let laid: Vec<Laid> =
+    let mut laid: Vec<Laid> =
         laid.iter().map(|p| Laid { origin: vector(p.origin), axis: vector(p.axis) }).collect();
+    // What slides on a cylinder without turning by itself is drawn along it.
+    for joint in &view.scene.joints {
+        if let JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } = joint.kind
+            && !view.scene.bodies[at.body].turns
+        {
+            laid[at.body].axis = (laid[at.body].origin - ground(view, centre_m)).unit();
+        }
+    }
     laid.iter().all(|l| l.origin.norm().is_finite() && l.axis.norm().is_finite()).then_some(laid)
 }
 
@@ -356,7 +370,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
         board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots);
     }
-    letters(board, view, &plane);
+    letters(board, view, &plane, &plane.start, None);
     angles(board, view, &plane);
     for b in 0..view.scene.bodies.len() {
         sizes(board, view, &plane, b);
@@ -541,13 +555,13 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
     }
 }
 
-/// Names of points, and the mass centre of a single body.
-fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
+/// Names of points, and the mass centre, of a single body or of this one alone.
+pub fn letters(board: &mut Board, view: &SceneView, plane: &Plane, laid: &[Laid], only: Option<usize>) {
     let mut named: Vec<Vec2> = Vec::new();
-    let single = view.scene.bodies.len() == 1;
-    for (b, body) in view.scene.bodies.iter().enumerate() {
+    let single = view.scene.bodies.len() == 1 || only.is_some();
+    for (b, body) in view.scene.bodies.iter().enumerate().filter(|(b, _)| only.is_none_or(|o| o == *b)) {
         let Some(planar) = body.planar.as_ref().filter(|_| body.turns) else { continue };
-        let axis = plane.start[b].axis;
+        let axis = laid[b].axis;
         let mut letter = |text: &str, at: Vec2, dot: bool| {
             if named.iter().any(|p| (*p - at).norm() < 3.0) {
                 return;
@@ -570,10 +584,10 @@ fn letters(board: &mut Board, view: &SceneView, plane: &Plane) {
             board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
         };
         if single {
-            letter("G", plane.centre(view, &plane.start, b), true);
+            letter("G", plane.centre(view, laid, b), true);
         }
         for (point, (name, _)) in planar.points.iter().enumerate() {
-            letter(name, plane.spot(view, &plane.start, Spot { body: b, point }), false);
+            letter(name, plane.spot(view, laid, Spot { body: b, point }), false);
         }
     }
 }
@@ -856,7 +870,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
             }
             JointKind::Contact { at, radius_m, surface, rolls } => {
-                let what = if rolls { "rolls" } else { "slides" };
+                let what = match rolls {
+                    true => "rolls",
+                    false if view.of(radius_m) == 0.0 => "slides_itself",
+                    false => "slides",
+                };
                 let on = match surface {
                     Surface::Line { direction_deg, .. } => {
                         let line = say("sloped", &[("angle", &say::text(view, direction_deg, "°"))]);
@@ -868,7 +886,11 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                     }
                 };
                 let radius = say::text(view, radius_m, "m");
-                say(what, &[("point", &called(at)), ("radius", &radius), ("on", &on)])
+                let point = match view.scene.bodies[at.body].turns {
+                    true => called(at),
+                    false => capital(&names::the_body(view.words, view.scene, at.body)),
+                };
+                say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
             }
             JointKind::Cord { at, place_m } => {
                 say("cord", &[("point", &called(at)), ("place", &place(place_m))])

@@ -8,12 +8,18 @@ use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
 fn kind<'w>(words: &'w Words, body: &Body) -> &'w str {
-    let id = body.name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+    let id = kind_id(words, body);
     let known = format!("solution.body.{id}");
-    if words.has(&known) {
-        return words.get(&known);
+    if words.has(&known) { words.get(&known) } else { words.get(&format!("figure.{id}")) }
+}
+
+/// The name of this word.
+fn kind_id<'b>(words: &Words, body: &'b Body) -> &'b str {
+    let id = body.name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+    if words.has(&format!("solution.body.{id}")) {
+        return id;
     }
-    let name = match &body.inertia {
+    match &body.inertia {
         None if body.line.is_some_and(|l| !l.surface && l.slope == Slope::Vertical) => "load",
         None => "block",
         Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
@@ -22,8 +28,7 @@ fn kind<'w>(words: &'w Words, body: &Body) -> &'w str {
         Some(_) if body.pin.is_some() => "body",
         Some(_) if body.line.is_none() => "drum",
         Some(_) => "wheel",
-    };
-    words.get(&format!("figure.{name}"))
+    }
 }
 
 /// A body in words, as a heading: `Wheel`; of several of a kind `Load 2`, or `Block B` where their ids are letters.
@@ -57,6 +62,17 @@ pub fn body_within(words: &Words, scene: &Scene, index: usize) -> String {
     }
 }
 
+/// The same with its article, which one of several does not have: `load 2`.
+pub fn the_body(words: &Words, scene: &Scene, index: usize) -> String {
+    let name = body_within(words, scene, index);
+    match scene.bodies.get(index) {
+        Some(this) if !name.contains(' ') => {
+            format!("{} {name}", words.get(&format!("solution.article.{}", kind_id(words, this))))
+        }
+        _ => name,
+    }
+}
+
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
 pub fn free(problem: &Problem, candidates: &[String]) -> String {
     let taken = |tex: &String| problem.data.iter().any(|d| d.tex == **tex);
@@ -64,6 +80,11 @@ pub fn free(problem: &Problem, candidates: &[String]) -> String {
         Some(tex) => tex.clone(),
         None => candidates.last().map_or_else(String::new, |tex| format!("{tex}^{{*}}")),
     }
+}
+
+/// The symbols of a size that the bank gives as an expression, best first: of a part of R that is r.
+pub fn sizes(tex: &str) -> Vec<&str> {
+    if tex == "R" { vec!["R", "r"] } else { vec![tex] }
 }
 
 /// The symbol with something below it.
@@ -167,7 +188,24 @@ pub fn mass(view: &SceneView, body: usize) -> Vec<TextRun> {
         Mass::Kilograms(n) => view.symbol(*n),
         Mass::Weight(_) | Mass::OfParts => Vec::new(),
     };
-    if given.is_empty() { symbol::symbol(&of_body(view, body, &["m", "m_G"], |_| true)) } else { given }
+    if !given.is_empty() {
+        return given;
+    }
+    // Of several parts it is the sum of theirs.
+    let parts: Vec<Vec<TextRun>> = match &this.mass {
+        Mass::OfParts => {
+            let symbol = |(n, weight): (Num, bool)| if weight { Vec::new() } else { view.symbol(n) };
+            view.masses(this).into_iter().map(symbol).collect()
+        }
+        _ => Vec::new(),
+    };
+    if parts.is_empty() || parts.iter().any(Vec::is_empty) {
+        return symbol::symbol(&of_body(view, body, &["m", "m_G"], |_| true));
+    }
+    let mut sum = symbol::upright("(");
+    sum.extend(parts.join(&symbol::upright("\u{a0}+\u{a0}")[..]));
+    sum.extend(symbol::upright(")"));
+    sum
 }
 
 /// Weight of a body: `mg`, or the symbol of a given weight.

@@ -8,9 +8,6 @@ use crate::picture::{Role, symbol};
 use crate::scene::{Far, GivenForce, Num, Slope, Tie};
 use std::f64::consts::PI;
 
-/// A body that turns and is no larger has no arrow for its positive sense.
-pub const SMALL: f64 = 30.0;
-
 /// The body's outer edge.
 pub fn outline(board: &mut Board, p: &Placed) {
     match &p.look {

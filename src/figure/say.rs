@@ -1,9 +1,9 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
 use crate::figure::layout::{Placed, SceneLayout};
+use crate::figure::names;
 use crate::figure::view::SceneView;
-use crate::figure::{names, parts};
 use crate::picture::symbol;
-use crate::picture::vector::{Direction, Vec2};
+use crate::picture::vector::Vec2;
 use crate::scene::{
     Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Rest,
     RotaryInertia, Shape, Side, Slope, Start, Tie, Zero,
@@ -143,7 +143,7 @@ pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec
         if view.started(b).next().is_some() {
             continue;
         }
-        if body.turns && p.reach(Vec2::RIGHT) > parts::SMALL {
+        if body.turns {
             let name = if p.clockwise { "clockwise" } else { "counter" };
             list.push(view.words.get(&format!("figure.turn.{name}")).to_owned());
         }
@@ -273,7 +273,7 @@ pub fn pinned(view: &SceneView, index: usize, out: &mut Vec<String>) {
         };
         let list = [text(view, spring.stiffness_n_m, "N/m"), rest].join(separator(view));
         out.push(say(
-            "spring",
+            if view.of(spring.x_m) == 0.0 { "spring_above" } else { "spring" },
             &[
                 ("x", &text(view, spring.x_m, "m")),
                 ("y", &text(view, spring.y_m, "m")),

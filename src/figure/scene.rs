@@ -503,21 +503,22 @@ fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             board.arrow(at, tip, Role::Motion);
             plus(board, vec![(tip, off), (at.middle(tip), off), (at, -p.forward), (tip, p.forward)]);
         }
-        let outer = p.reach(Vec2::RIGHT);
-        if body.turns && outer > parts::SMALL {
+        if body.turns {
             let sense = if p.clockwise { -1.0 } else { 1.0 };
-            let radius = outer + 9.0;
+            let radius = p.reach(Vec2::RIGHT) + 9.0;
+            // As long on a small body as on a larger one.
+            let half = (14.0 / radius).max(0.36);
             let taken = busy(view, plan, b, p);
             // Round the top, behind where cords leave; on an axle where it is free.
             let places =
                 [113.0, 68.0, 160.0, 20.0, 205.0, 230.0, 310.0, 335.0].map(|degrees| p.direction(degrees));
-            let clear = |d: &Vec2| taken.iter().all(|t| t.dot(d) < 0.82);
+            let clear = |d: &Vec2| taken.iter().all(|t| t.dot(d) < Vec2::at_angle(half + 0.25).x);
             let d = places.iter().copied().find(clear).unwrap_or(places[0]);
             let mid = d.angle_of();
-            board.curved_arrow(p.centre, radius, mid - sense * 0.36, mid + sense * 0.36, Role::Motion);
+            board.curved_arrow(p.centre, radius, mid - sense * half, mid + sense * half, Role::Motion);
             plus(
                 board,
-                vec![(p.centre + d * radius, d), (p.centre + Vec2::at_angle(mid + sense * 0.36) * radius, d)],
+                vec![(p.centre + d * radius, d), (p.centre + Vec2::at_angle(mid + sense * half) * radius, d)],
             );
         }
     }

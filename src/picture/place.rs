@@ -10,6 +10,8 @@ use std::f64::consts::PI;
 
 /// Least distance between a label and what is not its own.
 const CLEAR: f64 = 3.0;
+/// The same between two labels side by side, which else read as one; fonts differ in width.
+const SIDEWAYS: f64 = 12.0;
 /// From this distance on a label gets a leader.
 const LEADER_FROM: f64 = 16.0;
 /// Distances of the rings on which places are looked for.
@@ -131,6 +133,8 @@ impl LabelPlaces {
     }
 
     fn covers_label(&self, frame: Frame) -> bool {
+        let aside = vec2(SIDEWAYS - CLEAR, 0.0);
+        let frame = Frame { low: frame.low - aside, high: frame.high + aside };
         self.taken.iter().any(|t| frame.overlaps(*t))
     }
 }

@@ -116,7 +116,20 @@ fn options(role: Role) -> String {
 /// Runs as TeX text with formulas.
 fn text(runs: &[TextRun]) -> String {
     let mut out = String::new();
+    let mut lowered = false;
     for TextRun { text, style } in runs {
+        let below = match style {
+            RunStyle::Sub => format!("\\mathrm{{{}}}", formula(text)),
+            _ => formula(text),
+        };
+        let after_another =
+            std::mem::replace(&mut lowered, matches!(style, RunStyle::Sub | RunStyle::SubItalic));
+        if lowered && after_another {
+            // Two indices in a row are one: LaTeX refuses a second.
+            out.truncate(out.len() - "}$".len());
+            let _ = write!(out, "{below}}}$");
+            continue;
+        }
         match style {
             RunStyle::Upright => {
                 for c in text.chars() {
@@ -131,11 +144,8 @@ fn text(runs: &[TextRun]) -> String {
             RunStyle::Italic => {
                 let _ = write!(out, "${}$", formula(text));
             }
-            RunStyle::Sub => {
-                let _ = write!(out, "$_{{\\mathrm{{{}}}}}$", formula(text));
-            }
-            RunStyle::SubItalic => {
-                let _ = write!(out, "$_{{{}}}$", formula(text));
+            RunStyle::Sub | RunStyle::SubItalic => {
+                let _ = write!(out, "$_{{{below}}}$");
             }
             RunStyle::Super => {
                 let _ = write!(out, "$^{{\\mathrm{{{}}}}}$", formula(text));

@@ -28,6 +28,9 @@ const PHONE: usize = 28;
 /// One with more signs than this is set smaller on paper, so that it fits.
 pub const PAPER: usize = 70;
 
+/// How a formula begins that stands beside others in a line, which breaks between them where it is narrow.
+const ROW: &str = "<math displaystyle=\"true\"";
+
 /// Where a document stands in a page.
 #[derive(Default, Debug, Clone, Copy)]
 pub struct PlaceInPage<'p> {
@@ -145,13 +148,21 @@ impl<'w> Converter<'w> {
                 if signs > PAPER {
                     class.push_str(" long");
                 }
-                let scrolls = if signs > PHONE {
+                let parts = beside(&tex);
+                let widest = parts.iter().map(|part| self::signs(part)).max().unwrap_or(0);
+                let scrolls = if widest > PHONE {
                     let label = format!("{} {}", self.words.get("sheet.formula"), walk.formulas);
                     format!(" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"")
                 } else {
                     String::new()
                 };
-                let math = formula(&tex, true);
+                let math = match parts.as_slice() {
+                    [whole] => formula(whole, true),
+                    parts => {
+                        let shown = |part: &String| formula(part, false).replacen("<math", ROW, 1);
+                        parts.iter().map(shown).collect::<Vec<_>>().join(" ")
+                    }
+                };
                 out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
             }
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
@@ -452,6 +463,19 @@ pub fn part_id(i: usize) -> String {
 /// A formula within a line, or on a line of its own, as MathML.
 pub fn formula(tex: &str, of_its_own: bool) -> String {
     mathml(tex, if of_its_own { DisplayMode::Block } else { DisplayMode::Inline })
+}
+
+/// The formulas that stand beside each other in one displayed line.
+fn beside(tex: &str) -> Vec<String> {
+    const GAP: &str = r", \qquad ";
+    if tex.contains(r"\begin") {
+        return vec![tex.to_owned()];
+    }
+    let last = tex.matches(GAP).count();
+    tex.split(GAP)
+        .enumerate()
+        .map(|(i, part)| if i < last { format!("{part},") } else { part.to_owned() })
+        .collect()
 }
 
 /// A formula as MathML; one that cannot be read is shown as it was written.

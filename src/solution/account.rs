@@ -301,11 +301,13 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             let name =
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
-            let last = self.page.find(&[&marked(&name, "1")], unit, &first + gain);
+            // Of a first value `M_0` the last one is `M_1`.
+            let base = name.strip_suffix("_0").unwrap_or(&name);
+            let last = self.page.find(&[&marked(base, "1")], unit, &first + gain);
             let mean = (growth.law.with == Grows::Place).then(|| {
                 let h = i64::from(growth.law.halves);
                 let mean = weighed([(&first, (h, h + 2)), (&last.into(), (2, h + 2))]);
-                self.page.find(&[&marked(&name, r"\mathrm{m}")], unit, mean)
+                self.page.find(&[&marked(base, r"\mathrm{m}")], unit, mean)
             });
             for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
                 action.force = mean.unwrap_or(last).into();
@@ -1928,9 +1930,15 @@ fn weighed<const N: usize>(terms: [(&Expr, (i64, i64)); N]) -> Expr {
 
 /// A symbol with a mark below it, behind what stands there already.
 pub fn marked(tex: &str, mark: &str) -> String {
-    match tex.split_once('_').map(|(symbol, below)| (symbol, below.trim_matches(['{', '}']))) {
-        Some((symbol, below)) => format!("{symbol}_{{{below},{mark}}}"),
-        None => format!("{tex}_{{{mark}}}"),
+    let (base, raised) = tex.split_at(tex.find('^').unwrap_or(tex.len()));
+    // An index within an accent belongs to what the accent stands on.
+    let whole = |symbol: &str| symbol.matches('{').count() == symbol.matches('}').count();
+    match base.split_once('_').filter(|(symbol, _)| whole(symbol)) {
+        Some((symbol, below)) => {
+            let within = below.strip_prefix('{').and_then(|b| b.strip_suffix('}')).unwrap_or(below);
+            format!("{symbol}_{{{within},{mark}}}{raised}")
+        }
+        None => format!("{base}_{{{mark}}}{raised}"),
     }
 }
 

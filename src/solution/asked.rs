@@ -1,6 +1,6 @@
 //! What a question asks that is no quantity of the scene as it stands: an expression, a quantity as if contacts were others, and a
 //! datum that is found from a measurement.
-use crate::bank::Problem;
+use crate::bank::{Problem, Question};
 use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Given, Label, Num, Owner, Quantity, Scene, Taken, Term};
@@ -16,6 +16,7 @@ use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{Symbols, tex_digits};
 use crate::solve::outcome::Entry;
 use crate::words::Words;
+use crate::words::plain::capital;
 
 /// Steps of a search for a datum: so many places of its range, then halvings.
 const PLACES: u32 = 16;
@@ -52,12 +53,11 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
 /// A quantity that is not covered.
 pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
     let scene = draft.scene;
-    let asked: Vec<(usize, Label)> = draft
-        .problem
+    let problem = draft.problem;
+    let asked: Vec<(usize, &Question)> = problem
         .questions
         .iter()
-        .map(|q| q.label)
-        .filter_map(|label| if let Owner::Asked(i) = label.of { Some((i, label)) } else { None })
+        .filter_map(|q| if let Owner::Asked(i) = q.label.of { Some((i, q)) } else { None })
         .collect();
     let mut others: Vec<(usize, Label, SymbolId)> = Vec::new();
     for (i, (how, other)) in scene.formulas.others.iter().enumerate() {
@@ -79,22 +79,41 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
         }
     }
     let mut page = Page::new(draft);
-    page.begin("asked");
     let several = asked.len() > 1;
-    for (i, label) in asked {
-        let Some(asked) = scene.formulas.asked.get(i) else { continue };
-        let from = expression(&mut page, &asked.formula, &|draft, term| named(draft, term, &others))?;
-        let symbol = match from {
-            Expr::Symbol(symbol) => symbol,
-            from => {
-                let name = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
-                page.find(&[&name, &format!("{name}^{{*}}")], &asked.unit, from)
-            }
-        };
-        page.answer(label, DerivedAnswer::Value(symbol));
+    // What follows from data alone comes before the rest, which may be put in terms of it.
+    let direct = |i: usize| {
+        let formula = scene.formulas.asked.get(i).map(|a| &a.formula);
+        formula.is_some_and(|f| f.names().all(|t| matches!(t, Term::Given(_))))
+    };
+    for (id, first) in [("asked_first", true), ("asked", false)] {
+        page.begin_as(id, "asked");
+        for (i, question) in asked.iter().filter(|(i, _)| direct(*i) == first) {
+            let Some(asked) = scene.formulas.asked.get(*i) else { continue };
+            let from = expression(&mut page, &asked.formula, &|draft, term| named(draft, term, &others))?;
+            let what = (!question.ask.contains("{{")).then(|| capital(&question.ask));
+            let known = page.constant_as(&from, &asked.unit);
+            let symbol = match (from, known) {
+                (Expr::Symbol(symbol), _) => symbol,
+                (_, Some(known)) => {
+                    if let Some(what) = what {
+                        page.say("asked.known", &[("what", &what), ("symbol", &page.shown(known))]);
+                    }
+                    known
+                }
+                (from, None) => {
+                    if let Some(what) = what {
+                        page.say("asked.told", &[("what", &what)]);
+                    }
+                    let name = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
+                    let own = if is_symbol(&question.id) { question.id.as_str() } else { &name };
+                    page.find(&[own, &name, &format!("{name}^{{*}}")], &asked.unit, from)
+                }
+            };
+            page.tell_new();
+            page.answer(question.label, DerivedAnswer::Value(symbol));
+        }
+        page.end();
     }
-    page.tell_new();
-    page.end();
     Ok(())
 }
 
@@ -126,6 +145,13 @@ fn hand_over(draft: &mut Draft, next: &Scene) -> Result<(), DerivationStop> {
         draft.handed.push((Num::Derived(i), from));
     }
     Ok(())
+}
+
+/// Is the id of a question a symbol: a letter, perhaps with one thing below it?
+fn is_symbol(id: &str) -> bool {
+    let (letter, below) = id.split_once('_').unwrap_or((id, "0"));
+    [letter, below].iter().all(|part| part.len() == 1 && part.chars().all(|c| c.is_ascii_alphanumeric()))
+        && letter.chars().all(char::is_alphabetic)
 }
 
 /// A value that a formula names, and whether it is an angle in degrees.

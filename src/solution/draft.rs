@@ -3,6 +3,7 @@
 use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression;
+use crate::figure::names;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
@@ -213,7 +214,7 @@ impl<'a> Draft<'a> {
                 let unit = if degrees { String::new() } else { tex_of(unit) };
                 // Constants of different values bear different symbols.
                 let taken = |t: &str| self.told.iter().any(|d| d.starts_with(&format!("{t} =")));
-                let mut name = self.free(&[tex]);
+                let mut name = self.free(&names::sizes(tex));
                 for i in 1..10 {
                     if taken(&name) {
                         name = match tex.split_once('_') {
@@ -238,6 +239,16 @@ impl<'a> Draft<'a> {
                 symbol.into()
             }
         }
+    }
+
+    /// A constant of the data that is the same as an expression, in the same unit.
+    pub fn constant_as(&self, from: &Expr, unit: &str) -> Option<SymbolId> {
+        let value = from.value(&self.symbols);
+        let same = |symbol: SymbolId| {
+            let known = self.symbols.value(symbol);
+            (known - value).abs() <= 1e-12 * value.abs() && self.symbols.unit(symbol) == tex_of(unit)
+        };
+        self.constants.iter().map(|(_, _, symbol)| *symbol).find(|s| same(*s))
     }
 
     /// The value of a number of the scene, SI, slopes in degrees.

@@ -11,6 +11,7 @@ use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
 use crate::solution::plane::{END, Pivot, Plane, START, Turn};
 use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::symbols::FIGURES;
 use crate::solution::terms::tagged;
 use crate::solution::text::{Block, LINE};
 use crate::solution::written::width;
@@ -216,7 +217,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.springs.is_empty() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
-            _ if self.scene.drifts().is_some() => "joined.onward_drifts",
+            _ if self.single() && !self.scene.pushes.is_empty() => "joined.onward_pushed",
+            _ if self.single() && self.on_the_floor() => "joined.onward_floor",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
         }
@@ -239,6 +241,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn single(&self) -> bool {
         self.bodies.len() == 1
+    }
+    /// Is nothing but a surface under one of its points there to hold it?
+    fn on_the_floor(&self) -> bool {
+        let joints = &self.scene.joints;
+        joints.len() == 1 && matches!(joints[0].kind, JointKind::Guide { one_sided: true, .. })
     }
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
         self.page.say(name, pieces);
@@ -654,7 +661,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 (false, false) if self.radial() => "pinned.spring_there",
                 (false, false) => "joined.spring_there",
             };
-            self.say(name, &[]);
+            let arm = self.free(&["p", r"p_{\mathrm{s}}"]);
+            self.say(name, &[("arm", &format!("${arm}$"))]);
             self.tell(wanted);
         }
         self.skip_new();
@@ -988,7 +996,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         for _ in 0..40 {
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
             if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| t.digits(x, 6));
+                let [a, b] = [a, b].map(|x| t.digits(x, FIGURES));
                 pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
             }
             if (a - b).abs() <= 1e-15 * a {
@@ -996,7 +1004,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         }
         t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
-        let name = t.free(&[r"\mu", r"\nu"]);
+        let name = t.free(&[r"a_{\infty}", r"b_{\infty}"]);
         let mean = t.symbols.found(&name, a, "");
         let shown = t.shown(mean);
         t.page.say("pinned.mean_found", &[("mean", &shown)]);

@@ -7,7 +7,7 @@
 //! [`asked`]. The sections, by id, in the order of the text, each where there is something to say:
 //! - `answers` in a box, `given`: the data; `idea`, `sketch`;
 //! - `unknown`: what no sheet gives; `blow`: what a blow does; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
-//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas;
+//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas, `asked_first` those of data alone, before all else;
 //! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
 //! A fault has a short page: `answers`, `given`, `beyond` with the reason.
@@ -149,7 +149,7 @@ fn made(
         }
     }
     // What is not given comes before the first formula, a question to go on with at the end.
-    for (id, place) in [("unknown", 2), ("onward", sections.len() - 1)] {
+    for (id, place) in [("asked_first", 2), ("unknown", 2), ("onward", sections.len() - 1)] {
         if let Some(at) = sections.iter().position(|s| s.id == id) {
             let moved = sections.remove(at);
             sections.insert(place, moved);

@@ -21,6 +21,7 @@ use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
+use crate::words::plain::capital;
 use std::ops::DerefMut;
 
 /// What drives the lead or holds it back.
@@ -333,7 +334,7 @@ fn subtracts(e: &Expr) -> bool {
 /// What friction rolling would need on a contact that is said to slip.
 fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
     let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
-    let told = draft.scene.end != End::AtOnce;
+    let told = draft.scene.end != End::AtOnce || draft.asks(Quantity::Rolls);
     let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(None);
@@ -378,6 +379,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let found = self.measured();
         let name = match (self.short, self.scene.end) {
             _ if found => "idea.found",
+            (Short::Instant, _) if self.asks(Quantity::Rolls) => "idea.which",
+            (Short::Instant, _) if self.starts() => "idea.start",
             (Short::Instant, _) => "idea.instant",
             (Short::Rates, _) if self.slips() => "idea.rates_slip",
             (Short::Rates, _) => "idea.rates",
@@ -402,7 +405,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                 [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
             for (found, name, idle) in ties {
                 let Some((t, body)) = found else { continue };
-                self.say(&format!("idea.{name}"), &[("body", &self.body(body))]);
+                self.say_of(&format!("idea.{name}"), body, &[]);
                 if self.short == Short::Energy {
                     let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
                     self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
@@ -587,18 +590,18 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
     fn onward(&self) -> &'static str {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
-        let level = self.scene.bodies.iter().all(|b| b.line.is_none_or(|l| l.slope == Slope::Level));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
+        let pulley = self.m.parts.iter().filter(|p| p.a.is_none() && p.alpha.is_some()).count() == 1
+            && self.scene.formulas.found.is_none();
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         match () {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
             () if self.spring.is_some() => "onward.spring",
-            () if wheel && pulled && level => "onward.spool",
-            () if wheel && pulled => "onward.pulled",
-            () if wheel => "onward.wheel",
+            () if wheel && pulled && self.level() => "onward.pulled_level",
+            () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
+            () if wheel && !pulled => "onward.wheel",
             () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
             () if self.held().is_some() => "onward.held",
             () => "onward.other",
@@ -629,6 +632,13 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     fn body(&self, body: usize) -> String {
         names::body_within(self.words, self.scene, body)
+    }
+    /// Says something of a body, which stands there alone and with its article, within a sentence and at its beginning.
+    fn say_of(&mut self, name: &str, body: usize, pieces: &[(&str, &str)]) {
+        let (own, the) = (self.body(body), names::the_body(self.words, self.scene, body));
+        let at_first = capital(&the);
+        let all = [&[("body", &*own), ("the", &*the), ("The", &*at_first)][..], pieces].concat();
+        self.say(name, &all);
     }
     /// The speed of the lead.
     fn speed(&self) -> SymbolId {
@@ -714,14 +724,16 @@ impl<'d, 'a> Account<'d, 'a> {
         self.begin_as("short", "short_energy");
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
-        if self.asks(Quantity::Direction) {
+        let directed = self.asks(Quantity::Direction);
+        if directed {
             self.tell_direction();
         }
         let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
-            self.say("energy.against", &[("body", &self.body(lead.body)), ("way", &sense)]);
+            let name = if directed { "energy.counted" } else { "energy.against" };
+            self.say_of(name, lead.body, &[("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
@@ -743,8 +755,13 @@ impl<'d, 'a> Account<'d, 'a> {
             self.tell(grown);
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
-        self.say(start, &[]);
         let links = self.links(false, |n, c| n.m.speed(c));
+        // Of a start with a speed the gain is written with them already.
+        let (before, links) = if self.v0 == ZERO { (Vec::new(), links) } else { (links, Vec::new()) };
+        if !before.is_empty() {
+            self.say("energy.linked", &[("links", &before.join(", "))]);
+        }
+        self.say(start, &[]);
         self.formula(self.balance(&self.distance()));
         self.tell_frictions();
         if !links.is_empty() {
@@ -759,7 +776,7 @@ impl<'d, 'a> Account<'d, 'a> {
         self.tell_groups();
         // Speeds that are asked.
         self.skip_new();
-        if !place {
+        if !place && (self.asks(Quantity::V) || self.asks(Quantity::Omega)) {
             self.forget(v);
         }
         for label in asked::needed(self.scene, self.problem) {
@@ -796,7 +813,8 @@ impl<'d, 'a> Account<'d, 'a> {
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
             let name = if spring { "energy.ratio_spring" } else { "energy.ratio" };
-            self.say(name, &[("centre", &c), ("point", &away)]);
+            let own = self.names(&[gamma]);
+            self.say_of(name, action.body, &[("centre", &c), ("point", &away), ("gamma", &own)]);
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
             let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
@@ -882,9 +900,15 @@ impl<'d, 'a> Account<'d, 'a> {
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
-            let body = self.lead().body;
-            let _ = self.get(of_body(Quantity::VMax, body));
-            self.say("energy.fastest", &[]);
+            let _ = self.get(of_body(Quantity::VMax, self.lead().body));
+            if let (Some(spring), Ok(rest)) = (self.spring.clone(), self.get(of_scene(Quantity::XEq))) {
+                let (k, x) = (&spring.stiffness, &spring.stretch);
+                let pull = -(k * spring.gamma.by(rest));
+                let works = ratio(1, 2) * k * (square(x) - square(rest)) - k * rest * (x - rest);
+                let all = ratio(1, 2) * k * square(x - rest);
+                let (others, all) = (self.inline(&pull), format!("${}$", self.equation(&works, &all)));
+                self.say("energy.fastest", &[("others", &others), ("square", &all)]);
+            }
             self.tell_new();
         }
     }
@@ -898,7 +922,10 @@ impl<'d, 'a> Account<'d, 'a> {
                 let drive = self.drive.clone();
                 let against = self.valued(&self.positive(&drive), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
-                self.say(name, &[("pull", &self.valued(&pull, "N")), ("against", &against), ("way", &sense)]);
+                let force = self.valued(&(&s.stiffness * &s.stretch), "N");
+                let pull = self.valued(&pull, "N");
+                let pieces = [("force", &*force), ("pull", &pull), ("against", &against), ("way", &sense)];
+                self.say_of(name, lead.body, &pieces);
             }
             None => {
                 let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
@@ -912,7 +939,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let free = against.is_empty();
                 let (pull, against) = (size(self, with), size(self, against));
                 let name = if free { "energy.direction_free" } else { "energy.direction" };
-                self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
+                self.say_of(name, lead.body, &[("pull", &pull), ("against", &against), ("way", &sense)]);
             }
         }
     }
@@ -920,6 +947,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The equations of motion, the elimination, the integral.
     fn motion(&mut self, id: &'static str) -> Result<(), DerivationStop> {
         let title = match (id, self.short) {
+            (_, Short::Instant) if self.starts() => "one_motion",
             (_, Short::Instant) => "motion",
             ("long", _) => "long_motion",
             (_, Short::Neither | Short::Together | Short::Rates) => "one_motion",
@@ -1046,6 +1074,12 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
+        if self.starts() {
+            self.motion("short")?;
+            self.begin_as("why", "which");
+            self.say("why.start", &[]);
+            return Ok(());
+        }
         self.begin_as("short", "instant");
         for c in self.coordinates() {
             let _ = self.get(speed_of(c));
@@ -1057,6 +1091,12 @@ impl<'d, 'a> Account<'d, 'a> {
         self.say("instant.energy", &[]);
         self.tell_new();
         if self.forces_asked() { self.motion("long") } else { Ok(()) }
+    }
+
+    /// Is an instant looked at in which all is at rest, so that there is no energy to speak of?
+    fn starts(&self) -> bool {
+        let at_rest = self.scene.start.is_empty() && !self.scene.is_struck();
+        at_rest && self.forces_asked() && !self.asks(Quantity::KineticEnergy)
     }
 
     fn say_senses(&mut self) {
@@ -1122,11 +1162,23 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.tell_new();
             }
             End::AtOnce => {}
-            _ if again && (self.spring.is_some() || !self.grown.is_empty()) => {
-                self.say("motion.integral_spring", &pieces);
+            _ => {
+                if let Some(spring) = self.spring.clone() {
+                    let pull = self.tex(&spring.gamma.by(spring.tension));
+                    let (k, x) = (self.tex(&spring.stiffness), r"x\,\mathrm{d}x");
+                    let stored =
+                        ratio(1, 2) * &spring.stiffness * (square(&spring.stretch) - square(&self.last));
+                    let stored = self.inline(&stored);
+                    let share = format!(r"${pull}\,\mathrm{{d}}s = -{k}\,{x}$");
+                    let share =
+                        self.phrase("motion.share_of_spring", &[("share", &share), ("stored", &stored)]);
+                    self.say("motion.integral_spring", &[&pieces[..], &[("spring", &share)]].concat());
+                } else if again && !self.grown.is_empty() {
+                    self.say("motion.integral_place", &pieces);
+                } else if again {
+                    self.say("motion.integral", &pieces);
+                }
             }
-            _ if again => self.say("motion.integral", &pieces),
-            _ => {}
         }
         let magnitudes = self.short == Short::Energy && self.sense < 0.0;
         if again && magnitudes {
@@ -1179,7 +1231,7 @@ impl<'d, 'a> Account<'d, 'a> {
             End::Time(_, t) => Some(self.number(t, "t_1", "s")),
             _ => None,
         };
-        let names = if asked.is_some() { ["t_r", "t_e"] } else { ["t", "t_r"] };
+        let names = if asked.is_some() { [r"t_{\mathrm{r}}", "t_e"] } else { ["t", r"t_{\mathrm{r}}"] };
         let event = closes.then(|| self.find(&names, "s", -(slip / rate)));
         self.tell_new();
         // Would it roll on?
@@ -1212,11 +1264,17 @@ impl<'d, 'a> Account<'d, 'a> {
         let left =
             spins.map_or(ZERO, |_| self.find(&[&format!("{tex}_1")], "m/s", slip + rate * &slid).into());
         let mean = in_sense(slip + left, sense);
-        self.say("thrown.heat", &[("u", &tex)]);
+        let warm = self.asks(Quantity::Heat) || self.asks(Quantity::SlipDistance);
+        if warm {
+            self.say("thrown.heat", &[("u", &tex)]);
+        }
         let distance = self.find(&["l", r"\ell", r"\lambda"], "m", mean.by(&slid).by(ratio(1, 2)));
         let mu_k = self.number(thrown.mu_k, r"\mu_k", "1");
         let heat = self.find(&["Q", "Q_f"], "J", mu_k * normal * distance);
-        self.tell_new();
+        if warm {
+            self.tell_new();
+        }
+        self.skip_new();
         let mut end = first;
         let mut rates = [a, alpha];
         let of_rolling = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
@@ -1343,20 +1401,31 @@ impl<'d, 'a> Account<'d, 'a> {
         let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
         let (w, v) = (Expr::from(end.w), Expr::from(end.v));
         self.formula(self.equation(&(spun(w0, v0) + fall.by(c).by(t)), &spun(&w, &v)));
-        self.say("thrown.balance", &[]);
-        self.formula(self.equation(&(kinetic(w0, v0) - heat + fall.by(end.x)), &kinetic(&w, &v)));
+        let warm = self.asks(Quantity::Heat) || self.asks(Quantity::SlipDistance);
+        if warm {
+            self.say("thrown.balance", &[]);
+            self.formula(self.equation(&(kinetic(w0, v0) - heat + fall.by(end.x)), &kinetic(&w, &v)));
+        }
         if level && (rolls || !matches!(self.scene.end, End::Time(..))) {
             // The speed at which rolling begins, and the heat, without the friction.
-            let carried = mass.plus(&own.per(square(c)));
-            let speed = (mass.by(v0) + own.by(w0).over(c)).over(&carried);
+            let whole = mass.expr();
+            let per_mass = own.per(&whole);
+            let speed =
+                (v0 + per_mass.by(w0).over(c)).over(&(Expr::Number(1, 1) + per_mass.per(square(c)).expr()));
             let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
             let lost = mass.times(&own).times(square(slip)).over(&whole);
-            self.say("thrown.by_momentum", &[]);
-            let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| self.chain(symbol, &from));
+            self.say(if warm { "thrown.by_momentum" } else { "thrown.by_speed" }, &[]);
+            let lines = [(end.v, speed), (heat, lost)].into_iter().take(if warm { 2 } else { 1 });
+            let lines: Vec<String> = lines.map(|(symbol, from)| self.chain(symbol, &from)).collect();
             self.formulas(lines);
         }
         self.begin_as("why", "which");
-        self.say(if level { "thrown.why_level" } else { "thrown.why" }, &[]);
+        let why = match level {
+            true if warm => "thrown.why_level",
+            true => "thrown.why_speed",
+            false => "thrown.why",
+        };
+        self.say(why, &[]);
         self.say("why.ask_slip", &[]);
     }
 
@@ -1544,14 +1613,19 @@ impl<'d, 'a> Account<'d, 'a> {
         for (action, lever) in terms {
             let whole = lever.expr();
             let force = self.inline(&action.force);
+            let value = self.value(&(whole.clone() * self.size(action.force.clone())));
+            let vanishes = self.value(&whole) == 0.0;
+            if value == 0.0 && !vanishes {
+                continue;
+            }
             let name = match action.source {
-                _ if self.value(&whole) == 0.0 => "friction.none",
+                _ if vanishes => "friction.none",
                 _ if subtracts(&whole) => "friction.changes",
                 ForceSource::Weight(_) => "friction.weight",
                 _ => "friction.force",
             };
-            let sense = self.way(body, self.value(&(whole.clone() * self.size(action.force.clone()))));
-            let factor = if name == "friction.none" { self.tex(&whole) } else { self.inline(&whole) };
+            let sense = self.way(body, value);
+            let factor = if vanishes { self.tex(&whole) } else { self.inline(&whole) };
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
     }
@@ -1588,8 +1662,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let mu = self.number(mu, r"\mu_s", "1");
         let n = self.get(of_body(Quantity::Normal, body))?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
-        let (name, most) = (self.body(body), self.valued(&(mu * n), "N"));
-        self.say("holds.held", &[("body", &name), ("f", &self.shown(f)), ("most", &most)]);
+        let most = self.valued(&(mu * n), "N");
+        let f = self.shown(f);
+        self.say_of("holds.held", body, &[("f", &f), ("most", &most)]);
         Ok(())
     }
 
@@ -1733,21 +1808,29 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Where the driving force just balances: nothing happens.
     fn balance_limit(&mut self) {
-        let pull = self.shares(&[ForceKind::Given]).into_iter().find(|(a, share)| {
-            matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
-        });
-        let Some((action, share)) = pull else { return };
-        let others = self.shares(&[ForceKind::Given]).into_iter();
-        let others: Vec<Expr> = others.filter(|(a, _)| a.source != action.source).map(|(_, e)| -e).collect();
-        let per = Factors::of(&share).per(&action.force);
-        let needed = positive_first(others.clone()).over(&per);
-        if others.is_empty() || self.value(&needed) <= 0.0 {
-            return;
-        }
+        let Some((action, needed)) = self.balancing_pull() else { return };
         let force = self.tex(&action.force);
         let digits = self.digits(self.value(&needed), FIGURES);
         let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
         self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
+    }
+
+    /// Is every line on which something moves level?
+    fn level(&self) -> bool {
+        self.scene.bodies.iter().filter_map(|b| b.line).all(|l| l.slope == Slope::Level)
+    }
+
+    /// The pull that drives it, and how large it would be in equilibrium.
+    fn balancing_pull(&self) -> Option<(Action, Expr)> {
+        let pull = self.shares(&[ForceKind::Given]).into_iter().find(|(a, share)| {
+            matches!(a.source, ForceSource::Tie(_)) && self.value(share) * self.sense > 0.0
+        });
+        let (action, share) = pull?;
+        let others = self.shares(&[ForceKind::Given]).into_iter();
+        let others: Vec<Expr> = others.filter(|(a, _)| a.source != action.source).map(|(_, e)| -e).collect();
+        let per = Factors::of(&share).per(&action.force);
+        let needed = positive_first(others.clone()).over(&per);
+        (!others.is_empty() && self.value(&needed) > 0.0).then_some((action, needed))
     }
 
     /// Has anything that turns a moment of inertia?

@@ -659,3 +659,199 @@ fn an_answer_in_degrees_is_told_in_radians_too() {
         text.lines().find(|l| l.starts_with("> ")).and_then(|l| l.split(" · ").next()).expect("answers");
     assert!(answer.contains(r"\mathrm{rad} = ") && answer.ends_with(r"^\circ$"), "{answer}");
 }
+
+/// A wheel that is pulled on a level, by a cord at the bottom or at the top of its hub; `r R = k^2` where the radii are so.
+fn pulled(leaves: &str, hub: &str, on: &str, slope: &str) -> Bank {
+    bank(&format!(
+        "
+bank: pulled
+title: Pulled
+problems:
+  wheel:
+    title: A wheel
+    data:
+      m: {{name: mass, unit: kg, draw: always 20}}
+      R: {{name: rim, unit: m, draw: always 0.48}}
+      r: {{name: hub, unit: m, draw: always {hub}}}
+      k: {{name: radius of gyration, unit: m, draw: always 0.24}}
+      P: {{name: pull, unit: N, draw: always 90}}
+      d: {{name: distance, unit: m, draw: always 2}}
+    scene:
+      surfaces: {{floor: {slope}}}
+      bodies: {{wheel: {{mass: m, radius of gyration: k, radii: {{rim: R, hub: r}}, moves: along floor}}}}
+      ties:
+        - rolls: {{body: wheel, on its: rim}}
+        - cord: {{from: {{body: wheel, wound on: {on}, leaves: {leaves}}}, pulled with: P}}
+      start: at rest
+      end: {{travel: {{of: wheel, by: d}}}}
+    questions:
+      v: {{ask: v, unit: m/s}}
+      friction: {{ask: F, unit: N}}
+    statement: '{{{{ m }}}} {{{{ R }}}} {{{{ r }}}} {{{{ k }}}} {{{{ P }}}} {{{{ d }}}}'
+"
+    ))
+}
+
+/// The share of a pull in the friction changes its sign only where it is a difference, and where this is 0 it points nowhere. A pull
+/// below the centre pushes friction back at every radius of gyration; the text said that it changes.
+#[test]
+fn the_share_of_a_pull_in_friction_is_read_by_its_sign() {
+    // At the top of the hub friction is in proportion to r R - k^2, at the bottom to -(r R + k^2).
+    for (leaves, hub, slope, says) in [
+        ("top forward", 0.12, 10.0f64, "none"),
+        ("top forward", 0.24, 0.0, "changes"),
+        ("bottom forward", 0.24, 0.0, "force"),
+    ] {
+        let incline = if slope == 0.0 { "level".to_owned() } else { format!("{{slope: {slope} deg}}") };
+        let bank = pulled(leaves, &hub.to_string(), "hub", &incline);
+        let problem = &bank.problems[0];
+        let variant = Maker::new(problem, 1, "pulled").variant("0").unwrap_or_else(|u| panic!("{u}"));
+        let sign =
+            if leaves.starts_with("top") { hub * 0.48 - 0.24 * 0.24 } else { -hub * 0.48 - 0.24 * 0.24 };
+        let weight = 20.0 * 9.81 * slope.to_radians().sin() * 0.24 * 0.24;
+        let friction = (90.0 * sign + weight) / (0.48f64.powi(2) + 0.24f64.powi(2));
+        let key = make_key::key(problem, &variant);
+        let slipstick::key::Answer::Number { value, .. } = key.parts[1].answer else { panic!("a number") };
+        assert!((value - friction).abs() < 1e-12, "{value} {friction}");
+        for language in &languages() {
+            let text = solution(problem, &variant, language);
+            for name in ["none", "changes", "force"] {
+                // The end of the sentence: what stands before it hangs on the forces.
+                let phrase = language.0.get(&format!("solution.friction.{name}"));
+                let end =
+                    phrase.rsplit("{factor}").next().expect("a part").split('{').next().expect("a part");
+                let end = if name == "force" { phrase.rsplit("{way}").next().expect("a part") } else { end };
+                assert_eq!(text.contains(end), name == says, "{leaves} {hub} {name}: {end}\n{text}");
+            }
+            assert!(!text.contains(" points .") && !text.contains(" zeigt ."), "{text}");
+        }
+    }
+}
+
+/// No pull holds a wheel at rest on level ground, nor one that pulls it down the incline.
+#[test]
+fn a_pull_is_asked_to_hold_a_wheel_only_where_it_can() {
+    let incline = "{slope: 20 deg}";
+    for (leaves, slope, holds) in
+        [("top forward", "level", false), ("top forward", incline, true), ("top back", incline, false)]
+    {
+        let bank = pulled(leaves, "0.40", "hub", slope);
+        let problem = &bank.problems[0];
+        let variant = Maker::new(problem, 1, "pulled").variant("0").unwrap_or_else(|u| panic!("{u}"));
+        for language in &languages() {
+            let text = solution(problem, &variant, language);
+            let asked = text.contains(language.0.get("solution.onward.pulled"));
+            assert_eq!(asked, holds, "{leaves} {slope}: {text}");
+        }
+    }
+}
+
+/// Nothing happens at a time where nobody asks for it: the spool that rolls or slips is looked at as it starts.
+#[test]
+fn what_is_asked_at_the_start_has_no_time() {
+    let (problem, _) = drawn("spool-on-the-floor");
+    let maker = Maker::new(&problem, 7, "spools");
+    let mut seen = [false; 2];
+    for student in 0..30 {
+        let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
+        let of = |symbol| datum(&problem, &variant, symbol);
+        let needed =
+            of("P") * (0.5 * of("R") * of("R") + of("k") * of("k")) / (of("R").powi(2) + of("k").powi(2));
+        let rolls = needed <= of("mu_s") * of("m") * 9.81;
+        seen[usize::from(rolls)] = true;
+        for language in &languages() {
+            let text = solution(&problem, &variant, language);
+            assert!(text.contains(language.0.get("solution.idea.which")), "{text}");
+            for name in ["title.slip_energy", "title.instant", "motion.spin_of_slip"] {
+                assert!(!text.contains(language.0.get(&format!("solution.{name}"))), "{name}: {text}");
+            }
+            assert!(!text.contains(r"2\ \mathrm{s}"), "{text}");
+        }
+    }
+    assert_eq!(seen, [true, true]);
+}
+
+/// An index goes into the one that stands there: LaTeX refuses two in a row.
+#[test]
+fn a_force_that_grows_from_a_datum_with_an_index_has_one_index() {
+    let text = "
+bank: grows
+title: Grows
+problems:
+  drum:
+    title: A drum
+    data:
+      I: {name: inertia, unit: kg m^2, draw: always 2}
+      c: {name: rate, unit: N m/s, draw: always 3}
+      M_0: {name: couple at the start, unit: N m, draw: always 4}
+      t1: {name: time, unit: s, draw: always 2}
+    scene:
+      bodies: {drum: {moment of inertia: I, radii: {rim: 0.2 m}, moves: about a fixed axle}}
+      forces: [couple: {on: drum, moment: M_0, growing by: c}]
+      start: at rest
+      end: {time: {of: drum, is: t1}}
+    questions: {omega: {ask: w, unit: rad/s}}
+    statement: '{{ I }} {{ c }} {{ M_0 }} {{ t1 }}'
+";
+    let bank = bank(text);
+    let problem = &bank.problems[0];
+    let variant = Maker::new(problem, 1, "grows").variant("0").unwrap_or_else(|u| panic!("{u}"));
+    for language in &languages() {
+        let text = solution(problem, &variant, language);
+        assert!(text.contains("M_{1} = M_0 + c\\,t_1"), "{text}");
+        assert!(!text.contains("_0_"), "{text}");
+    }
+}
+
+/// A wheel on a rack touches it with its own radius, also in the free body, where the forces of the rack act on its circle; a body
+/// that leaves a surface is drawn where it leaves it, with the force that ends there.
+#[test]
+fn free_bodies_stand_as_the_bodies_do() {
+    let english = Words::english();
+    let circles = |picture: &Picture| {
+        let round = picture.elements.iter().filter_map(|e| match e.outline {
+            Outline::Circle { centre, radius } if e.role == Role::Body && radius > 9.5 => {
+                Some((centre, radius))
+            }
+            _ => None,
+        });
+        round.collect::<Vec<_>>()
+    };
+    let (problem, variant) = drawn("gear-on-a-rack");
+    let forces = figure::forces::free_body(&problem, &variant, &english, 0);
+    let scene = figure::scene::picture(&problem, &variant, &english, FigureLabels::Symbols);
+    for (picture, count) in [(&forces, 2), (&scene, 1)] {
+        let found = circles(picture);
+        assert_eq!(found.len(), count, "{found:?}");
+        for (centre, radius) in found {
+            let level = |e: &&slipstick::picture::Element| match &e.outline {
+                Outline::Lines { points, .. }
+                    if matches!(e.role, Role::Ghost | Role::Ground) && points.len() == 2 =>
+                {
+                    (points[0].y - points[1].y).abs() < 1e-9
+                        && (points[0].x - points[1].x).abs() > radius
+                        && ((points[0].y - centre.y).abs() - radius).abs() < 1e-6
+                }
+                _ => false,
+            };
+            assert!(picture.elements.iter().any(|e| level(&e)), "no rack at {radius}");
+        }
+    }
+    for (id, label) in [("off-a-cylinder", "N = 0"), ("sliding-ladder", "N_B = 0")] {
+        let (problem, variant) = drawn(id);
+        let picture = figure::forces::free_body(&problem, &variant, &english, 0);
+        assert!(lines_of(&picture).iter().any(|l| l == label), "{:?}", lines_of(&picture));
+        if id == "off-a-cylinder" {
+            // Its side lies along the cylinder there, two thirds of the first cosine away from the top.
+            let cos = 2.0 / 3.0 * datum(&problem, &variant, "phi0").to_radians().cos();
+            let body = picture.elements.iter().find_map(|e| match &e.outline {
+                Outline::Lines { points, closed: true } if e.role == Role::Body => Some(points.clone()),
+                _ => None,
+            });
+            let points = body.expect("a block");
+            let side = points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| *b - *a);
+            let long = side.max_by(|a, b| a.norm().total_cmp(&b.norm())).expect("a side");
+            assert!((long.x.abs() / long.norm() - cos).abs() < 1e-6, "{long:?} {cos}");
+        }
+    }
+}
