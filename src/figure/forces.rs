@@ -1,7 +1,7 @@
 //! Free-body diagram and kinetic diagram of one body, side by side: what acts on it equals what it makes of it.
 //!
 //! Forces stand at their true points in their true directions, also those that the solver found: friction points as it really
-//! acts. Lengths go with the magnitudes, but no arrow is shorter than can be seen. What is 0 is not drawn. A symbol between
+//! acts. Lengths go with the magnitudes, but no arrow is shorter than can be seen. What is 0 is not drawn, but for the force of a contact that ends there. A symbol between
 //! bars is negative in the signs of the scene.
 use crate::bank::{FigureLabels, Problem};
 use crate::figure::layout::{BodyLook, Placed};
