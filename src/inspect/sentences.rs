@@ -459,11 +459,27 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 ),
             })
         }
-        Refusal::Freedoms(_) if !scene.joints.is_empty() => one(
-            "the joints do not place every body on the whole way: they leave more than one freedom, or cannot meet there (a linkage \
-             locks); a motion needs one freedom, `end: at once` may have any number"
-                .to_owned(),
-        ),
+        Refusal::Freedoms(0) if !scene.joints.is_empty() => {
+            one("the joints leave nothing free to move: a motion needs one freedom".to_owned())
+        }
+        Refusal::Freedoms(n) if !scene.joints.is_empty() => one(format!(
+            "the joints leave {n} freedoms: a motion needs one, or `end: at once` from rest, where each body may have its `angle` and \
+             be `placed:`"
+        )),
+        Refusal::Unplaced(index) => one(format!(
+            "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
+             place and either guided at another point or hinged there to a second such body; a cord places none",
+            body(scene, *index)
+        )),
+        Refusal::Parted { joint, off_m, at_start } => {
+            let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
+            let when = if *at_start { "at the start" } else { "on the way" };
+            one(format!(
+                "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
+                 change the lengths, the angle at the start, `placed:`, or the place of the joint",
+                figures(*off_m)
+            ))
+        }
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
         }

@@ -112,6 +112,22 @@ fn open<T: Real, X: Followed<T>>(long: X, leg: X) -> X {
     let folded = left.here().size() <= 8.0 * U * long.here().size();
     if folded { X::still(T::zero()) } else { left }
 }
+/// From the one end of a side of a triangle to its third corner, on the left of that side or (-1) on its right: the lengths of the
+/// other sides are given.
+fn triangle<T: Real, X: Followed<T>>(side: [X; 2], [first, second]: [T; 2], branch: f64) -> [X; 2] {
+    let square = dot(side, side);
+    let ahead = (square + X::still(first.square() - second.square())) / square;
+    let ahead = ahead.by(T::of(0.5));
+    let across = open(X::still(first.square()) / square, ahead * ahead).square_root();
+    plus(scaled(side, ahead), scaled(left(side), across.by(T::of(branch))))
+}
+/// The direction in which a line lies at this distance, along its unit vector or (-1) against it; `way` leads to a place on it.
+fn toward<T: Real, X: Followed<T>>(way: [X; 2], distance: T, unit: [T; 2], branch: f64) -> [X; 2] {
+    let normal = left(unit);
+    let across = component(way, normal).by(T::of(1.0) / distance);
+    let ahead = open(X::still(T::of(1.0)), across * across).square_root();
+    plus(along_unit(normal, across), along_unit(unit, ahead.by(T::of(branch))))
+}
 /// A vector a quarter turn to the left.
 fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
     [-a[1], a[0]]
@@ -170,6 +186,9 @@ pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
     }
     trig::angle(across, along).signed(sense(planar))
 }
+
+/// A joint holds whose points are no farther apart than this share of the size of everything: printed decimals of a place are rounded.
+const MET: f64 = 1e-9;
 
 /// Below this sine a line is level.
 const LEVEL: f64 = 1e-12;
@@ -240,12 +259,14 @@ struct Held<T> {
     place: Known<T>,
 }
 
-/// A point of a body that is guided: how far along and beside its axis, a place on the line and its direction.
+/// A point of a body that is guided: how far along and beside its axis, a place on the line and its direction; or the centre of
+/// the circle that holds it, with its radius.
 #[derive(Debug, Clone, Copy)]
 struct Guided<T> {
     at: [T; 2],
     through: [T; 2],
     unit: [T; 2],
+    ring: Option<T>,
 }
 
 /// A line on which a body rolls: its centre along and beside the axis, a place and the direction of the line, its radius.
@@ -269,8 +290,8 @@ enum Step<T> {
     Leads(Held<T>),
     /// It leads by its way along two guides, from this place in this direction.
     Glides([T; 2], [T; 2]),
-    /// It leads in two guides.
-    Slides([Guided<T>; 2]),
+    /// It leads in two guides, on this side where one of them is a circle.
+    Slides([Guided<T>; 2], f64),
     /// It leads in a guide along which nothing moves its mass centre, which is so far along its axis: from so far along the guide.
     Drops(Guided<T>, T, T),
     /// It is welded to a body with its axis turned so from that one's.
@@ -361,7 +382,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 radius_m,
                 surface: Surface::Arc { centre_m, radius_m: arc, inside },
                 rolls,
-            } if at.body == lead => {
+            } if at.body == lead && scene.leads_on_arc(joint) => {
                 let (own, arc) = (n.get(radius_m), n.get(arc));
                 let apart = if inside { own - arc } else { arc + own };
                 let ratio = plant!("pose: turn of a wheel on a cylinder", apart / own);
@@ -392,7 +413,7 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         }
         layout.glide = layout.carried();
-        layout.steps = layout.planned(false);
+        layout.steps = layout.planned(false).ok();
         Some(layout)
     }
     /// The leading body's cylinder.
@@ -490,6 +511,44 @@ impl<'a, T: Real> Layout<'a, T> {
         };
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
     }
+    /// The first joint that does not hold where everything is, and by how much, m: what placed the bodies is not asked. A cord has
+    /// the length that it has at the start.
+    pub fn parted(&self, poses: &Poses<T>) -> Option<(usize, f64)> {
+        let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
+        let off = |to: [T; 2], from: [T; 2]| less(to, from).map(|x| x.size()).iter().sum::<f64>();
+        let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
+        let size = size(self.scene, self.n);
+        let parts = self.scene.joints.iter().zip(&self.lines).map(|(joint, line)| match joint.kind {
+            JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
+            JointKind::Hinge { one, other, turned_deg } => {
+                let turned = turned_deg.map_or(0.0, |by| {
+                    let ([x, y], [c, s]) = (poses[one.body].axis, direction(self.n, by));
+                    off(poses[other.body].axis, [x * c - y * s, x * s + y * c]) * size
+                });
+                off(place(one), place(other)) + turned
+            }
+            JointKind::Guide { at, through_m, .. } => aside(*line, at, through_m).size(),
+            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
+                (aside(*line, at, through_m) - self.n.get(radius_m)).size()
+            }
+            JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } => {
+                let [x, y] = less(place(at), ground(self.n, centre_m));
+                ((x.square() + y.square()).root() - self.apart(&joint.kind).unwrap_or_else(T::zero)).size()
+            }
+            JointKind::Cord { .. } => 0.0,
+        });
+        parts.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
+    }
+    /// How far the centre of a body is from the axis of the cylinder that it touches.
+    fn apart(&self, kind: &JointKind) -> Option<T> {
+        match *kind {
+            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
+                let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
+                Some(if inside { (own - arc).abs() } else { arc + own })
+            }
+            _ => None,
+        }
+    }
     /// How a body touches the surface of a joint with its centre at this place.
     pub fn touch(&self, joint: usize, centre: [T; 2]) -> Option<Touch<T>> {
         let JointKind::Contact { radius_m, surface, .. } = self.scene.joints[joint].kind else { return None };
@@ -517,7 +576,7 @@ impl<'a, T: Real> Layout<'a, T> {
     pub fn poses<X: Followed<T>>(&self, way: T, at_start: bool) -> Option<Poses<X>> {
         let start;
         let steps = if at_start {
-            start = self.planned(true);
+            start = self.planned(true).ok();
             &start
         } else {
             &self.steps
@@ -530,16 +589,21 @@ impl<'a, T: Real> Layout<'a, T> {
         Some(poses)
     }
 
-    /// The order in which joints place all bodies, if they do.
-    fn planned(&self, at_start: bool) -> Option<Steps<T>> {
+    /// The first body that the joints do not place.
+    pub fn unplaced(&self, at_start: bool) -> Option<usize> {
+        self.planned(at_start).err()
+    }
+
+    /// The order in which joints place all bodies; or else the first that they do not.
+    fn planned(&self, at_start: bool) -> Result<Steps<T>, usize> {
         let mut planner = Planner {
             layout: self,
             at_start,
             placed: smallvec![false; self.scene.bodies.len()],
             steps: Steps::new(),
         };
-        planner.lead()?;
-        while planner.placed.contains(&false) {
+        planner.lead().ok_or(self.lead)?;
+        while let Some(next) = planner.placed.iter().position(|placed| !placed) {
             let before = planner.steps.len();
             for body in 0..self.scene.bodies.len() {
                 if !planner.placed[body]
@@ -549,10 +613,10 @@ impl<'a, T: Real> Layout<'a, T> {
                 }
             }
             if planner.steps.len() == before {
-                return None;
+                return Err(next);
             }
         }
-        Some(planner.steps)
+        Ok(planner.steps)
     }
 
     /// The direction of the leading body's axis when it has turned by this, with the rate at which it turns.
@@ -592,7 +656,22 @@ impl<'a, T: Real> Layout<'a, T> {
                     axis: self.axis(T::zero(), T::zero())?,
                 }
             }
-            Step::Slides([one, other]) => {
+            Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
+                let axis = lead()?;
+                // From the point on the circle to the other one.
+                let beyond = |from: &Guided<T>, to: &Guided<T>| {
+                    from_origin(axis, [to.at[0] - from.at[0], to.at[1] - from.at[1]])
+                };
+                let (first, second) = if one.ring.is_some() { (one, other) } else { (other, one) };
+                let (centre, radius) = (fixed(first.through), first.ring?);
+                let back = less(fixed(second.through), beyond(first, second));
+                let out = match second.ring {
+                    Some(far) => triangle(less(back, centre), [radius, far], *branch),
+                    None => times(toward(less(back, centre), radius, second.unit, *branch), radius),
+                };
+                Pose::through(axis, first.at, plus(centre, out))
+            }
+            Step::Slides([one, other], _) => {
                 // origin + s axis lies on each line: two equations for the origin.
                 let axis = lead()?;
                 let row = |guide: &Guided<T>| {
@@ -632,22 +711,18 @@ impl<'a, T: Real> Layout<'a, T> {
             Step::Rod(held, guide, branch) => {
                 let place = place(held, poses);
                 let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
-                let (reach, normal) = (reach(apart), left(guide.unit));
-                let across = component(less(fixed(guide.through), place), normal).by(T::of(1.0) / reach);
-                let ahead = open(X::still(T::of(1.0)), across * across).square_root();
-                let ahead = ahead.by(T::of(*branch).signed(reach.sign()));
-                let along = plus(along_unit(normal, across), along_unit(guide.unit, ahead));
+                let (reach, way) = (reach(apart), less(fixed(guide.through), place));
+                let along = match guide.ring {
+                    Some(radius) => times(triangle(way, [reach, radius], *branch), T::of(1.0) / reach),
+                    None => toward(way, reach, guide.unit, branch * reach.sign()),
+                };
                 Pose::through(axis_of(along, apart), held.at, place)
             }
             Step::Pair(held, other, far, [own, other_own], branch) => {
                 let (first, second) = (reach(*own), reach(*other_own));
                 let (place, far_place) = (place(held, poses), place(far, poses));
                 let apart = less(far_place, place);
-                let square = dot(apart, apart);
-                let ahead = (square + X::still(first.square() - second.square())) / square;
-                let ahead = ahead.by(T::of(0.5));
-                let across = open(X::still(first.square()) / square, ahead * ahead).square_root();
-                let joint = plus(scaled(apart, ahead), scaled(left(apart), across.by(T::of(*branch))));
+                let joint = triangle(apart, [first, second], *branch);
                 let one = axis_of(times(joint, T::of(1.0) / first), *own);
                 let two = axis_of(times(less(joint, apart), T::of(1.0) / second), *other_own);
                 poses[*other] = Pose::through(two, far.at, far_place);
@@ -655,6 +730,11 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         })
     }
+}
+
+/// 1 where a body lies on the side where it lies by default, else -1.
+fn branch(planar: &Planar) -> f64 {
+    if planar.side == Branch::Ahead { 1.0 } else { -1.0 }
 }
 
 /// Finds the order in which bodies can be placed.
@@ -703,10 +783,14 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                     let ([x, y], radius) = (ground(self.layout.n, through_m), self.layout.n.get(radius_m));
                     (at, [x - unit[1] * radius, y + unit[0] * radius])
                 }
+                JointKind::Contact { at, rolls: false, surface: Surface::Arc { centre_m, .. }, .. } => {
+                    (at, ground(self.layout.n, centre_m))
+                }
                 _ => return None,
             };
             let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
-            Some(Guided { at: self.spot(own), through, unit: *unit })
+            let ring = self.layout.apart(&joint.kind);
+            Some(Guided { at: self.spot(own), through, unit: *unit, ring })
         })
     }
     /// The point of `body` that is hinged to a slider, a body that does not turn, or to a wheel at the point that is guided.
@@ -761,10 +845,16 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
-                (None, Some(one), Some(other), _) if origin.is_none() || !parallel(one.unit, other.unit) => {
-                    Step::Slides([one, other])
+                (None, Some(one), Some(other), _)
+                    if origin.is_none()
+                        || one.ring.is_some()
+                        || other.ring.is_some()
+                        || !parallel(one.unit, other.unit) =>
+                {
+                    Step::Slides([one, other], branch(planar))
                 }
-                (None, Some(guide), None, _) if self.at_start || layout.scene.drifts().is_some() => {
+                (None, Some(guide), None, _) if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
+                {
                     // Nothing moves the mass centre along the line.
                     let centre = self::along(layout.n, planar.centre);
                     Step::Drops(guide, centre, from(guide.through, guide.unit))
@@ -798,7 +888,6 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn follow(&self, body: usize) -> Option<Step<T>> {
         let planar = self.planar(body)?;
         let scene = self.layout.scene;
-        let branch = if planar.side == Branch::Ahead { 1.0 } else { -1.0 };
         if let Some(step) = self.welded(body) {
             return Some(step);
         }
@@ -823,7 +912,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(Step::Rolls(held, track, start()));
         }
         if let Some(guide) = self.guided(body).next() {
-            return Some(Step::Rod(held, guide, branch));
+            return Some(Step::Rod(held, guide, branch(planar)));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {
@@ -838,7 +927,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            Some(Step::Pair(held, other.body, far, apart, branch))
+            Some(Step::Pair(held, other.body, far, apart, branch(planar)))
         })
     }
 }

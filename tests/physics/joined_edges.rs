@@ -59,7 +59,7 @@ fn a_crate_starts_with_a_speed() {
     let spun = CRATE.replace("angle: 0 deg", "angle: 0 deg, spin: 1 rad/s");
     let bank = constants(&spun);
     let refused = agree::solve(&bank.problems[0].cases[0].scene, &[9.81]);
-    assert!(matches!(refused, Err(Refusal::Freedoms(_))), "{refused:?}");
+    assert!(matches!(refused, Err(Refusal::Unsupported(Unsupported::StartHeld))), "{refused:?}");
 }
 
 const BUFFER: &str = "
