@@ -1,11 +1,13 @@
 //! Sentences for what the solvers say in numbers.
 use crate::bank::Problem;
 use crate::key::{Answer, KeyEntry};
+use crate::num::Fast;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
-use crate::scene::{Coordinate, Degree, End, Found, Scene, Span, Tie};
+use crate::scene::pose::{Choice, Layout};
+use crate::scene::{Coordinate, Degree, End, Found, Numbers, Scene, Span, Spot, Tie};
 use crate::solve::ladder;
 use crate::solve::ladder::{Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -438,6 +440,34 @@ const fn unsupported(what: Unsupported) -> &'static str {
     }
 }
 
+/// A place of the plane.
+fn at_place([x, y]: [f64; 2]) -> String {
+    // What is nothing beside the other coordinate is 0.
+    let shown = |own: f64, other: f64| figures(if own.abs() <= 1e-9 * other.abs() { 0.0 } else { own });
+    format!("({} m, {} m)", shown(x, y), shown(y, x))
+}
+
+/// A point of a body, as banks name it.
+fn point(scene: &Scene, at: Spot) -> String {
+    scene.point_name(at).map_or_else(|| "?".to_owned(), |(body, point)| format!("{body}.{point}"))
+}
+
+/// Where the joints put at the start what they could put in two places, where the bank does not say which is meant.
+pub fn sides(scene: &Scene, data: &[f64]) -> Vec<String> {
+    let numbers = Numbers::<Fast>::new(scene, data);
+    let choices = Layout::new(scene, &numbers).map(|layout| layout.choices());
+    let told = |Choice { at, here, there, .. }: Choice| {
+        let body = scene.bodies.get(at.body).map_or("?", |b| &b.name);
+        format!(
+            "`{body}`: `{}` lies at {}; `side: behind` puts it at {} (`side: ahead` says that it is meant so)",
+            point(scene, at),
+            at_place(here),
+            at_place(there)
+        )
+    };
+    choices.into_iter().flatten().map(told).collect()
+}
+
 /// Why a scene with these data has no answer; a sentence each.
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
@@ -470,6 +500,14 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
              place and either guided at another point or hinged there to a second such body; a cord places none",
             body(scene, *index)
+        )),
+        Refusal::Crossed(Choice { at, here, there, .. }) => one(format!(
+            "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
+             `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
+            point(scene, *at),
+            at_place(*here),
+            scene.bodies.get(at.body).map_or("?", |b| &b.name),
+            at_place(*there)
         )),
         Refusal::Parted { joint, off_m, at_start } => {
             let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());

@@ -242,9 +242,14 @@ pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Findings {
     found
 }
 
-/// Where the figures asked and the tolerance do not fit the condition numbers, and words that are right too seldom.
+/// Where the figures asked and the tolerance do not fit the condition numbers, words that are right too seldom, and where bodies
+/// lie that could lie elsewhere.
 fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
+    for (case, seen) in problem.cases.iter().zip(&sweep.cases) {
+        let sides = seen.sample.iter().flat_map(|data| sentences::sides(&case.scene, data));
+        notes.extend(sides);
+    }
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
         notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));

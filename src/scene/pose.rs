@@ -101,6 +101,10 @@ fn axis_of<T: Real, X: Followed<T>>(along: [X; 2], d: [T; 2]) -> [X; 2] {
 fn across<T: Real, X: Followed<T>>(direction: [T; 2], axis: [X; 2], at: [T; 2]) -> X {
     component(from_origin(axis, at), direction)
 }
+/// How far two places are apart, along and across together.
+fn off<T: Real>(to: [T; 2], from: [T; 2]) -> f64 {
+    less(to, from).iter().map(|x| x.size()).sum()
+}
 /// Do two lines never meet?
 fn parallel<T: Real>(one: [T; 2], other: [T; 2]) -> bool {
     (one[0] * other[1] - one[1] * other[0]).size() < LEVEL
@@ -304,6 +308,19 @@ enum Step<T> {
     Rod(Held<T>, Guided<T>, f64),
     /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
     Pair(Held<T>, usize, Held<T>, [[T; 2]; 2], f64),
+}
+
+/// What the joints could place in two ways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choice {
+    /// The point of the body that lies on one side or the other.
+    pub at: Spot,
+    /// Where it is, m.
+    pub here: [f64; 2],
+    /// Where it would be on the other side, m.
+    pub there: [f64; 2],
+    /// Is it a parallelogram there, and crossed here?
+    pub crossed: bool,
 }
 
 /// The leading body on a cylinder.
@@ -515,7 +532,6 @@ impl<'a, T: Real> Layout<'a, T> {
     /// the length that it has at the start.
     pub fn parted(&self, poses: &Poses<T>) -> Option<(usize, f64)> {
         let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
-        let off = |to: [T; 2], from: [T; 2]| less(to, from).map(|x| x.size()).iter().sum::<f64>();
         let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
         let size = size(self.scene, self.n);
         let parts = self.scene.joints.iter().zip(&self.lines).map(|(joint, line)| match joint.kind {
@@ -587,6 +603,62 @@ impl<'a, T: Real> Layout<'a, T> {
             poses[*body] = self.place(way, step, &mut poses)?;
         }
         Some(poses)
+    }
+
+    /// The places at the start of what the joints could place in two ways, where the bank does not say in which.
+    pub fn choices(&self) -> Vec<Choice> {
+        let still = self.scene.is_still() && self.scene.start_speeds().next().is_none();
+        let steps = if still { self.planned(true).ok() } else { self.steps.clone() };
+        let Some(steps) = steps else { return Vec::new() };
+        let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
+        let all = steps.iter().filter_map(|(body, step)| {
+            let planar = self.scene.planar(*body).filter(|p| p.side.is_none())?;
+            let (other, at) = match *step {
+                Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
+                    let at = if one.ring.is_some() { one.at } else { other.at };
+                    (Step::Slides([one, other], -branch), at)
+                }
+                Step::Rod(held, guide, branch) => (Step::Rod(held, guide, -branch), guide.at),
+                Step::Pair(held, other, far, own, branch) => {
+                    (Step::Pair(held, other, far, own, -branch), plus(held.at, own[0]))
+                }
+                _ => return None,
+            };
+            let there = self.place(T::zero(), &other, &mut poses.clone())?.point(at);
+            let here = poses[*body].point(at);
+            let spot = |point| of_spot(self.scene, self.n, Spot { body: *body, point });
+            let point = (0..planar.points.len()).find(|point| off(spot(*point), at) == 0.0)?;
+            let near = |a, b| off(a, b) <= MET * size(self.scene, self.n);
+            let crossed = match step {
+                Step::Pair(held, _, far, ..) => [(held, far), (far, held)].iter().any(|(moves, rests)| {
+                    let Some(parallel) = self.parallelogram(&steps, &poses, moves, rests) else { return false };
+                    near(there, parallel) && !near(here, parallel)
+                }),
+                _ => false,
+            };
+            let [here, there] = [here, there].map(|place| place.map(Real::f64));
+            Some(Choice { at: Spot { body: *body, point }, here, there, crossed })
+        });
+        all.collect()
+    }
+    /// The fourth corner of a parallelogram: beside where a body is hinged that is itself held, and a second place.
+    fn parallelogram(
+        &self,
+        steps: &Steps<T>,
+        poses: &Poses<T>,
+        moves: &Held<T>,
+        rests: &Held<T>,
+    ) -> Option<[T; 2]> {
+        let place = |held: &Held<T>| match held.place {
+            Known::Fixed(place) => place,
+            Known::Of(body, at) => poses[body].point(at),
+        };
+        let Known::Of(link, _) = moves.place else { return None };
+        let held = steps.iter().find_map(|(body, step)| match step {
+            Step::Leads(held) | Step::Rod(held, ..) | Step::Pair(held, ..) if *body == link => Some(held),
+            _ => None,
+        })?;
+        Some(plus(place(moves), less(place(rests), place(held))))
     }
 
     /// The first body that the joints do not place.
@@ -734,7 +806,7 @@ impl<'a, T: Real> Layout<'a, T> {
 
 /// 1 where a body lies on the side where it lies by default, else -1.
 fn branch(planar: &Planar) -> f64 {
-    if planar.side == Branch::Ahead { 1.0 } else { -1.0 }
+    if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
 }
 
 /// Finds the order in which bodies can be placed.

@@ -394,6 +394,8 @@ pub enum Refusal {
     Freedoms(usize),
     /// No way is known to place this body by its joints.
     Unplaced(usize),
+    /// Links of equal opposite sides, which would lie crossed by default.
+    Crossed(crate::scene::pose::Choice),
     /// A joint does not hold where the others and the data put the bodies.
     Parted {
         /// Which joint.

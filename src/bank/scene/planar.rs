@@ -87,7 +87,6 @@ impl SceneReader<'_> {
         let origin_m = fields.get("placed").and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
-        let side = side.unwrap_or_default();
         Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, level, side }
     }
 
