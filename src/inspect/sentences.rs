@@ -216,7 +216,20 @@ fn reaches(scene: &Scene, c: &Check) -> String {
             format!("the end is not reached: `{name}` is not left before it comes to rest or leaves another")
         };
     }
+    let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
+    let then = format!(
+        "what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`"
+    );
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
+        (false, _) if c.required == 0.0 && scene.ends_at_a_place() => {
+            format!("the end lies where the motion starts, and it leaves there; {then}")
+        }
+        (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {
+            let at = if endless { String::new() } else { format!(" at {available} {unit}") };
+            format!(
+                "the end is not reached: {required} {unit} lie after the turning point{at}, up to which a motion is followed; {then}"
+            )
+        }
         (true, true) if !endless || pinned => {
             format!("the end is reached: it comes to rest after {available} {unit}")
         }
@@ -241,9 +254,9 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (false, _) if endless || (pinned && c.required < 0.0) => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }
-        (false, _) if matches!(scene.end, End::Time(..)) => {
+        (false, _) if c.required < 0.0 => {
             format!(
-                "the end is not reached: {required} {unit} lie after the turning point at {available} {unit}, up to which a motion is followed"
+                "the end is not reached: {required} {unit} asked, the motion goes the other way and turns after {available} {unit}; {then}"
             )
         }
         (false, _) => {

@@ -305,6 +305,10 @@ impl Scene {
     pub const fn is_still(&self) -> bool {
         matches!(self.end, End::AtOnce | End::Equilibrium)
     }
+    /// Does the motion end at a place, after a way or an angle?
+    pub const fn ends_at_a_place(&self) -> bool {
+        matches!(self.end, End::Travel(..) | End::Position(..) | End::Angle(..))
+    }
     /// The angular acceleration that a drive gives the leading body.
     pub fn driven(&self) -> Option<Num> {
         self.planar(self.lead()?)?.driven

@@ -369,7 +369,9 @@ pub fn size<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
         JointKind::Contact { radius_m, .. } => n.get(radius_m).size(),
         _ => 0.0,
     });
-    rods + round.sum::<f64>()
+    let sum = rods + round.sum::<f64>();
+    // A disc about its centre reaches nowhere: it has a radius of gyration.
+    if sum > 0.0 { sum } else { n.bodies.iter().map(|b| (b.inertia / b.mass).root().size()).sum() }
 }
 
 /// Where everything is when the leading body has turned to this angle; `None` for a body that the joints do not place.
