@@ -2,8 +2,12 @@
 use crate::joined::{CRATE, STRUCK, all_near, constants, solved, told, value};
 use slipstick::bank::{checks, load};
 use slipstick::inspect::sentences;
+use slipstick::problem::maker::Maker;
+use slipstick::scene::pose::{self, Layout};
+use slipstick::scene::{JointKind, Numbers, Spot};
 use slipstick::solve::agree;
 use slipstick::solve::outcome::{CheckKind, Refusal, Unsupported};
+use std::path::Path;
 
 /// The stable equilibrium of one freedom and the square of its frequency, from energy and inertia alone: the minimum by trisection, the
 /// second derivative by differences.
@@ -397,4 +401,50 @@ end: equilibrium
     let stiffness: f64 = 500.0 * 0.36;
     all_near(&[entry.value()], &[tau * (3.0 * 0.81 / 3.0 / stiffness).sqrt()], 1e-12);
     assert!(entry.cond < 10.0, "{}", entry.cond);
+}
+
+/// Everywhere in the banks and test scenes each joint holds where the poses put the bodies, at the start and a little further:
+/// seen by the places of the points alone.
+#[test]
+fn every_joint_of_every_scene_holds() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut seen = 0;
+    let folders = ["banks", "tests/scenes", "tests/carried", "tests/worked"];
+    let files = folders.iter().flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap());
+    for file in files.map(|entry| entry.unwrap().path()) {
+        let Ok(text) = std::fs::read_to_string(&file) else { continue };
+        let Ok(bank) = load::scenes_only(&text, &file.to_string_lossy()) else { continue };
+        for problem in &bank.problems {
+            if problem.cases.iter().all(|case| case.scene.lead().is_none()) {
+                continue;
+            }
+            let Ok(variant) = Maker::new(problem, 1, &bank.id).variant("joints") else { continue };
+            let scene = &problem.cases[variant.case].scene;
+            let numbers = Numbers::<f64>::new(scene, &variant.data);
+            let Some(layout) = Layout::new(scene, &numbers) else { continue };
+            for (way, at_start) in [(0.0, true), (0.0, false), (0.01, false), (-0.01, false)] {
+                let Some(poses) = layout.poses::<f64>(way, at_start) else { continue };
+                let place = |spot: Spot| poses[spot.body].point(pose::of_spot(scene, &numbers, spot));
+                for joint in &scene.joints {
+                    let (to, from, normal) = match joint.kind {
+                        JointKind::Pin { at, place_m } => (place(at), pose::ground(&numbers, place_m), None),
+                        JointKind::Hinge { one, other, .. } => (place(one), place(other), None),
+                        JointKind::Guide { at, through_m, direction_deg, .. } => {
+                            let [c, s] = pose::direction(&numbers, direction_deg);
+                            (place(at), pose::ground(&numbers, through_m), Some([-s, c]))
+                        }
+                        _ => continue,
+                    };
+                    let apart = [to[0] - from[0], to[1] - from[1]];
+                    let off = match normal {
+                        Some(n) => (n[0] * apart[0] + n[1] * apart[1]).abs(),
+                        None => apart[0].hypot(apart[1]),
+                    };
+                    assert!(off < 1e-12, "{} `{}` {way}: {off}", problem.id, joint.name);
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
 }

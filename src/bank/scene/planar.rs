@@ -80,7 +80,14 @@ impl SceneReader<'_> {
                 }
             }
         }
-        let given = fields.get("mass centre").and_then(|n| self.along(n, rod));
+        let given = fields.get("mass centre").and_then(|n| match n.value {
+            Value::List(_) => {
+                let hint = "lay the axis through the mass centre; points beside it are `[along, to the left]`";
+                f.hint(n, "the mass centre lies on the axis of its body: one distance is read, not a list", hint);
+                None
+            }
+            _ => self.along(n, rod),
+        });
         let centre = given.unwrap_or(rod.map_or(Place::At(Num::Fixed(0.0)), Place::HalfOf));
         let angle = fields.get("angle").and_then(|n| self.word(n, "from where the angle counts", &ANGLES));
         let (from, clockwise) = angle.unwrap_or((Ray::Right, false));

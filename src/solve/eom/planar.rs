@@ -186,8 +186,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
     pub fn start_rate(&self) -> Result<T, Refusal> {
-        self.poses(T::zero(), false)?;
-        self.layout.start_rate().ok_or(Refusal::Unsupported(Unsupported::StartHeld))
+        let held = || match self.poses(T::zero(), false) {
+            Ok(_) => Refusal::Unsupported(Unsupported::StartHeld),
+            Err(unplaced) => unplaced,
+        };
+        self.layout.start_rate().ok_or_else(held)
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
