@@ -287,7 +287,8 @@ impl Scene {
     /// Does the leading angle tell where the centre of a body is on the cylinder of this joint, and not the body's own angle? Of what
     /// rolls there or does not turn; of another body unless more holds it to the ground.
     pub fn leads_on_arc(&self, joint: usize) -> bool {
-        let JointKind::Contact { at, surface: Surface::Arc { .. }, rolls, .. } = self.joints[joint].kind else {
+        let JointKind::Contact { at, surface: Surface::Arc { .. }, rolls, .. } = self.joints[joint].kind
+        else {
             return false;
         };
         let holds = |(j, other): (usize, &Joint)| {

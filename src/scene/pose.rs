@@ -633,7 +633,9 @@ impl<'a, T: Real> Layout<'a, T> {
             let near = |a, b| off(a, b) <= MET * size(self.scene, self.n);
             let crossed = match step {
                 Step::Pair(held, _, far, ..) => [(held, far), (far, held)].iter().any(|(moves, rests)| {
-                    let Some(parallel) = self.parallelogram(&steps, &poses, moves, rests) else { return false };
+                    let Some(parallel) = self.parallelogram(&steps, &poses, moves, rests) else {
+                        return false;
+                    };
                     near(there, parallel) && !near(here, parallel)
                 }),
                 _ => false,
@@ -927,7 +929,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 {
                     Step::Slides([one, other], branch(planar))
                 }
-                (None, Some(guide), None, _) if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
+                (None, Some(guide), None, _)
+                    if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
                 {
                     // Nothing moves the mass centre along the line.
                     let centre = self::along(layout.n, planar.centre);

@@ -75,7 +75,8 @@ fn first_in<T: Real>(
         }
         other => other,
     };
-    let mut half = in_scales(scales, scene, data, |scene, data| alone::<T>(scene, data, asked)).map_err(si)?;
+    let mut half =
+        in_scales(scales, scene, data, |scene, data| alone::<T>(scene, data, asked)).map_err(si)?;
     half.solved.scales = scales;
     half.tell(scene);
     Ok(half)

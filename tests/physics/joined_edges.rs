@@ -246,12 +246,14 @@ fn an_end_of_a_rod_slides_in_a_cylinder_and_the_other_on_a_floor() {
             ],
             [0.0, 0.0, -m * g, 0.0],
         );
-        let joints = "A: {guides: rod.A, along: horizontal, through: [0 m, -1 m]}, B: {slides: rod.B, inside: 1 m}";
+        let joints =
+            "A: {guides: rod.A, along: horizontal, through: [0 m, -1 m]}, B: {slides: rod.B, inside: 1 m}";
         let scene = on_a_cylinder(joints, "at once").replace("moves:", &format!("side: {side}, moves:"));
         all_near(&told(&scene, &["alpha", "A.normal", "B.normal"]), &by_hand[1..], 1e-12);
     }
     // Outside, the cylinder would have to pull.
-    let joints = "A: {guides: rod.A, along: horizontal, through: [0 m, -1 m]}, B: {slides: rod.B, outside: 1 m}";
+    let joints =
+        "A: {guides: rod.A, along: horizontal, through: [0 m, -1 m]}, B: {slides: rod.B, outside: 1 m}";
     let (_, held) = solved(&on_a_cylinder(joints, "at once"));
     assert!(held.checks.iter().any(|c| c.kind == CheckKind::Pressed && !c.ok), "{:?}", held.checks);
 }
@@ -266,7 +268,8 @@ fn a_rod_slides_in_a_cylinder_by_both_ends() {
     let both = "A: {slides: rod.A, inside: 1 m}, B: {slides: rod.B, inside: 1 m}";
     let phi = 30f64.to_radians();
     all_near(&told(&on_a_cylinder(both, "at once"), &["alpha"]), &[-m * g * h * phi.sin() / inertia], 1e-12);
-    let level = told(&on_a_cylinder(both, "{angle: {of: rod, reaches: 0 deg}}"), &["omega", "A.normal", "B.normal"]);
+    let level =
+        told(&on_a_cylinder(both, "{angle: {of: rod, reaches: 0 deg}}"), &["omega", "A.normal", "B.normal"]);
     let square = 2.0 * m * g * h * (1.0 - phi.cos()) / inertia;
     // Each wall pushes at its end toward the axis: together up they bear the weight and bend the way of the mass centre.
     let wall = m * (g + square * h) / 2.0 / (h / r);
@@ -303,7 +306,13 @@ fn told_anyhow(scene: &str, names: &[&str]) -> Vec<f64> {
 fn a_joint_that_cannot_be_met_is_refused_by_name() {
     let cases = [
         // Out of reach: a rod of 1.2 m from a floor 3 m below the axis of a cylinder of 1 m.
-        (on_a_cylinder("A: {guides: rod.A, along: horizontal, through: [0 m, -3 m]}, B: {slides: rod.B, inside: 1 m}", "at once"), 1),
+        (
+            on_a_cylinder(
+                "A: {guides: rod.A, along: horizontal, through: [0 m, -3 m]}, B: {slides: rod.B, inside: 1 m}",
+                "at once",
+            ),
+            1,
+        ),
         // A pin and a cylinder that the rod does not reach.
         (on_a_cylinder("A: {pins: rod.A}, B: {slides: rod.B, inside: 2 m}", "at once"), 1),
         // Placed in the air.
@@ -371,7 +380,10 @@ end: at once
 ",
     );
     let told = sentences::sides(&bank.problems[0].cases[0].scene, &[9.81]).concat();
-    assert!(told.contains("`rod.B` lies at (0.95394 m, 0 m); `side: behind` puts it at (-0.95394 m, 0 m)"), "{told}");
+    assert!(
+        told.contains("`rod.B` lies at (0.95394 m, 0 m); `side: behind` puts it at (-0.95394 m, 0 m)"),
+        "{told}"
+    );
 }
 
 /// A disc on a torsion wire through its centre reaches nowhere but turns: T = 2 pi sqrt(I / k). A rod that is level in equilibrium
@@ -422,8 +434,12 @@ fn every_joint_of_every_scene_holds() {
             let scene = &problem.cases[variant.case].scene;
             let numbers = Numbers::<f64>::new(scene, &variant.data);
             let Some(layout) = Layout::new(scene, &numbers) else { continue };
-            for (way, at_start) in [(0.0, true), (0.0, false), (0.01, false), (-0.01, false)] {
-                let Some(poses) = layout.poses::<f64>(way, at_start) else { continue };
+            // An instant has no other places.
+            let ways = if scene.is_still() { 1 } else { 4 };
+            for (way, at_start) in
+                [(0.0, true), (0.0, false), (0.01, false), (-0.01, false)].iter().take(ways)
+            {
+                let Some(poses) = layout.poses::<f64>(*way, *at_start) else { continue };
                 let place = |spot: Spot| poses[spot.body].point(pose::of_spot(scene, &numbers, spot));
                 for joint in &scene.joints {
                     let (to, from, normal) = match joint.kind {
@@ -447,4 +463,54 @@ fn every_joint_of_every_scene_holds() {
         }
     }
     assert!(seen > 100, "{seen}");
+}
+
+/// Where a motion starts is no end of it: on a slope, about a pin, in the plane.
+#[test]
+fn the_start_is_no_end_of_a_motion_that_leaves_it() {
+    let crate_up = "
+surfaces: {incline: {slope: 30 deg}}
+bodies: {crate: {mass: 12 kg, moves: along incline}}
+ties: [slides: {body: crate, mu_k: 0.25}]
+start: {crate: {speed: 5 m/s}}
+end: {position: {of: crate, at: 0 m}}
+";
+    let pinned = "
+bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, pinned: at its end, angle: from hanging}}
+start: {rod: {angle: 0 deg, spin: 3 rad/s}}
+end: {angle: {of: rod, reaches: 0 deg}}
+";
+    let joined = "
+bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}}
+joints: {O: {pins: rod.A}}
+start: {rod: {angle: 0 deg, spin: 3 rad/s}}
+end: {angle: {of: rod, reaches: 0 deg}}
+";
+    for text in [crate_up, pinned, joined] {
+        let (bank, found) = solved(text);
+        let check = found.checks.iter().find(|c| c.kind == CheckKind::Reaches).unwrap();
+        let told = sentences::check(&bank.problems[0].cases[0].scene, &found.checks, check);
+        assert!(!check.ok && told.contains("`next: {end: ...}`") && told.contains("turning point"), "{told}");
+    }
+    // Elsewhere it is one, 1e-9 m from the start.
+    let near = solved(&crate_up.replace("at: 0 m", "at: 1e-9 m")).1;
+    assert!(near.checks.iter().all(|c| c.ok), "{:?}", near.checks);
+}
+
+/// A time after the turning point is told as that, whatever grows: a wheel that rolls back while the pull on it grows.
+#[test]
+fn a_time_after_the_turning_point_is_told_as_that() {
+    let wheel = "
+surfaces: {floor: level}
+bodies: {wheel: {mass: 50 kg, radius of gyration: 0.25 m, radii: {rim: 0.45 m, hub: 0.2 m}, moves: along floor}}
+ties:
+  - rolls: {body: wheel, on its: rim}
+  - cord: {from: {body: wheel, wound on: hub, leaves: bottom forward}, pulled with: 0 N, growing by: 6 N/s}
+start: {wheel: {speed: -1 m/s}}
+end: {time: {of: wheel, is: 10 s}}
+";
+    let (bank, found) = solved(wheel);
+    let check = found.checks.iter().find(|c| c.kind == CheckKind::Reaches).unwrap();
+    let told = sentences::check(&bank.problems[0].cases[0].scene, &found.checks, check);
+    assert!(!check.ok && told.contains("lie after the turning point"), "{told}");
 }

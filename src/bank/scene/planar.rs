@@ -82,8 +82,13 @@ impl SceneReader<'_> {
         }
         let given = fields.get("mass centre").and_then(|n| match n.value {
             Value::List(_) => {
-                let hint = "lay the axis through the mass centre; points beside it are `[along, to the left]`";
-                f.hint(n, "the mass centre lies on the axis of its body: one distance is read, not a list", hint);
+                let hint =
+                    "lay the axis through the mass centre; points beside it are `[along, to the left]`";
+                f.hint(
+                    n,
+                    "the mass centre lies on the axis of its body: one distance is read, not a list",
+                    hint,
+                );
                 None
             }
             _ => self.along(n, rod),

@@ -180,9 +180,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
     ///
     /// Errors: joints that do not place a body.
     pub fn poses(&self, way: T, at_start: bool) -> Result<Poses<T>, Refusal> {
-        self.layout.poses(way, at_start).ok_or_else(|| {
-            outcome::unplaced(self.scene, self.layout.unplaced(at_start).unwrap_or(self.lead))
-        })
+        self.layout
+            .poses(way, at_start)
+            .ok_or_else(|| outcome::unplaced(self.scene, self.layout.unplaced(at_start).unwrap_or(self.lead)))
     }
     /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
     pub fn start_rate(&self) -> Result<T, Refusal> {
