@@ -581,7 +581,7 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
         Q::PeriodSmall | Q::OmegaSmall => {
-            "it needs a pinned body that swings under its weight alone, or a spring and no friction of sliding"
+            "it needs a pinned body that swings under its weight alone, a spring and no friction of sliding, or, of bodies in the plane, `end: equilibrium`"
         }
         Q::Moment => "it needs a weld or a torsion spring",
         Q::Drive => {

@@ -3,7 +3,7 @@ use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::banks;
-use crate::inspect::{data, table};
+use crate::inspect::{data, sentences, table};
 use crate::scene::Label;
 use crate::solve::outcome::Refusal;
 use crate::solve::{agree, ladder};
@@ -33,5 +33,8 @@ pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
         true => table::json(problem, case, &solved, &taken),
         false => table::table(problem, case, &shown, &solved, &taken, holds),
     });
+    for note in sentences::sides(scene, &data) {
+        io.note(&format!("note: {note}"));
+    }
     Ok(if holds { Exit::Fine } else { Exit::RegimeFails })
 }

@@ -1,11 +1,13 @@
 //! Sentences for what the solvers say in numbers.
 use crate::bank::Problem;
 use crate::key::{Answer, KeyEntry};
+use crate::num::Fast;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
-use crate::scene::{Coordinate, Degree, End, Found, Scene, Span, Tie};
+use crate::scene::pose::{Choice, Layout};
+use crate::scene::{Coordinate, Degree, End, Found, Numbers, Scene, Span, Spot, Tie};
 use crate::solve::ladder;
 use crate::solve::ladder::{Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -226,7 +228,20 @@ fn reaches(scene: &Scene, c: &Check) -> String {
             format!("the end is not reached: `{name}` is not left before it comes to rest or leaves another")
         };
     }
+    let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
+    let then = format!(
+        "what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`"
+    );
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
+        (false, _) if c.required == 0.0 && scene.ends_at_a_place() => {
+            format!("the end lies where the motion starts, and it leaves there; {then}")
+        }
+        (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {
+            let at = if endless { String::new() } else { format!(" at {available} {unit}") };
+            format!(
+                "the end is not reached: {required} {unit} lie after the turning point{at}, up to which a motion is followed; {then}"
+            )
+        }
         (true, true) if !endless || pinned => {
             format!("the end is reached: it comes to rest after {available} {unit}")
         }
@@ -254,9 +269,9 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (false, _) if endless || (pinned && c.required < 0.0) => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }
-        (false, _) if matches!(scene.end, End::Time(..)) => {
+        (false, _) if c.required < 0.0 => {
             format!(
-                "the end is not reached: {required} {unit} lie after the turning point at {available} {unit}, up to which a motion is followed"
+                "the end is not reached: {required} {unit} asked, the motion goes the other way and turns after {available} {unit}; {then}"
             )
         }
         (false, _) => {
@@ -453,6 +468,34 @@ const fn unsupported(what: Unsupported) -> &'static str {
     }
 }
 
+/// A place of the plane.
+fn at_place([x, y]: [f64; 2]) -> String {
+    // What is nothing beside the other coordinate is 0.
+    let shown = |own: f64, other: f64| figures(if own.abs() <= 1e-9 * other.abs() { 0.0 } else { own });
+    format!("({} m, {} m)", shown(x, y), shown(y, x))
+}
+
+/// A point of a body, as banks name it.
+fn point(scene: &Scene, at: Spot) -> String {
+    scene.point_name(at).map_or_else(|| "?".to_owned(), |(body, point)| format!("{body}.{point}"))
+}
+
+/// Where the joints put at the start what they could put in two places, where the bank does not say which is meant.
+pub fn sides(scene: &Scene, data: &[f64]) -> Vec<String> {
+    let numbers = Numbers::<Fast>::new(scene, data);
+    let choices = Layout::new(scene, &numbers).map(|layout| layout.choices());
+    let told = |Choice { at, here, there, .. }: Choice| {
+        let body = scene.bodies.get(at.body).map_or("?", |b| &b.name);
+        format!(
+            "`{body}`: `{}` lies at {}; `side: behind` puts it at {} (`side: ahead` says that it is meant so)",
+            point(scene, at),
+            at_place(here),
+            at_place(there)
+        )
+    };
+    choices.into_iter().flatten().map(told).collect()
+}
+
 /// Why a scene with these data has no answer; a sentence each.
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
@@ -474,11 +517,35 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 ),
             })
         }
-        Refusal::Freedoms(_) if !scene.joints.is_empty() => one(
-            "the joints do not place every body on the whole way: they leave more than one freedom, or cannot meet there (a linkage \
-             locks); a motion needs one freedom, `end: at once` may have any number"
-                .to_owned(),
-        ),
+        Refusal::Freedoms(0) if !scene.joints.is_empty() => {
+            one("the joints leave nothing free to move: a motion needs one freedom".to_owned())
+        }
+        Refusal::Freedoms(n) if !scene.joints.is_empty() => one(format!(
+            "the joints leave {n} freedoms: a motion needs one, or `end: at once` from rest, where each body may have its `angle` and \
+             be `placed:`"
+        )),
+        Refusal::Unplaced(index) => one(format!(
+            "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
+             place and either guided at another point or hinged there to a second such body; a cord places none",
+            body(scene, *index)
+        )),
+        Refusal::Crossed(Choice { at, here, there, .. }) => one(format!(
+            "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
+             `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
+            point(scene, *at),
+            at_place(*here),
+            scene.bodies.get(at.body).map_or("?", |b| &b.name),
+            at_place(*there)
+        )),
+        Refusal::Parted { joint, off_m, at_start } => {
+            let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
+            let when = if *at_start { "at the start" } else { "on the way" };
+            one(format!(
+                "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
+                 change the lengths, the angle at the start, `placed:`, or the place of the joint",
+                figures(*off_m)
+            ))
+        }
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
         }

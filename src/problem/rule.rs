@@ -157,6 +157,10 @@ impl Refusals {
             true => "no `regimes`, so nothing may slip".to_owned(),
             false => format!("`regimes`: {declared}"),
         };
+        // Where forces change on the way, a regime says whether the end is reached.
+        let longer = happened.iter().find(|(r, _)| r.word().ends_with(" ok") && declared.contains("moves_"));
+        let declared =
+            longer.map_or_else(|| declared.clone(), |(r, _)| format!("{declared}; write `{}`", r.word()));
         let regime = format!("regime: {} ({declared})", list.join(", "));
         sorted(rows.chain((all > 0).then_some((regime, all))))
     }
@@ -171,11 +175,25 @@ impl Refusals {
             _ => None,
         };
         match self.tallies.iter().find_map(cond) {
+            Some((question, found)) if found.is_infinite() => format!(
+                "with just these numbers nothing says how well `{}` is determined (it is 0, or they lie at a kink or a limit): change a \
+                 number a little, or the question",
+                question.id
+            ),
             Some((question, found)) => format!(
                 "these numbers determine it less well than most: write `cond limit: {}` beside `{}`, or in the problem",
                 (1.1 * found).ceil(),
                 question.id
             ),
+            None if self.tallies.iter().all(|(rule, tally)| {
+                matches!(rule, DrawRule::Check(kind) if kind.is_share())
+                    && tally.least > 0.0
+                    && tally.least.is_finite()
+            }) =>
+            {
+                "with these numbers it happens, but within a margin: write the `margins:` that is named above smaller, or change a number"
+                    .to_owned()
+            }
             None => "with these numbers it does not happen, whatever the margins: change a number, the ties or the end".to_owned(),
         }
     }

@@ -44,6 +44,8 @@ pub struct CaseSweep {
     pub grid: f64,
     /// Estimated number of valid variants: grid points times acceptance.
     pub valid: f64,
+    /// The data of the first variant.
+    pub sample: Option<Vec<f64>>,
 }
 
 impl CaseSweep {
@@ -222,6 +224,7 @@ impl Sweep {
                     refusals: Vec::new(),
                     grid: c.draws.iter().flatten().map(|d| count(d.count())).product(),
                     valid: 0.0,
+                    sample: None,
                 })
                 .collect(),
             questions: problem
@@ -296,6 +299,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str, made: &dyn Fn
         made();
         let case = &mut out.cases[variant.case];
         case.variants += 1;
+        case.sample.get_or_insert_with(|| variant.data.clone());
         case.tries += u64::from(variant.tries);
         refusals[variant.case].join(&variant.refusals);
         for _ in 0..HONEST {

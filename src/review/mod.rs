@@ -7,6 +7,7 @@ use crate::num::shown;
 use crate::problem::sweep;
 use crate::problem::sweep::{Seldom, Sweep};
 use crate::review::tried_texts::TextNote;
+use crate::scene::{Asked, Quantity};
 use crate::sheet;
 use crate::sheet::texts::Texts;
 use crate::sheet::{statement, terminal};
@@ -242,9 +243,26 @@ pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Findings {
     found
 }
 
-/// Where the figures asked and the tolerance do not fit the condition numbers, and words that are right too seldom.
+/// Where the figures asked and the tolerance do not fit the condition numbers, words that are right too seldom, and where bodies
+/// lie that could lie elsewhere.
 fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
+    for (case, seen) in problem.cases.iter().zip(&sweep.cases) {
+        let sides = seen.sample.iter().flat_map(|data| sentences::sides(&case.scene, data));
+        notes.extend(sides);
+    }
+    let asked = problem.cases.first().map_or(&[][..], |case| &case.scene.formulas.asked);
+    for (i, hides) in asked.iter().enumerate() {
+        let named = Quantity::from_name(&hides.id).is_some() && hides.text.trim() != hides.id;
+        let word = |c: char| !(c.is_alphanumeric() || c == '_' || c == '.');
+        let uses = |other: &&Asked| other.text.split(word).any(|name| name == hides.id);
+        if let (true, Some(other)) = (named, asked.iter().skip(i + 1).find(uses)) {
+            notes.push(format!(
+                "`{}` in `{}` is the answer to the question of that name, not the quantity; another id leaves the quantity its name",
+                hides.id, other.id
+            ));
+        }
+    }
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
         notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));

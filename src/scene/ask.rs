@@ -2,7 +2,7 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, JointKind, Made, Num, Numbers, Pin, Planar, Scene, Spot,
+    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene, Spot,
     Surface, Tie,
 };
 
@@ -284,6 +284,19 @@ impl Scene {
         let starts = |b: &Body| b.planar.as_ref().is_some_and(|p| p.start_deg.is_some());
         self.bodies.iter().enumerate().position(|(i, b)| starts(b) && (b.turns || on_arc(i)))
     }
+    /// Does the leading angle tell where the centre of a body is on the cylinder of this joint, and not the body's own angle? Of what
+    /// rolls there or does not turn; of another body unless more holds it to the ground.
+    pub fn leads_on_arc(&self, joint: usize) -> bool {
+        let JointKind::Contact { at, surface: Surface::Arc { .. }, rolls, .. } = self.joints[joint].kind
+        else {
+            return false;
+        };
+        let holds = |(j, other): (usize, &Joint)| {
+            let grounded = !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { .. });
+            j != joint && grounded && other.kind.spots().any(|spot| spot.body == at.body)
+        };
+        rolls || !self.bodies[at.body].turns || !self.joints.iter().enumerate().any(holds)
+    }
     /// Angle of the leading body at the start.
     pub fn start_angle<T: Real>(&self, n: &Numbers<T>) -> Half<T> {
         let start = self.lead().and_then(|lead| self.planar(lead)?.start_deg);
@@ -292,6 +305,10 @@ impl Scene {
     /// Is an instant asked, or bodies at rest, and no motion?
     pub const fn is_still(&self) -> bool {
         matches!(self.end, End::AtOnce | End::Equilibrium)
+    }
+    /// Does the motion end at a place, after a way or an angle?
+    pub const fn ends_at_a_place(&self) -> bool {
+        matches!(self.end, End::Travel(..) | End::Position(..) | End::Angle(..))
     }
     /// The angular acceleration that a drive gives the leading body.
     pub fn driven(&self) -> Option<Num> {

@@ -29,6 +29,8 @@ pub struct BodyNumbers<T> {
 pub struct Carried<T> {
     /// Speed at the start, m/s.
     pub speed: T,
+    /// The number that is this speed, where it goes along whole.
+    pub given: Option<Num>,
     /// Acceleration, m/s^2.
     pub acceleration: T,
 }
@@ -116,6 +118,7 @@ impl<'a, T: Real> Numbers<'a, T> {
                 };
                 [along.signed(if up { 1.0 } else { -1.0 }), out].map(|share| Carried {
                     speed: share * n.get(c.speed_m_s),
+                    given: share.same(T::of(1.0)).then_some(c.speed_m_s),
                     acceleration: share * n.get(c.acceleration_m_s2),
                 })
             });
@@ -140,6 +143,8 @@ impl<'a, T: Real> Numbers<'a, T> {
     /// A speed or spin that the start gives, counted on what carries the scene.
     pub fn start(&self, c: Coordinate, given: Num) -> T {
         match (c.degree, self.bodies[c.body].carried) {
+            // The same number twice has no difference, whatever its rounding.
+            (Degree::Along, Some([forward, _])) if forward.given == Some(given) => T::zero(),
             (Degree::Along, Some([forward, _])) => self.get(given).apart(forward.speed),
             _ => self.get(given),
         }

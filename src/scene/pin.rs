@@ -3,7 +3,7 @@
 //! The line from the pin to the mass centre makes an angle with the vertical, measured from upright (the mass centre above
 //! the pin) or from hanging. A turn is positive if the angle grows. Horizontal places are positive on the side to which
 //! a small positive angle leans, vertical ones upward.
-use crate::scene::{Acts, Branch, Joint, JointKind, Num, Place, Planar, Ray, Scene, Spot, Strut, StrutEnd};
+use crate::scene::{Acts, Joint, JointKind, Num, Place, Planar, Ray, Scene, Spot, Strut, StrutEnd};
 use std::borrow::Cow;
 
 /// The pin of a body, and the angle at which the motion starts.
@@ -84,7 +84,7 @@ impl Scene {
             driven: None,
             level: false,
             origin_m: None,
-            side: Branch::default(),
+            side: None,
         });
         scene
             .joints

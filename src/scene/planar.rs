@@ -25,16 +25,14 @@ pub struct Planar {
     pub origin_m: Option<[Num; 2]>,
     /// Does its plane lie level, so that no weight acts in it?
     pub level: bool,
-    /// Of the two ways in which the joints can place it: the one on the left of what leads to it, or on the right; see
-    /// [`crate::scene::pose`].
-    pub side: Branch,
+    /// Of the two ways in which the joints can place it, the one that is meant; `None` where the bank does not say it.
+    pub side: Option<Branch>,
 }
 
 /// Which of two ways of placing a body is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
-    /// Along the guide, or left of the line between the outer ends of two rods.
-    #[default]
+    /// Along the guide, or left of the line between the outer ends of two rods: so it is by default.
     Ahead,
     /// The other one.
     Behind,

@@ -101,6 +101,10 @@ fn axis_of<T: Real, X: Followed<T>>(along: [X; 2], d: [T; 2]) -> [X; 2] {
 fn across<T: Real, X: Followed<T>>(direction: [T; 2], axis: [X; 2], at: [T; 2]) -> X {
     component(from_origin(axis, at), direction)
 }
+/// How far two places are apart, along and across together.
+fn off<T: Real>(to: [T; 2], from: [T; 2]) -> f64 {
+    less(to, from).iter().map(|x| x.size()).sum()
+}
 /// Do two lines never meet?
 fn parallel<T: Real>(one: [T; 2], other: [T; 2]) -> bool {
     (one[0] * other[1] - one[1] * other[0]).size() < LEVEL
@@ -111,6 +115,22 @@ fn open<T: Real, X: Followed<T>>(long: X, leg: X) -> X {
     let left = long - leg;
     let folded = left.here().size() <= 8.0 * U * long.here().size();
     if folded { X::still(T::zero()) } else { left }
+}
+/// From the one end of a side of a triangle to its third corner, on the left of that side or (-1) on its right: the lengths of the
+/// other sides are given.
+fn triangle<T: Real, X: Followed<T>>(side: [X; 2], [first, second]: [T; 2], branch: f64) -> [X; 2] {
+    let square = dot(side, side);
+    let ahead = (square + X::still(first.square() - second.square())) / square;
+    let ahead = ahead.by(T::of(0.5));
+    let across = open(X::still(first.square()) / square, ahead * ahead).square_root();
+    plus(scaled(side, ahead), scaled(left(side), across.by(T::of(branch))))
+}
+/// The direction in which a line lies at this distance, along its unit vector or (-1) against it; `way` leads to a place on it.
+fn toward<T: Real, X: Followed<T>>(way: [X; 2], distance: T, unit: [T; 2], branch: f64) -> [X; 2] {
+    let normal = left(unit);
+    let across = component(way, normal).by(T::of(1.0) / distance);
+    let ahead = open(X::still(T::of(1.0)), across * across).square_root();
+    plus(along_unit(normal, across), along_unit(unit, ahead.by(T::of(branch))))
 }
 /// A vector a quarter turn to the left.
 fn left<X: Copy + Neg<Output = X>>(a: [X; 2]) -> [X; 2] {
@@ -170,6 +190,9 @@ pub fn turned_from<T: Real>(planar: &Planar, axis: [T; 2], from: [T; 2]) -> T {
     }
     trig::angle(across, along).signed(sense(planar))
 }
+
+/// A joint holds whose points are no farther apart than this share of the size of everything: printed decimals of a place are rounded.
+const MET: f64 = 1e-9;
 
 /// Below this sine a line is level.
 const LEVEL: f64 = 1e-12;
@@ -240,12 +263,14 @@ struct Held<T> {
     place: Known<T>,
 }
 
-/// A point of a body that is guided: how far along and beside its axis, a place on the line and its direction.
+/// A point of a body that is guided: how far along and beside its axis, a place on the line and its direction; or the centre of
+/// the circle that holds it, with its radius.
 #[derive(Debug, Clone, Copy)]
 struct Guided<T> {
     at: [T; 2],
     through: [T; 2],
     unit: [T; 2],
+    ring: Option<T>,
 }
 
 /// A line on which a body rolls: its centre along and beside the axis, a place and the direction of the line, its radius.
@@ -269,8 +294,8 @@ enum Step<T> {
     Leads(Held<T>),
     /// It leads by its way along two guides, from this place in this direction.
     Glides([T; 2], [T; 2]),
-    /// It leads in two guides.
-    Slides([Guided<T>; 2]),
+    /// It leads in two guides, on this side where one of them is a circle.
+    Slides([Guided<T>; 2], f64),
     /// It leads in a guide along which nothing moves its mass centre, which is so far along its axis: from so far along the guide.
     Drops(Guided<T>, T, T),
     /// It is welded to a body with its axis turned so from that one's.
@@ -283,6 +308,19 @@ enum Step<T> {
     Rod(Held<T>, Guided<T>, f64),
     /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
     Pair(Held<T>, usize, Held<T>, [[T; 2]; 2], f64),
+}
+
+/// What the joints could place in two ways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choice {
+    /// The point of the body that lies on one side or the other.
+    pub at: Spot,
+    /// Where it is, m.
+    pub here: [f64; 2],
+    /// Where it would be on the other side, m.
+    pub there: [f64; 2],
+    /// Is it a parallelogram there, and crossed here?
+    pub crossed: bool,
 }
 
 /// The leading body on a cylinder.
@@ -331,7 +369,9 @@ pub fn size<T: Real>(scene: &Scene, n: &Numbers<T>) -> f64 {
         JointKind::Contact { radius_m, .. } => n.get(radius_m).size(),
         _ => 0.0,
     });
-    rods + round.sum::<f64>()
+    let sum = rods + round.sum::<f64>();
+    // A disc about its centre reaches nowhere: it has a radius of gyration.
+    if sum > 0.0 { sum } else { n.bodies.iter().map(|b| (b.inertia / b.mass).root().size()).sum() }
 }
 
 /// Where everything is when the leading body has turned to this angle; `None` for a body that the joints do not place.
@@ -361,7 +401,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 radius_m,
                 surface: Surface::Arc { centre_m, radius_m: arc, inside },
                 rolls,
-            } if at.body == lead => {
+            } if at.body == lead && scene.leads_on_arc(joint) => {
                 let (own, arc) = (n.get(radius_m), n.get(arc));
                 let apart = if inside { own - arc } else { arc + own };
                 let ratio = plant!("pose: turn of a wheel on a cylinder", apart / own);
@@ -392,7 +432,7 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         }
         layout.glide = layout.carried();
-        layout.steps = layout.planned(false);
+        layout.steps = layout.planned(false).ok();
         Some(layout)
     }
     /// The leading body's cylinder.
@@ -489,6 +529,43 @@ impl<'a, T: Real> Layout<'a, T> {
         };
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
     }
+    /// The first joint that does not hold where everything is, and by how much, m: what placed the bodies is not asked. A cord has
+    /// the length that it has at the start.
+    pub fn parted(&self, poses: &Poses<T>) -> Option<(usize, f64)> {
+        let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
+        let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
+        let size = size(self.scene, self.n);
+        let parts = self.scene.joints.iter().zip(&self.lines).map(|(joint, line)| match joint.kind {
+            JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
+            JointKind::Hinge { one, other, turned_deg } => {
+                let turned = turned_deg.map_or(0.0, |by| {
+                    let ([x, y], [c, s]) = (poses[one.body].axis, direction(self.n, by));
+                    off(poses[other.body].axis, [x * c - y * s, x * s + y * c]) * size
+                });
+                off(place(one), place(other)) + turned
+            }
+            JointKind::Guide { at, through_m, .. } => aside(*line, at, through_m).size(),
+            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
+                (aside(*line, at, through_m) - self.n.get(radius_m)).size()
+            }
+            JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } => {
+                let [x, y] = less(place(at), ground(self.n, centre_m));
+                ((x.square() + y.square()).root() - self.apart(&joint.kind).unwrap_or_else(T::zero)).size()
+            }
+            JointKind::Cord { .. } => 0.0,
+        });
+        parts.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
+    }
+    /// How far the centre of a body is from the axis of the cylinder that it touches.
+    fn apart(&self, kind: &JointKind) -> Option<T> {
+        match *kind {
+            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
+                let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
+                Some(if inside { (own - arc).abs() } else { arc + own })
+            }
+            _ => None,
+        }
+    }
     /// How a body touches the surface of a joint with its centre at this place.
     pub fn touch(&self, joint: usize, centre: [T; 2]) -> Option<Touch<T>> {
         let JointKind::Contact { radius_m, surface, .. } = self.scene.joints[joint].kind else { return None };
@@ -516,7 +593,7 @@ impl<'a, T: Real> Layout<'a, T> {
     pub fn poses<X: Followed<T>>(&self, way: T, at_start: bool) -> Option<Poses<X>> {
         let start;
         let steps = if at_start {
-            start = self.planned(true);
+            start = self.planned(true).ok();
             &start
         } else {
             &self.steps
@@ -529,16 +606,79 @@ impl<'a, T: Real> Layout<'a, T> {
         Some(poses)
     }
 
-    /// The order in which joints place all bodies, if they do.
-    fn planned(&self, at_start: bool) -> Option<Steps<T>> {
+    /// The places at the start of what the joints could place in two ways, where the bank does not say in which.
+    pub fn choices(&self) -> Vec<Choice> {
+        let still = self.scene.is_still() && self.scene.start_speeds().next().is_none();
+        let steps = if still { self.planned(true).ok() } else { self.steps.clone() };
+        let Some(steps) = steps else { return Vec::new() };
+        let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
+        let all = steps.iter().filter_map(|(body, step)| {
+            let planar = self.scene.planar(*body).filter(|p| p.side.is_none())?;
+            let (other, at) = match *step {
+                Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
+                    let at = if one.ring.is_some() { one.at } else { other.at };
+                    (Step::Slides([one, other], -branch), at)
+                }
+                Step::Rod(held, guide, branch) => (Step::Rod(held, guide, -branch), guide.at),
+                Step::Pair(held, other, far, own, branch) => {
+                    (Step::Pair(held, other, far, own, -branch), plus(held.at, own[0]))
+                }
+                _ => return None,
+            };
+            let there = self.place(T::zero(), &other, &mut poses.clone())?.point(at);
+            let here = poses[*body].point(at);
+            let spot = |point| of_spot(self.scene, self.n, Spot { body: *body, point });
+            let point = (0..planar.points.len()).find(|point| off(spot(*point), at) == 0.0)?;
+            let near = |a, b| off(a, b) <= MET * size(self.scene, self.n);
+            let crossed = match step {
+                Step::Pair(held, _, far, ..) => [(held, far), (far, held)].iter().any(|(moves, rests)| {
+                    let Some(parallel) = self.parallelogram(&steps, &poses, moves, rests) else {
+                        return false;
+                    };
+                    near(there, parallel) && !near(here, parallel)
+                }),
+                _ => false,
+            };
+            let [here, there] = [here, there].map(|place| place.map(Real::f64));
+            Some(Choice { at: Spot { body: *body, point }, here, there, crossed })
+        });
+        all.collect()
+    }
+    /// The fourth corner of a parallelogram: beside where a body is hinged that is itself held, and a second place.
+    fn parallelogram(
+        &self,
+        steps: &Steps<T>,
+        poses: &Poses<T>,
+        moves: &Held<T>,
+        rests: &Held<T>,
+    ) -> Option<[T; 2]> {
+        let place = |held: &Held<T>| match held.place {
+            Known::Fixed(place) => place,
+            Known::Of(body, at) => poses[body].point(at),
+        };
+        let Known::Of(link, _) = moves.place else { return None };
+        let held = steps.iter().find_map(|(body, step)| match step {
+            Step::Leads(held) | Step::Rod(held, ..) | Step::Pair(held, ..) if *body == link => Some(held),
+            _ => None,
+        })?;
+        Some(plus(place(moves), less(place(rests), place(held))))
+    }
+
+    /// The first body that the joints do not place.
+    pub fn unplaced(&self, at_start: bool) -> Option<usize> {
+        self.planned(at_start).err()
+    }
+
+    /// The order in which joints place all bodies; or else the first that they do not.
+    fn planned(&self, at_start: bool) -> Result<Steps<T>, usize> {
         let mut planner = Planner {
             layout: self,
             at_start,
             placed: smallvec![false; self.scene.bodies.len()],
             steps: Steps::new(),
         };
-        planner.lead()?;
-        while planner.placed.contains(&false) {
+        planner.lead().ok_or(self.lead)?;
+        while let Some(next) = planner.placed.iter().position(|placed| !placed) {
             let before = planner.steps.len();
             for body in 0..self.scene.bodies.len() {
                 if !planner.placed[body]
@@ -548,10 +688,10 @@ impl<'a, T: Real> Layout<'a, T> {
                 }
             }
             if planner.steps.len() == before {
-                return None;
+                return Err(next);
             }
         }
-        Some(planner.steps)
+        Ok(planner.steps)
     }
 
     /// The direction of the leading body's axis when it has turned by this, with the rate at which it turns.
@@ -591,7 +731,22 @@ impl<'a, T: Real> Layout<'a, T> {
                     axis: self.axis(T::zero(), T::zero())?,
                 }
             }
-            Step::Slides([one, other]) => {
+            Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
+                let axis = lead()?;
+                // From the point on the circle to the other one.
+                let beyond = |from: &Guided<T>, to: &Guided<T>| {
+                    from_origin(axis, [to.at[0] - from.at[0], to.at[1] - from.at[1]])
+                };
+                let (first, second) = if one.ring.is_some() { (one, other) } else { (other, one) };
+                let (centre, radius) = (fixed(first.through), first.ring?);
+                let back = less(fixed(second.through), beyond(first, second));
+                let out = match second.ring {
+                    Some(far) => triangle(less(back, centre), [radius, far], *branch),
+                    None => times(toward(less(back, centre), radius, second.unit, *branch), radius),
+                };
+                Pose::through(axis, first.at, plus(centre, out))
+            }
+            Step::Slides([one, other], _) => {
                 // origin + s axis lies on each line: two equations for the origin.
                 let axis = lead()?;
                 let row = |guide: &Guided<T>| {
@@ -631,22 +786,18 @@ impl<'a, T: Real> Layout<'a, T> {
             Step::Rod(held, guide, branch) => {
                 let place = place(held, poses);
                 let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
-                let (reach, normal) = (reach(apart), left(guide.unit));
-                let across = component(less(fixed(guide.through), place), normal).by(T::of(1.0) / reach);
-                let ahead = open(X::still(T::of(1.0)), across * across).square_root();
-                let ahead = ahead.by(T::of(*branch).signed(reach.sign()));
-                let along = plus(along_unit(normal, across), along_unit(guide.unit, ahead));
+                let (reach, way) = (reach(apart), less(fixed(guide.through), place));
+                let along = match guide.ring {
+                    Some(radius) => times(triangle(way, [reach, radius], *branch), T::of(1.0) / reach),
+                    None => toward(way, reach, guide.unit, branch * reach.sign()),
+                };
                 Pose::through(axis_of(along, apart), held.at, place)
             }
             Step::Pair(held, other, far, [own, other_own], branch) => {
                 let (first, second) = (reach(*own), reach(*other_own));
                 let (place, far_place) = (place(held, poses), place(far, poses));
                 let apart = less(far_place, place);
-                let square = dot(apart, apart);
-                let ahead = (square + X::still(first.square() - second.square())) / square;
-                let ahead = ahead.by(T::of(0.5));
-                let across = open(X::still(first.square()) / square, ahead * ahead).square_root();
-                let joint = plus(scaled(apart, ahead), scaled(left(apart), across.by(T::of(*branch))));
+                let joint = triangle(apart, [first, second], *branch);
                 let one = axis_of(times(joint, T::of(1.0) / first), *own);
                 let two = axis_of(times(less(joint, apart), T::of(1.0) / second), *other_own);
                 poses[*other] = Pose::through(two, far.at, far_place);
@@ -654,6 +805,11 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         })
     }
+}
+
+/// 1 where a body lies on the side where it lies by default, else -1.
+fn branch(planar: &Planar) -> f64 {
+    if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
 }
 
 /// Finds the order in which bodies can be placed.
@@ -702,10 +858,14 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                     let ([x, y], radius) = (ground(self.layout.n, through_m), self.layout.n.get(radius_m));
                     (at, [x - unit[1] * radius, y + unit[0] * radius])
                 }
+                JointKind::Contact { at, rolls: false, surface: Surface::Arc { centre_m, .. }, .. } => {
+                    (at, ground(self.layout.n, centre_m))
+                }
                 _ => return None,
             };
             let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
-            Some(Guided { at: self.spot(own), through, unit: *unit })
+            let ring = self.layout.apart(&joint.kind);
+            Some(Guided { at: self.spot(own), through, unit: *unit, ring })
         })
     }
     /// The point of `body` that is hinged to a slider, a body that does not turn, or to a wheel at the point that is guided.
@@ -767,10 +927,14 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
-                (None, Some(one), Some(other), _) if !parallel(one.unit, other.unit) => {
-                    Step::Slides([one, other])
+                (None, Some(one), Some(other), _)
+                    if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
+                {
+                    Step::Slides([one, other], branch(planar))
                 }
-                (None, Some(guide), None, _) if self.at_start || layout.scene.drifts().is_some() => {
+                (None, Some(guide), None, _)
+                    if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
+                {
                     // Nothing moves the mass centre along the line.
                     let centre = self::along(layout.n, planar.centre);
                     Step::Drops(guide, centre, from(guide.through, guide.unit))
@@ -804,7 +968,6 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn follow(&self, body: usize) -> Option<Step<T>> {
         let planar = self.planar(body)?;
         let scene = self.layout.scene;
-        let branch = if planar.side == Branch::Ahead { 1.0 } else { -1.0 };
         if let Some(step) = self.welded(body) {
             return Some(step);
         }
@@ -829,7 +992,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(Step::Rolls(held, track, start()));
         }
         if let Some(guide) = self.guided(body).next() {
-            return Some(Step::Rod(held, guide, branch));
+            return Some(Step::Rod(held, guide, branch(planar)));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {
@@ -844,7 +1007,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            Some(Step::Pair(held, other.body, far, apart, branch))
+            Some(Step::Pair(held, other.body, far, apart, branch(planar)))
         })
     }
 }

@@ -74,7 +74,14 @@ fn first_in<T: Real>(
         return alone::<T>(scene, data, asked);
     }
     let scales = fitting(scene, data).ok_or(Refusal::Apart)?;
-    let mut half = in_scales(scales, scene, data, |scene, data| alone::<T>(scene, data, asked))?;
+    let si = |refusal| match refusal {
+        Refusal::Parted { joint, off_m, at_start } => {
+            Refusal::Parted { joint, off_m: scales.si("m", off_m), at_start }
+        }
+        other => other,
+    };
+    let mut half =
+        in_scales(scales, scene, data, |scene, data| alone::<T>(scene, data, asked)).map_err(si)?;
     half.solved.scales = scales;
     half.tell(scene);
     Ok(half)

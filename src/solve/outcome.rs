@@ -399,6 +399,19 @@ pub enum Refusal {
     NotUnique,
     /// The ties leave this many freedoms; the program solves one, or two with slip.
     Freedoms(usize),
+    /// No way is known to place this body by its joints.
+    Unplaced(usize),
+    /// Links of equal opposite sides, which would lie crossed by default.
+    Crossed(crate::scene::pose::Choice),
+    /// A joint does not hold where the others and the data put the bodies.
+    Parted {
+        /// Which joint.
+        joint: usize,
+        /// By how much, m.
+        off_m: f64,
+        /// Is that so at the start?
+        at_start: bool,
+    },
     /// The start and the ties leave the velocity of this coordinate open.
     Open(Coordinate),
     /// The start gives this coordinate a velocity that the ties and the rest of the start do not allow.
@@ -514,6 +527,16 @@ pub fn sides(
         }
     }
     found.ok_or(Refusal::Unsupported(Unsupported::FrictionTurns))
+}
+
+/// Joints that leave several freedoms place no body; else no way is known to place this one.
+pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
+    let free: usize = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 }).sum();
+    let held: usize = scene.joints.iter().map(|j| j.kind.forces().len()).sum();
+    match free.saturating_sub(held) {
+        0 | 1 => Refusal::Unplaced(body),
+        left => Refusal::Freedoms(left),
+    }
 }
 
 /// Friction has a sense only where a point slides. Errors: one that rubs is at rest in its guide.

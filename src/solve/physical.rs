@@ -225,13 +225,19 @@ pub fn judge<P: Real>(
         None => course.sense != 0.0,
     };
     if watched {
+        // Where it sets off is no end of it.
+        let leaves = course.asked.is_some_and(|asked| asked.is_zero()) && scene.ends_at_a_place();
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,
-            ok: course.reached,
+            ok: course.reached && !leaves,
             required: asked.f64(),
             available: course.farthest.f64(),
-            margin: if course.asked.is_some() { margin(course.farthest, asked) } else { 1.0 },
+            margin: match course.asked {
+                _ if leaves => -1.0,
+                Some(_) => margin(course.farthest, asked),
+                None => 1.0,
+            },
         });
     }
     let word = |up: Word, down: Word| {

@@ -101,7 +101,7 @@ fn rod(name: &str, start: Option<f64>) -> Body {
         driven: None,
         level: false,
         origin_m: None,
-        side: Branch::Ahead,
+        side: None,
     });
     rod
 }

@@ -644,3 +644,32 @@ fn the_axle_of_a_winch_on_a_truck_bears_what_takes_the_drum_along() {
         hold(&winch.problems[0], &[8.0, 5.0, 0.2, slope, 9.0, G], &expected);
     }
 }
+
+/// A pipe on a truck starts as fast as the truck, given by the same datum: relative to it at rest, whatever the datum rounds to. By
+/// hand, a hoop is left behind with half the acceleration of the truck.
+#[test]
+fn what_starts_as_fast_as_its_carrier_is_proved() {
+    let text = "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data:
+      A: {name: A, unit: m/s^2, draw: always -3}
+      u: {name: u, unit: m/s, draw: always 15}
+      d: {name: d, unit: m, draw: always 3.5}
+    scene:
+      surfaces: {bed: level}
+      carried: {along: bed, speed: u, acceleration: A}
+      bodies: {pipe: {mass: 40 kg, shape: {hoop: 0.3 m}, moves: along bed}}
+      ties: [rolls: {body: pipe, on its: rim}]
+      start: {pipe: {speed: u}}
+      end: {travel: {of: pipe, by: d}}
+    questions: {t: {quantity: t, ask: none, unit: s}}
+";
+    let bank = bank(text);
+    let t = f64::sqrt(2.0 * 3.5 / 1.5);
+    let mut solved = hold(&bank.problems[0], &[-3.0, 15.0, 3.5, G], &[("t", t), ("v", 15.0 - 1.5 * t)]);
+    assert!(agree::prove(&bank.problems[0].cases[0].scene, &[-3.0, 15.0, 3.5, G], &mut solved));
+}

@@ -24,7 +24,7 @@ fn data(symbols: &[String], values: &[(&str, f64)]) -> Vec<f64> {
     symbols.iter().map(of).collect()
 }
 
-fn value(scene: &Scene, solved: &Solved, name: &str) -> f64 {
+pub fn value(scene: &Scene, solved: &Solved, name: &str) -> f64 {
     let label = checks::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
     let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
     assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");

@@ -80,14 +80,25 @@ impl SceneReader<'_> {
                 }
             }
         }
-        let given = fields.get("mass centre").and_then(|n| self.along(n, rod));
+        let given = fields.get("mass centre").and_then(|n| match n.value {
+            Value::List(_) => {
+                let hint =
+                    "lay the axis through the mass centre; points beside it are `[along, to the left]`";
+                f.hint(
+                    n,
+                    "the mass centre lies on the axis of its body: one distance is read, not a list",
+                    hint,
+                );
+                None
+            }
+            _ => self.along(n, rod),
+        });
         let centre = given.unwrap_or(rod.map_or(Place::At(Num::Fixed(0.0)), Place::HalfOf));
         let angle = fields.get("angle").and_then(|n| self.word(n, "from where the angle counts", &ANGLES));
         let (from, clockwise) = angle.unwrap_or((Ray::Right, false));
         let origin_m = fields.get("placed").and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
-        let side = side.unwrap_or_default();
         Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, level, side }
     }
 

@@ -923,7 +923,8 @@ impl<T: Real> Teller<'_, '_, T> {
 
     /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
     fn gets_to(&self, way: T) -> Result<(), Refusal> {
-        if way.size() < SHORTEST {
+        // So near nothing lies between, and doubles do not resolve how the drive falls off.
+        if way.size() < BESIDE {
             return Ok(());
         }
         let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));

@@ -20,7 +20,7 @@ use crate::num::plant::plant;
 use crate::num::root;
 use crate::scene::pose::{self, Layout};
 use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
-use crate::solve::outcome::{Refusal, Unsupported};
+use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
 /// Right-hand side of the forces.
@@ -142,7 +142,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         };
         let first = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 });
         let held = scene.joints.iter().map(|j| j.kind.forces().len());
-        let layout = Layout::new(scene, n).ok_or(Refusal::Freedoms(2))?;
+        let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
+        if let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
+            return Err(Refusal::Crossed(crossed));
+        }
         let mut mechanism = Self {
             scene,
             n,
@@ -177,11 +180,17 @@ impl<'a, T: Real> Mechanism<'a, T> {
     ///
     /// Errors: joints that do not place a body.
     pub fn poses(&self, way: T, at_start: bool) -> Result<Poses<T>, Refusal> {
-        self.layout.poses(way, at_start).ok_or(Refusal::Freedoms(2))
+        self.layout
+            .poses(way, at_start)
+            .ok_or_else(|| outcome::unplaced(self.scene, self.layout.unplaced(at_start).unwrap_or(self.lead)))
     }
     /// Rate of the leading angle at the start. Errors: a speed of what does not move with it.
     pub fn start_rate(&self) -> Result<T, Refusal> {
-        self.layout.start_rate().ok_or(Refusal::Freedoms(2))
+        let held = || match self.poses(T::zero(), false) {
+            Ok(_) => Refusal::Unsupported(Unsupported::StartHeld),
+            Err(unplaced) => unplaced,
+        };
+        self.layout.start_rate().ok_or_else(held)
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
@@ -315,6 +324,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Errors: joints that leave more than that, or hold it fast.
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
+        if let Some((joint, off_m)) = self.layout.parted(&poses) {
+            return Err(Refusal::Parted { joint, off_m, at_start: way.is_zero() });
+        }
         let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         let leads = self.leads(&poses);
         let rows = Vec::with_capacity(self.columns);
@@ -335,7 +347,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Says why there: where rods lie in one line, nothing tells how they go on.
     fn in_place(&self, way: T) -> impl Fn(Refusal) -> Refusal {
         move |why| match why {
-            Refusal::Freedoms(2) if self.in_line(way) => Refusal::Unsupported(Unsupported::InLine),
+            Refusal::Freedoms(_) if self.in_line(way) => Refusal::Unsupported(Unsupported::InLine),
             why => why,
         }
     }
@@ -385,7 +397,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             }
             let reduced = equations.reduce(&[]);
             let found: Option<_> = (0..columns).map(|i| reduced.value(i)).collect();
-            speeds = found.ok_or(Refusal::Freedoms(2))?;
+            speeds = found.ok_or_else(|| Refusal::Freedoms(columns + 1 - reduced.rank()))?;
         }
         self.per_body(&speeds, &mut state.rates);
         Ok(())
