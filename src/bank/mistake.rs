@@ -2,7 +2,7 @@
 //! catalogue of misconceptions, by the same id.
 use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::bank::{Datum, Follow, Mistake, Question, asked, checks, found, measure};
 use crate::finding::told;
@@ -47,7 +47,7 @@ pub fn mistakes(node: &Node, context: &Context, faults: &Faults) -> Vec<Mistake>
 }
 
 fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults) -> Option<Mistake> {
-    if !is_id(id) {
+    if WHOLE && !is_id(id) {
         let hint = "letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`";
         faults.hint(key, told!("`{}` is no id of a wrong method", shorten(id)), hint);
     }
@@ -57,7 +57,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
     let cases_node = fields.get("cases");
     let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
     fields.close();
-    if data_node.is_none() && scene_node.is_none() && values_node.is_none() {
+    if WHOLE && data_node.is_none() && scene_node.is_none() && values_node.is_none() {
         let hint = "`data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`";
         faults.hint(node, "this wrong method changes nothing", hint);
     }

@@ -3,7 +3,7 @@ use crate::bank::any::AnyNumber;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, named, shorten};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
@@ -219,7 +219,8 @@ impl SceneReader<'_> {
         let next_node = fields.get("next");
         fields.close();
         let (end, heading) = end?;
-        if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
+        if WHOLE
+            && let Some(body) = bodies.iter().find(|b| b.pin.is_some())
             && !self.angled.get()
             && !matches!(end, End::AtOnce)
         {
@@ -505,7 +506,7 @@ impl SceneReader<'_> {
     fn bodies(&self, node: &Node, surfaces: &[Surface], carried_along: Option<&str>) -> Vec<Body> {
         let mut bodies = Vec::new();
         for (name, key, value) in named(node, "bodies by name", self.faults) {
-            if !plain_name(name) {
+            if WHOLE && !plain_name(name) {
                 self.faults.hint(
                     key,
                     told!("`{}` is no name for a body", shorten(name)),
@@ -579,7 +580,9 @@ impl SceneReader<'_> {
             fields.need("moves", "along incline");
         }
         body.mass = self.mass(node, mass, weight);
-        excluded(name, node, f);
+        if WHOLE {
+            excluded(name, node, f);
+        }
         if let Some(swings) = swings {
             if given == 0 {
                 f.hint(

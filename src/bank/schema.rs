@@ -288,7 +288,7 @@ fn problem(
     // A problem of constants alone has none.
     let data_node = fields.get("data");
     let data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
-    if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
+    if let Some(n) = data_node.filter(|_| WHOLE && data.len() > MAX_DATA) {
         faults.at(n, told!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
     }
     let scene_node = fields.get("scene");
@@ -515,7 +515,7 @@ impl<'n> ProblemRead<'n> {
     /// A case with its own share, draws, scene, regimes and bounds.
     fn own_case(&self, name: &str, key: &Node, node: &'n Node) -> Option<CaseRead<'n>> {
         let faults = self.faults;
-        if name.trim().is_empty() || name.chars().count() > 64 {
+        if WHOLE && (name.trim().is_empty() || name.chars().count() > 64) {
             faults.at(key, told!("`{}` is no name for a case", shorten(name)));
         }
         let mut fields = Fields::open(node, "a case (share, draws, ...)", faults)?;
@@ -714,24 +714,26 @@ fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
 fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
     let mut list = Vec::new();
     for (symbol, key, value) in named(node, "data by symbol", faults) {
-        if !scene::plain_name(symbol) {
-            faults.hint(
-                key,
-                told!("`{}` is no symbol", shorten(symbol)),
-                "letters, digits and `_`, beginning with a letter, such as `mu_s`",
-            );
-        } else if symbol == "g" {
-            faults.hint(
-                key,
-                "`g` is the acceleration of free fall",
-                "write `gravity: 9.81 m/s^2` at the top of the bank",
-            );
-        } else if TEMPLATE_NAMES.contains(&symbol) {
-            faults.hint(
-                key,
-                told!("`{symbol}` has a meaning of its own in statements"),
-                "choose another symbol",
-            );
+        if WHOLE {
+            if !scene::plain_name(symbol) {
+                faults.hint(
+                    key,
+                    told!("`{}` is no symbol", shorten(symbol)),
+                    "letters, digits and `_`, beginning with a letter, such as `mu_s`",
+                );
+            } else if symbol == "g" {
+                faults.hint(
+                    key,
+                    "`g` is the acceleration of free fall",
+                    "write `gravity: 9.81 m/s^2` at the top of the bank",
+                );
+            } else if TEMPLATE_NAMES.contains(&symbol) {
+                faults.hint(
+                    key,
+                    told!("`{symbol}` has a meaning of its own in statements"),
+                    "choose another symbol",
+                );
+            }
         }
         let mut datum = Datum {
             symbol: symbol.to_owned(),
@@ -869,7 +871,7 @@ fn questions(
     }
     let mut out = Vec::new();
     for (id, key, value) in list {
-        if !scene::plain_name(id) {
+        if WHOLE && !scene::plain_name(id) {
             let hint = match id.split_once('.') {
                 Some((of, quantity)) if scene::plain_name(of) && scene::plain_name(quantity) => {
                     told!("write `{of}_{quantity}: {{quantity: {id}, ...}}`")

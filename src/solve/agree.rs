@@ -103,7 +103,7 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         |course| physical::judge(scene, &course, &road.held),
     );
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
-    if let (Some((_, scene)), Some(next)) = (next, &road.next) {
+    if let (Some((_, scene)), Some(next), true) = (next, &road.next, cfg!(feature = "program")) {
         checks.push(physical::judge_next(scene, next));
     }
     let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));

@@ -1,5 +1,5 @@
 //! The motion that begins where the one before it ends: the same scene, with what is written under `next` over what it says.
-use crate::bank::node::{Node, Value};
+use crate::bank::node::{Node, Value, WHOLE};
 use crate::bank::scene::SceneReader;
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
@@ -7,6 +7,13 @@ use crate::scene::{
     Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Pin, Quantity, Rest, Scene,
     Start, Taken, Tie,
 };
+
+/// What is not written of a motion that follows, and why not.
+const FIELDS: [(&str, &str); 3] = [
+    ("start", "it starts where the motion before it ends"),
+    ("next", "one motion follows, and no other"),
+    ("carried", "a scene that is carried has one motion"),
+];
 
 /// What the motion that follows takes over, as it is gathered.
 struct Handover<'s> {
@@ -54,11 +61,7 @@ impl SceneReader<'_> {
                 "for example `{end: {turning point: block}}`",
             );
         };
-        for (field, why) in [
-            ("start", "it starts where the motion before it ends"),
-            ("next", "one motion follows, and no other"),
-            ("carried", "a scene that is carried has one motion"),
-        ] {
+        for (field, why) in if WHOLE { &FIELDS[..] } else { &[] } {
             if let Some(n) = changes.field(field) {
                 f.hint(n, told!("`{field}` is not written here: {why}"), "remove this field");
             }
@@ -71,6 +74,10 @@ impl SceneReader<'_> {
         }
         let (touches, any) = (self.touches.borrow().len(), self.any.borrow().len());
         let mut next = self.scene(&whole, gravity)?;
+        if !WHOLE {
+            take_over(first, &mut next, gravity + 1);
+            return Some(next);
+        }
         if touches > 0 || any > 0 || self.touches.borrow().len() + self.any.borrow().len() > 0 {
             let hint = "write `rolls` or `slips`, and a mass or a radius";
             return f.refuse_with(changes, "a motion that follows needs a scene that says everything", hint);

@@ -23,6 +23,9 @@ use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
 use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
+/// Are joints looked through for what they do not say or hold? Not in a page, whose sheet was drawn from a scene that was looked through.
+const LOOKED_THROUGH: bool = cfg!(feature = "program");
+
 /// Right-hand side of the forces.
 pub const CONSTANT: usize = 0;
 /// Right-hand side of the centripetal terms, per square of the rate of the leading angle.
@@ -143,7 +146,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let first = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 });
         let held = scene.joints.iter().map(|j| j.kind.forces().len());
         let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
-        if let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
+        if LOOKED_THROUGH && let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
             return Err(Refusal::Crossed(crossed));
         }
         let mut mechanism = Self {
@@ -324,7 +327,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Errors: joints that leave more than that, or hold it fast.
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
-        if let Some((joint, off_m)) = self.layout.parted(&poses) {
+        if LOOKED_THROUGH && let Some((joint, off_m)) = self.layout.parted(&poses) {
             return Err(Refusal::Parted { joint, off_m, at_start: way.is_zero() });
         }
         let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
