@@ -1,7 +1,7 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Acts, Arm, Attach, Body, Branch, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
+    Acts, Arm, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
     GivenForce, Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place,
     Planar, Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface,
     Tie, Zero,
@@ -101,7 +101,7 @@ fn rod(name: &str, start: Option<f64>) -> Body {
         driven: None,
         level: false,
         origin_m: None,
-        side: Branch::Ahead,
+        side: None,
     });
     rod
 }
