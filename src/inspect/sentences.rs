@@ -7,7 +7,7 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::pose::{Choice, Layout};
-use crate::scene::{Coordinate, Degree, End, Found, Numbers, Scene, Span, Spot, Tie};
+use crate::scene::{Asked, Coordinate, Degree, End, Found, Numbers, Quantity, Scene, Span, Spot, Tie};
 use crate::solve::ladder;
 use crate::solve::ladder::{Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -494,6 +494,22 @@ pub fn sides(scene: &Scene, data: &[f64]) -> Vec<String> {
         )
     };
     choices.into_iter().flatten().map(told).collect()
+}
+
+/// Answers that later expressions use by the name of a quantity, which they hide.
+pub fn hidden(scene: &Scene) -> Vec<String> {
+    let asked = &scene.formulas.asked;
+    let word = |c: char| !(c.is_alphanumeric() || c == '_' || c == '.');
+    let told = asked.iter().enumerate().filter_map(|(i, answer)| {
+        let hides = Quantity::from_name(&answer.id).is_some() && answer.text.trim() != answer.id;
+        let uses = |other: &&Asked| other.text.split(word).any(|name| name == answer.id);
+        let other = asked.iter().skip(i + 1).find(uses).filter(|_| hides)?;
+        Some(format!(
+            "`{}` in `{}` is the answer to the question of that name, not the quantity; another id leaves the quantity its name",
+            answer.id, other.id
+        ))
+    });
+    told.collect()
 }
 
 /// Why a scene with these data has no answer; a sentence each.

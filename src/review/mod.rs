@@ -7,7 +7,6 @@ use crate::num::shown;
 use crate::problem::sweep;
 use crate::problem::sweep::{Seldom, Sweep};
 use crate::review::tried_texts::TextNote;
-use crate::scene::{Asked, Quantity};
 use crate::sheet;
 use crate::sheet::texts::Texts;
 use crate::sheet::{statement, terminal};
@@ -251,18 +250,7 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
         let sides = seen.sample.iter().flat_map(|data| sentences::sides(&case.scene, data));
         notes.extend(sides);
     }
-    let asked = problem.cases.first().map_or(&[][..], |case| &case.scene.formulas.asked);
-    for (i, hides) in asked.iter().enumerate() {
-        let named = Quantity::from_name(&hides.id).is_some() && hides.text.trim() != hides.id;
-        let word = |c: char| !(c.is_alphanumeric() || c == '_' || c == '.');
-        let uses = |other: &&Asked| other.text.split(word).any(|name| name == hides.id);
-        if let (true, Some(other)) = (named, asked.iter().skip(i + 1).find(uses)) {
-            notes.push(format!(
-                "`{}` in `{}` is the answer to the question of that name, not the quantity; another id leaves the quantity its name",
-                hides.id, other.id
-            ));
-        }
-    }
+    notes.extend(problem.cases.iter().take(1).flat_map(|case| sentences::hidden(&case.scene)));
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
         notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));

@@ -543,3 +543,37 @@ end: {time: {of: wheel, is: 10 s}}
     let told = sentences::check(&bank.problems[0].cases[0].scene, &found.checks, check);
     assert!(!check.ok && told.contains("lie after the turning point"), "{told}");
 }
+
+/// An answer named as a quantity takes that name in what follows, and that is told; a list is no mass centre.
+#[test]
+fn a_hidden_quantity_and_a_list_for_the_mass_centre_are_told() {
+    let text = |questions: &str, centre: &str| {
+        format!(
+            "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {{}}
+    scene:
+      bodies: {{bar: {{mass: 2 kg, moment of inertia: 1 kg*m^2, {centre}, moves: in the plane, angle: from hanging}}}}
+      joints: {{O: {{pins: bar.A}}}}
+      start: {{bar: {{angle: 60 deg}}}}
+      end: {{angle: {{of: bar, reaches: 0 deg}}}}
+    questions: {{{questions}}}
+"
+        )
+    };
+    let told = |questions: &str| {
+        let bank = load::scenes_only(&text(questions, "mass centre: 0.5 m"), "t.yaml").unwrap();
+        sentences::hidden(&bank.problems[0].cases[0].scene)
+    };
+    let twice = "v: {value: 2*v, ask: none, unit: m/s}, s: {value: v*t, ask: none, unit: m}";
+    assert!(told(twice).concat().contains("`v` in `s`"), "{:?}", told(twice));
+    assert!(told(&twice.replace("v: {", "w: {")).is_empty());
+    let one = "s: {value: v*t, ask: none, unit: m}";
+    let faults = load::scenes_only(&text(one, "mass centre: [0.5 m, 0.1 m]"), "t.yaml").unwrap_err();
+    let faults = faults.iter().map(ToString::to_string).collect::<String>();
+    assert!(faults.contains("the mass centre lies on the axis of its body"), "{faults}");
+}
