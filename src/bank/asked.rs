@@ -36,7 +36,7 @@ pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: 
             continue;
         }
         // What an expression comes to may bear any name: the question's own goes before that of a quantity.
-        if node.field("value").is_none() && Quantity::from_name(id).is_some() {
+        if WHOLE && node.field("value").is_none() && Quantity::from_name(id).is_some() {
             let hint = "give it a name of its own, such as `largest`, and name the quantity by `quantity:`";
             faults.hint(key, told!("`{id}` is a quantity itself; this question asks another thing"), hint);
         }
@@ -87,7 +87,10 @@ fn read(
     let spins_on = target.bodies.iter().zip(&scene.bodies).any(|(there, here)| there.turns != here.turns);
     let label_of = |name: &str| {
         let label = checks::label(target, name)?;
-        if spins_on && matches!(label.quantity, Quantity::KineticEnergy | Quantity::RotationalFraction) {
+        if WHOLE
+            && spins_on
+            && matches!(label.quantity, Quantity::KineticEnergy | Quantity::RotationalFraction)
+        {
             let message = told!("`{name}` would need the spin that a body keeps on a smooth surface");
             return Err((message, Some("ask for speeds, accelerations, forces or times".to_owned())));
         }

@@ -488,7 +488,7 @@ impl SceneReader<'_> {
         let along = fields.need("along", "horizontal");
         let [speed, acceleration] = fields.each(["speed", "acceleration"]);
         fields.close();
-        if speed.is_none() && acceleration.is_none() {
+        if WHOLE && speed.is_none() && acceleration.is_none() {
             f.hint(node, "neither a speed nor an acceleration is given", "write `acceleration: a`");
         }
         let mut words: Vec<(&str, Slope)> = surfaces.iter().map(|s| (s.name, s.slope)).collect();

@@ -66,7 +66,7 @@ impl SceneReader<'_> {
                 f.hint(n, told!("`{field}` is not written here: {why}"), "remove this field");
             }
         }
-        if changes.field("end").is_none() {
+        if WHOLE && changes.field("end").is_none() {
             return f.refuse_with(changes, "`end` is missing", "say what ends the motion that follows");
         }
         if let Value::Map(fields) = &mut whole.value {

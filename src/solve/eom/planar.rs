@@ -146,7 +146,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let first = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 });
         let held = scene.joints.iter().map(|j| j.kind.forces().len());
         let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
-        if LOOKED_THROUGH && let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
+        if LOOKED_THROUGH
+            && !T::is_double()
+            && let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed)
+        {
             return Err(Refusal::Crossed(crossed));
         }
         let mut mechanism = Self {
