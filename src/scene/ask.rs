@@ -306,7 +306,7 @@ impl Scene {
     pub const fn is_still(&self) -> bool {
         matches!(self.end, End::AtOnce | End::Equilibrium)
     }
-    /// Does the motion end at a place, after a way or an angle?
+    /// Does the motion end at a place, after a distance or an angle?
     pub const fn ends_at_a_place(&self) -> bool {
         matches!(self.end, End::Travel(..) | End::Position(..) | End::Angle(..))
     }

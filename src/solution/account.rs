@@ -525,7 +525,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return self.get(label);
         }
         let body = if let Owner::Body(b) = label.of { b } else { self.lead().body };
-        let Some((carrier, [forward, _])) = self.carried(along(body)) else { return self.get(label) };
+        let Some((carrier, [forward, out])) = self.carried(along(body)) else { return self.get(label) };
         let from = match label.quantity {
             Quantity::KineticEnergy => self.seen_energy(false)?,
             Quantity::Work => {
@@ -538,7 +538,9 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::A | Quantity::ARolling => self.get(label)? + carrier.acceleration * forward,
             Quantity::V => {
                 let v = self.seen_velocity(along(body), false)?;
-                self.positive(&v)
+                let [speed, _] = carrier.after(&self.since_start(false)?);
+                let aside = speed * out;
+                if self.value(&aside) == 0.0 { self.positive(&v) } else { root(square(v) + square(aside)) }
             }
             Quantity::Displacement => {
                 let [_, way] = carrier.after(&self.get(of_scene(Quantity::T))?.into());
@@ -605,12 +607,11 @@ impl<'d, 'a> Account<'d, 'a> {
             if inertia.is_empty() {
                 continue;
             }
-            let rate = match c.degree {
-                Degree::Along if !at_start => self.asked(speed_of(c))?.into(),
-                _ => self.seen_velocity(c, at_start)?,
-            };
+            // The speed at the end has in it what carries the body out of its line.
+            let whole = c.degree == Degree::Along && !at_start;
+            let rate = if whole { self.asked(speed_of(c))?.into() } else { self.seen_velocity(c, at_start)? };
             let mut squares = square(rate);
-            if let Some((carrier, [_, out])) = self.carried(c) {
+            if !whole && let Some((carrier, [_, out])) = self.carried(c) {
                 let [speed, _] = carrier.after(&self.since_start(at_start)?);
                 squares = squares + square(speed * out);
             }

@@ -226,7 +226,9 @@ pub fn judge<P: Real>(
     };
     if watched {
         // Where it sets off is no end of it.
-        let leaves = course.asked.is_some_and(|asked| asked.is_zero()) && scene.ends_at_a_place();
+        let leaves = course.asked.is_some_and(|asked| asked.is_zero())
+            && scene.ends_at_a_place()
+            && !scene.starts_from_rest();
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,

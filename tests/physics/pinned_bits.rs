@@ -39,7 +39,7 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("yo-yo", "f77ba8a7923a22f1", "711a6d60ec74464a", "da78ecfcf0934444"),
     ("two-loads-on-a-stepped-drum", "77708f5668c361b0", "a5f67534972c79db", "136bbdd805608b64"),
     ("rolling-hoop", "0e346351f1003b91", "c3a670ada2d1bea0", "83eef3814fe0cda3"),
-    ("spool-on-the-floor", "f78df4d6b4b8302e", "77498d755d7116e0", "e47d54b644b00fa6"),
+    ("spool-on-the-floor", "f78df4d6b4b8302e", "3e7b2eb1c35f1ac8", "e6e86560f1fb6bfb"),
     ("mass-of-a-stone", "e77389bed7e06d93", "eb409120b49b6cdb", "45d121029babd83b"),
     ("flywheel-of-parts", "50f896ce40f3a1ce", "8cff6ae4f43cf53f", "1041445b1c639019"),
     ("backspin", "14459a9521e8bc5c", "33a8746c8603fae1", "a5d4acaa38e09bbc"),

@@ -240,6 +240,11 @@ fn is_witnessed(scene: &Scene) -> bool {
 /// Is a place, at a time, past the end?
 type Past = Box<dyn Fn(&[f64], f64) -> bool>;
 
+/// Does this stay as it is at the start while all forces are constant?
+fn is_rate(quantity: Quantity) -> bool {
+    [Quantity::A, Quantity::Alpha, Quantity::Friction, Quantity::Normal].contains(&quantity)
+}
+
 #[test]
 fn integration_in_time_gives_the_key() {
     let banks = support::banks();
@@ -252,13 +257,29 @@ fn integration_in_time_gives_the_key() {
         for student in 0..draws {
             let variant =
                 maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
-            let scene = &problem.cases[variant.case].scene;
+            let mut scene = problem.cases[variant.case].scene.clone();
             // With the condition numbers of all quantities, not of those alone that are asked.
-            let solved = agree::solve(scene, &variant.data).expect("it was drawn");
-            if matches!(scene.end, End::AtOnce) {
-                compared += lamina(scene, &variant.data, &solved);
+            let mut solved = agree::solve(&scene, &variant.data).expect("it was drawn");
+            if matches!(scene.start[..], [Start::Lamina { .. }]) {
+                compared += lamina(&scene, &variant.data, &solved);
                 continue;
             }
+            if matches!(scene.end, End::AtOnce) {
+                // An instant is the start of a motion, which is watched for a while.
+                let at_once = solved;
+                scene.end = End::Time(scene.ending_coordinate(), Num::Fixed(0.5));
+                solved = agree::solve(&scene, &variant.data).expect("it goes on");
+                for e in at_once.entries.iter().filter(|e| is_rate(e.label.quantity)) {
+                    let later = solved.get(e.label).expect("it is told of a motion, too").value();
+                    assert!(
+                        (e.value() - later).abs() <= 1e-15 * later.abs(),
+                        "{}: {e:?} {later}",
+                        problem.id
+                    );
+                    compared += 1;
+                }
+            }
+            let scene = &scene;
             if matches!(scene.ties.as_slice(), [Tie::Slip { .. }]) && !scene.start.is_empty() {
                 compared += thrown(scene, &variant.data, &solved, &problem.id);
                 continue;

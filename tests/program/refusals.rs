@@ -272,7 +272,7 @@ fn a_growing_force_that_turns_a_motion_is_said_to_turn_it() {
 ";
     fs::write(room.path("bank.yaml"), text).unwrap();
     let solved = room.run(&["solve", &room.path("bank.yaml"), "p"]);
-    assert!(solved.out.contains("5.0000 s asked, the motion turns before"), "{}", solved.out);
+    assert!(solved.out.contains("5.0000 s lie after the turning point"), "{}", solved.out);
 }
 
 /// The end by a length of cord needs the radius as a datum, and says so.
