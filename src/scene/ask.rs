@@ -306,9 +306,9 @@ impl Scene {
     pub const fn is_still(&self) -> bool {
         matches!(self.end, End::AtOnce | End::Equilibrium)
     }
-    /// Does the motion end at a place, after a distance or an angle?
+    /// Does the motion end where a body is at a place that is told, at a position or at an angle?
     pub const fn ends_at_a_place(&self) -> bool {
-        matches!(self.end, End::Travel(..) | End::Position(..) | End::Angle(..))
+        matches!(self.end, End::Position(..) | End::Angle(..))
     }
     /// The angular acceleration that a drive gives the leading body.
     pub fn driven(&self) -> Option<Num> {

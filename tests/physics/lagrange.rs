@@ -878,7 +878,9 @@ impl<'s> System<'s> {
                 }
             }
         };
-        told.reached = time.is_some();
+        // Where it is set going is no place at which it ends.
+        let back = s.event == Event::Position && by == 0.0 && !s.start.is_empty();
+        told.reached = time.is_some() && !back;
         told.near_reach = match s.event {
             Event::Travel | Event::Turn | Event::Position => (by.abs() / farthest - 1.0).abs() < 1e-9,
             Event::Time => turns_at.is_some_and(|t| (by / t - 1.0).abs() < 1e-9),
