@@ -21,7 +21,6 @@ use crate::solution::text::SolutionSection;
 pub struct CordSpring {
     /// Index of its tie.
     pub tie: usize,
-    /// Stiffness.
     pub stiffness: Expr,
     /// Stretch at the start.
     pub stretch: Expr,
@@ -49,7 +48,6 @@ pub struct GrownForce {
 /// A reaction as it leaves the equations: from which row, and what it is there.
 #[derive(Debug, Clone)]
 pub struct Eliminated {
-    /// The row.
     pub row: Coordinate,
     /// The reaction.
     pub force: SymbolId,
@@ -83,7 +81,6 @@ pub struct Account<'d, 'a> {
     pub effective: Expr,
     /// Sum of the forces but the spring's, reckoned to the lead.
     pub drive: Expr,
-    /// The spring.
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
     pub last: Expr,
@@ -217,9 +214,6 @@ stands_on!(Account.page: Page<'d, 'a>);
 
 impl<'d, 'a> Account<'d, 'a> {
     /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
         let m = Terms::new(draft, rolled);
         let mut this = Self {
@@ -426,11 +420,11 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio, common factors in front. The
     /// spin of a slipping body is left out.
     fn effective_mass(&self) -> Expr {
-        let coordinates = self.scene.coordinates().filter(|c| !self.m.ratio(*c).is_zero());
+        let coordinates = self.scene.coordinates().filter(|c| !self.m.of(*c).ratio.is_zero());
         let terms: Vec<Factors> = coordinates
             .flat_map(|c| {
-                let square = self.m.ratio(c).squared();
-                self.m.inertia(c).into_iter().map(move |i| i.times(&square))
+                let square = self.m.of(c).ratio.squared();
+                self.m.of(c).inertia.iter().map(move |i| i.times(&square))
             })
             .collect();
         gathered(Sum::of(terms).terms())
@@ -460,7 +454,6 @@ impl<'d, 'a> Account<'d, 'a> {
         self.positive(&self.s)
     }
 
-    /// The lead.
     pub fn lead(&self) -> Coordinate {
         self.m.lead
     }
@@ -480,7 +473,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let scene = self.scene;
         for (c, num) in scene.start_speeds() {
             let given = self.given_start(c, num);
-            let ratio = self.m.ratio(c).clone();
+            let ratio = self.m.of(c).ratio.clone();
             if given != ZERO && !ratio.is_zero() {
                 return given.over(&ratio);
             }
@@ -514,9 +507,6 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// A quantity as it is asked: of what is carried as it is seen from the ground.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some((_, symbol)) = self.seen.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
@@ -583,7 +573,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let [rate, lead] = [self.get(rate_of(c))?, self.get(rate_of(self.lead()))?];
             self.v0.by(&(rate / lead))
         } else if at_start {
-            self.v0.by(self.m.ratio(c))
+            self.v0.by(&self.m.of(c).ratio)
         } else {
             let v = self.get(speed_of(c))?;
             if self.symbols.value(v) == 0.0 { ZERO } else { in_sense(v.into(), self.velocity_sense(c)) }
@@ -603,7 +593,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn seen_energy(&mut self, at_start: bool) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for c in self.scene.coordinates().collect::<Vec<_>>() {
-            let inertia = self.m.inertia(c);
+            let inertia = self.m.of(c).inertia.clone();
             if inertia.is_empty() {
                 continue;
             }
@@ -650,7 +640,7 @@ impl<'d, 'a> Account<'d, 'a> {
             push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
         }
         let v0 = self.value(&self.v0);
-        self.sense = match self.m.acceleration(lead) {
+        self.sense = match self.m.of(lead).a {
             _ if v0 != 0.0 => v0.signum(),
             Some(a) if !self.m.one => self.symbols.value(a).signum(),
             _ => push.signum(),
@@ -671,7 +661,7 @@ impl<'d, 'a> Account<'d, 'a> {
             };
             let push = self.value(&self.share_sum(&[ForceKind::Given])) + spring.map_or(0.0, pulls);
             let goes = if v0 == 0.0 { push } else { v0 };
-            let own = self.value(&self.m.ratio(along(body)).expr());
+            let own = self.value(&self.m.of(along(body)).ratio.expr());
             return -(goes * own).signum() * f64::from(self.m.parts[body].up);
         }
         let key = self.variant.solved.get(of_body(Quantity::Friction, body));
@@ -700,7 +690,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Accelerations and reactions that are unknown, of which the rows and the ties are as many equations.
     fn unknowns(&self) -> Vec<(Label, SymbolId)> {
-        let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.acceleration(c)?)));
+        let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.of(c).a?)));
         let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
         rates.chain(ties).collect()
     }
@@ -718,7 +708,7 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
         let each = |(tie, _): (usize, SymbolId)| {
             let terms = self.tied(tie).into_iter();
-            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.acceleration(c)?)));
+            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.of(c).a?)));
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
             if left.is_empty() { (right, ZERO) } else { (sum(left), right) }
@@ -761,7 +751,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let rest = self.scene.start_speeds().next().is_none();
         let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
         for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
-            let Some(symbol) = self.m.speed(*c) else { continue };
+            let Some(symbol) = self.m.of(*c).v else { continue };
             let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
             self.symbols.settle(symbol, v, 0.0);
             self.found(speed_of(*c), symbol, symbol.into());
@@ -809,8 +799,8 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn equations(&self, body: usize) -> Vec<(Option<Coordinate>, Expr, Expr)> {
         let (mut all, part) = (Vec::new(), &self.m.parts[body]);
         for c in [along(body), turn(body)] {
-            let (inertia, forces) = (self.m.inertia(c), self.row_sum(c));
-            if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || forces != ZERO) {
+            let (inertia, forces) = (&self.m.of(c).inertia, self.row_sum(c));
+            if let Some(a) = self.m.of(c).a.filter(|_| !inertia.is_empty() || forces != ZERO) {
                 all.push((Some(c), forces, sum(inertia.iter().map(|i| i.by(a)))));
             }
             if let (Degree::Along, Some((normal, is))) = (c.degree, part.normal.clone()) {
@@ -873,8 +863,8 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What tells a quantity of one body or cord from that of another, where several have it.
     fn tag_of(&self, label: Label) -> String {
         let has = |p: &&BodyTerms| match label.quantity {
-            Quantity::Phi | Quantity::AngularMomentum => p.alpha.is_some(),
-            Quantity::Distance | Quantity::Impulse | Quantity::Rise => p.a.is_some(),
+            Quantity::Phi | Quantity::AngularMomentum => p.spin.a.is_some(),
+            Quantity::Distance | Quantity::Impulse | Quantity::Rise => p.line.a.is_some(),
             _ => false,
         };
         let pulled =
@@ -902,7 +892,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The acceleration of the lead, of forces that grow at the end.
     pub fn accelerate(&mut self) {
-        if let (Some(a), true) = (self.m.acceleration(self.lead()), self.m.one) {
+        if let (Some(a), true) = (self.m.of(self.lead()).a, self.m.one) {
             let per = self.drive.over(&self.effective);
             let last =
                 self.grown.iter().fold(per, |per, g| per.put(g.mean.unwrap_or(g.last), &g.last.into()));
@@ -911,12 +901,9 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// The motion up to its end: displacement, speed, acceleration of the lead.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn arrive(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
+        let (Some(a), Some(v)) = (self.m.of(lead).a, self.m.of(lead).v) else {
             return beyond(Beyond::Unfound);
         };
         let v_label = self.of_lead(Quantity::V, Quantity::Omega);
@@ -1182,9 +1169,6 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The reactions in the order in which they leave the equations, and the row that is left: each from a row in which it is the
     /// only one, moments first.
-    ///
-    /// # Errors
-    /// Only several equations together give a reaction.
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
@@ -1219,19 +1203,18 @@ impl<'d, 'a> Account<'d, 'a> {
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
     pub fn gain(&self, c: Coordinate) -> Expr {
         let part = &self.m.parts[c.body];
-        let (by, ratio) = match (c.degree, part.a, self.m.acceleration(self.lead())) {
-            (_, Some(a), _) if !part.along.is_zero() && !self.own(c) => (a, self.m.ratio(c).per(&part.along)),
-            (_, _, Some(lead)) => (lead, self.m.ratio(c).clone()),
+        let (by, ratio) = match (c.degree, part.line.a, self.m.of(self.lead()).a) {
+            (_, Some(a), _) if !part.line.ratio.is_zero() && !self.own(c) => {
+                (a, self.m.of(c).ratio.per(&part.line.ratio))
+            }
+            (_, _, Some(lead)) => (lead, self.m.of(c).ratio.clone()),
             _ => return ZERO,
         };
         let by = Factors::of(&by.into()).times(&ratio);
-        sum(self.m.inertia(c).iter().map(|i| i.by(&by)))
+        sum(self.m.of(c).inertia.iter().map(|i| i.by(&by)))
     }
 
     /// A quantity: looked up, or derived.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
@@ -1259,8 +1242,8 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(*symbol);
         }
         let own = match label.quantity {
-            Quantity::A | Quantity::Alpha => self.m.acceleration(coordinate(label.quantity, body)),
-            Quantity::V | Quantity::Omega => self.m.speed(coordinate(label.quantity, body)),
+            Quantity::A | Quantity::Alpha => self.m.of(coordinate(label.quantity, body)).a,
+            Quantity::V | Quantity::Omega => self.m.of(coordinate(label.quantity, body)).v,
             _ => None,
         };
         match (own, &from) {
@@ -1284,17 +1267,17 @@ impl<'d, 'a> Account<'d, 'a> {
         match label.quantity {
             Quantity::A | Quantity::Alpha => self.acceleration(c),
             Quantity::V | Quantity::Omega if self.own(c) => self.since_rest(c, 1),
-            Quantity::V | Quantity::Omega if self.m.speed(c).is_some() => Ok(self.over_lead(&self.v, c)),
+            Quantity::V | Quantity::Omega if self.m.of(c).v.is_some() => Ok(self.over_lead(&self.v, c)),
             Quantity::Phi | Quantity::Distance => self.travel(c),
             Quantity::Displacement => self.signed_travel(c),
             Quantity::AngularMomentum => {
                 let omega = self.get(of_body(Quantity::Omega, body))?;
-                Ok(sum(self.m.inertia(c).iter().map(|i| i.by(omega))))
+                Ok(sum(self.m.of(c).inertia.iter().map(|i| i.by(omega))))
             }
             Quantity::Impulse => {
                 let v = self.get(of_body(Quantity::V, body))?;
                 let v = in_sense(v.into(), self.velocity_sense(along(body)));
-                let before = self.v0.by(&self.m.parts[body].along);
+                let before = self.v0.by(&self.m.parts[body].line.ratio);
                 Ok(self.m.parts[body].mass.by(positive_first([v - before])))
             }
             Quantity::Work => match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
@@ -1308,7 +1291,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 if label.quantity == Quantity::WorkCouple && !self.grown.is_empty() {
                     let mut all = Vec::new();
                     for (action, _) in couples {
-                        let turn = self.m.ratio(c).times(self.m.lever(&action, c));
+                        let turn = self.m.of(c).ratio.times(self.m.lever(&action, c));
                         all.push(self.worked(&action)?.by(turn));
                     }
                     return Ok(positive_first(all));
@@ -1396,19 +1379,19 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
     fn acceleration(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
-        if self.m.acceleration(c).is_none() || c == self.lead() || !self.m.one {
+        if self.m.of(c).a.is_none() || c == self.lead() || !self.m.one {
             return beyond(Beyond::Unfound);
         }
         if self.own(c) {
-            return Ok(self.row_sum(c).over(self.m.inertia_expr(c)));
+            return Ok(self.row_sum(c).over(sum(self.m.of(c).inertia.iter().map(Factors::expr))));
         }
         let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        Ok(by.by(self.m.ratio(c)))
+        Ok(by.by(&self.m.of(c).ratio))
     }
 
     /// By the lead's, a magnitude.
     fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
-        of.by(self.magnitude(self.m.ratio(c)))
+        of.by(self.magnitude(&self.m.of(c).ratio))
     }
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
@@ -1439,7 +1422,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The same with its sign.
     fn signed_travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
         if !self.own(c) {
-            return Ok(self.s.by(self.m.ratio(c)));
+            return Ok(self.s.by(&self.m.of(c).ratio));
         }
         let travel = self.travel(c)?;
         Ok(in_sense(travel, self.velocity_sense(c)))
@@ -1447,9 +1430,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Sense in which a coordinate moves; nothing turns back.
     fn velocity_sense(&self, c: Coordinate) -> f64 {
-        match self.m.acceleration(c) {
+        match self.m.of(c).a {
             Some(a) if self.own(c) => self.symbols.value(a),
-            _ => self.value(&self.m.ratio(c).expr()) * self.sense,
+            _ => self.value(&self.m.of(c).ratio.expr()) * self.sense,
         }
     }
 
@@ -1502,7 +1485,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
-        if self.m.parts[c.body].a.is_some() && !self.m.parts[c.body].along.is_zero() {
+        if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
             self.get(of_body(Quantity::A, c.body))?;
         }
         // Another one may have taken all equations together.
@@ -1556,9 +1539,6 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring: it is linear in the
     /// tension, so one of them is the largest.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
@@ -1581,9 +1561,6 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
-    ///
-    /// # Errors
-    /// There is no spring.
     pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let kappa = spring.stiffness.by(spring.gamma.squared());
@@ -1651,7 +1628,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let c = self.magnitude(&self.m.action_of(tie)?.arm);
         let mut j = Factors::zero();
-        for i in &part.inertia {
+        for i in &part.spin.inertia {
             j = j.plus(&i.per(&part.mass));
         }
         let up = part.up;
@@ -1744,8 +1721,8 @@ impl<'d, 'a> Account<'d, 'a> {
     fn kinetic_sum(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for c in self.scene.coordinates() {
-            let inertia = self.m.inertia(c);
-            if inertia.is_empty() || (self.m.ratio(c).is_zero() && !self.own(c)) {
+            let inertia = self.m.of(c).inertia.clone();
+            if inertia.is_empty() || (self.m.of(c).ratio.is_zero() && !self.own(c)) {
                 continue;
             }
             let v = self.get(speed_of(c))?;
@@ -1759,12 +1736,12 @@ impl<'d, 'a> Account<'d, 'a> {
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for body in 0..self.m.parts.len() {
             let c = turn(body);
-            for i in self.m.inertia(c) {
+            for i in self.m.of(c).inertia.clone() {
                 if slips {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     turning.push(ratio(1, 2) * i.expr() * square(omega));
                 } else {
-                    turning.push(i.by(self.m.ratio(c).squared()));
+                    turning.push(i.by(self.m.of(c).ratio.squared()));
                 }
             }
         }

@@ -48,9 +48,6 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
 }
 
 /// Answers the questions by formula once everything else has been found.
-///
-/// # Errors
-/// A quantity that is not covered.
 pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
     let scene = draft.scene;
     let problem = draft.problem;
@@ -179,9 +176,6 @@ pub fn given_as(draft: &mut Draft, given: Given) -> (Expr, bool) {
 }
 
 /// A formula of the bank in the symbols of the solution; angles outside of waves count in radians.
-///
-/// # Errors
-/// Those of what it names.
 pub fn expression<V: Copy + PartialEq>(
     draft: &mut Draft,
     formula: &Formula<V>,

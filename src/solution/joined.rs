@@ -52,9 +52,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         if self.scene.is_still() || self.rubs() {
             return;
         }
-        if let Some(pivot) = &self.pivot {
-            let pin = format!("${}$", pivot.name);
-            self.say("pinned.idea_pin", &[("pin", &pin)]);
+        if let Some(pivot) = self.pivot.clone() {
+            self.say("pinned.idea_pin", &[("pin", &pivot.name)]);
             return;
         }
         self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
@@ -165,8 +164,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             let Some(force) = self.of_joint(quantity, j) else { continue };
             if self.leaves() == Some(j) {
                 // The place is that of the key: there the force has to vanish.
-                let weight: f64 = self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum();
-                if self.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
+                if self.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * self.mass() {
                     return Err(Beyond::Differs(quantity).into());
                 }
             } else if !self.symbols.value(force).is_nan() {
@@ -250,6 +248,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
         self.page.say(name, pieces);
     }
+    /// Answers what is asked of these quantities.
+    fn answers(&mut self, which: &dyn Fn(Quantity) -> bool) -> Result<Vec<Label>, DerivationStop> {
+        let all: Vec<Label> = self.labels().into_iter().filter(|l| which(l.quantity)).collect();
+        for label in &all {
+            let symbol = self.get(*label)?;
+            self.answer(*label, DerivedAnswer::Value(symbol));
+        }
+        Ok(all)
+    }
+    /// The sum of all masses.
+    fn mass(&self) -> f64 {
+        self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum()
+    }
     /// Does nothing turn?
     fn points(&self) -> bool {
         self.bodies.iter().all(|b| b.alpha.is_none())
@@ -301,16 +312,13 @@ impl<'d, 'a> Plane<'d, 'a> {
             &[("angles", &angles.join("; "))],
         );
         let loops: Vec<String> = self.loops.iter().map(|(_, [a, b])| format!("{a} = {b}")).collect();
-        match &loops[..] {
-            [one] if width(one) <= WITHIN => self.add(format!("${one}$.")),
-            _ => self.formulas(loops),
-        }
+        self.formulas_or_one(loops);
     }
 
     /// Moment of inertia about the pin.
     fn about_the_pin(&mut self, pivot: &Pivot) {
-        let pin = format!("${}$", pivot.name);
-        self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[("pin", &pin)]);
+        let name = if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" };
+        self.say(name, &[("pin", &pivot.name)]);
         let square = self.bodies[0].mass.times(pivot.h.squared());
         let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.from(pivot.about));
         let line = self.chain(pivot.about, &whole);
@@ -375,12 +383,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let energy = self.inline(&(ratio(1, 2).by(j).by(square(self.rate))));
             self.say("joined.energy", &[("energy", &energy)]);
             let line = self.step_of(j);
-            if width(&line) <= WITHIN && !line.contains('&') {
-                self.add(format!("${line}$."));
-                self.told(j);
-            } else {
-                self.display(j, &is, "");
-            }
+            self.formulas_or_one(vec![line]);
+            self.told(j);
             self.j = Some(j);
         }
     }
@@ -434,12 +438,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         self.balance()?;
         self.skip_new();
-        for label in self.labels() {
-            if matches!(label.quantity, Quantity::V | Quantity::Omega | Quantity::VX | Quantity::VY) {
-                let symbol = self.get(label)?;
-                self.answer(label, DerivedAnswer::Value(symbol));
-            }
-        }
+        use Quantity::{Omega, V, VX, VY};
+        self.answers(&|q| matches!(q, V | Omega | VX | VY))?;
         self.tell_new();
         Ok(())
     }
@@ -546,20 +546,18 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(pivot) = &pivot {
             self.about_the_pin(pivot);
         }
-        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
+        let pin = pivot.as_ref().map_or("", |p| &p.name);
         let name = match &pivot {
             None if blow.impulses.is_empty() => "joined.blow",
             None => "joined.blow_joints",
             Some(pivot) if pivot.radial => "joined.blow_radial",
             Some(_) => "joined.blow_pinned",
         };
-        self.say(name, &[("pin", &pin)]);
-        let rows = blow.rows.iter().map(|(l, r)| self.equation(l, r)).collect::<Vec<_>>();
-        self.formulas(rows);
+        self.say(name, &[("pin", pin)]);
+        self.page.equations(&blow.rows);
         if !blow.demands.is_empty() && blow.demands.len() <= FEW {
             self.say("joined.blow_demands", &[]);
-            let lines = blow.demands.iter().map(|(l, r)| self.equation(l, r)).collect::<Vec<_>>();
-            self.formulas(lines);
+            self.page.equations(&blow.demands);
         }
         let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
         let mut order: Vec<SymbolId> = blow.steps.iter().map(|s| s.symbol).collect();
@@ -575,10 +573,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
     fn at_rest(&mut self) -> Result<(), DerivationStop> {
         self.motion("short", "rest_motion")?;
-        let weight: f64 = self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum();
         let rows: Vec<(Expr, Expr)> = (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
         let left = rows.iter().map(|(left, _)| self.value(left).abs()).fold(0.0, f64::max);
-        if !left.le(&(AGREEMENT_REL * 9.81 * weight)) {
+        if !left.le(&(AGREEMENT_REL * 9.81 * self.mass())) {
             return Err(Beyond::Differs(Quantity::Phi).into());
         }
         let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.asks(*q));
@@ -596,12 +593,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tell([k]);
         }
         self.skip_new();
-        for label in self.labels() {
-            if matches!(label.quantity, Quantity::OmegaSmall | Quantity::PeriodSmall) {
-                let symbol = self.get(label)?;
-                self.answer(label, DerivedAnswer::Value(symbol));
-            }
-        }
+        self.answers(&|q| matches!(q, Quantity::OmegaSmall | Quantity::PeriodSmall))?;
         self.tell_new();
         Ok(())
     }
@@ -667,11 +659,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         self.skip_new();
         let pivot = self.pivot.clone();
-        let forces = pivot.as_ref().map(|p| p.force.map(|f| self.names(&[f])));
-        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
-        let pieces = forces
+        let pieces = pivot.map(|p| (p.force.map(|f| self.names(&[f])), p.name));
+        let pieces = pieces
             .as_ref()
-            .map(|[radial, across]| [("radial", &**radial), ("across", &**across), ("pin", pin.as_str())]);
+            .map(|([radial, across], pin)| [("radial", &**radial), ("across", &**across), ("pin", &**pin)]);
         // The place has been named with the force of the spring.
         let there =
             if self.instant() || pieces.is_some() && !self.springs.is_empty() { "" } else { "_there" };
@@ -690,8 +681,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {
             self.say(if self.points() { "joined.point_demands" } else { "joined.demands" }, &[]);
-            let lines: Vec<String> = demands.iter().map(|(l, r)| self.equation(l, r)).collect();
-            self.formulas(lines);
+            self.page.equations(&demands);
         }
         if let Some(joint) = self.leaves() {
             self.where_it_leaves(joint);
@@ -891,22 +881,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let ways = [chains(&all), chains(&needed), plain(&all)];
         let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
         let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
-        match &told[..] {
-            [one] if width(one) <= WITHIN => self.add(format!("${one}$.")),
-            _ => self.formulas(told),
-        }
+        self.formulas_or_one(told);
         self.skip_new();
     }
 
     /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
     fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
-        let asked: Vec<Label> = self.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
-        let Some(pivot) = self.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
         let before = self.steps.len();
-        for label in &asked {
-            let symbol = self.get(*label)?;
-            self.answer(*label, DerivedAnswer::Value(symbol));
-        }
+        let asked = self.answers(kinetic)?;
+        let Some(pivot) = self.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
         self.skip_new();
         let held = asked.iter().any(|l| l.quantity != Quantity::Alpha);
         let solved = self.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));

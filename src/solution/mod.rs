@@ -28,22 +28,22 @@ macro_rules! stands_on {
     };
 }
 
-pub mod account;
-pub mod asked;
-pub mod beware;
+mod account;
+mod asked;
+mod beware;
 pub mod by_hand;
 pub mod draft;
-pub mod expr;
-pub mod factors;
-pub mod joined;
-pub mod narrate;
-pub mod page;
-pub mod plane;
+mod expr;
+mod factors;
+mod joined;
+mod narrate;
+mod page;
+mod plane;
 pub mod stop;
-pub mod symbols;
-pub mod terms;
-pub mod text;
-pub mod valued;
+mod symbols;
+mod terms;
+mod text;
+mod valued;
 pub mod written;
 
 use crate::bank::{Problem, Question};

@@ -113,9 +113,6 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 }
 
 /// Writes the sections of a scene.
-///
-/// # Errors
-/// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.lead().is_some() {
         return tell(&mut Plane::new(draft)?);
@@ -272,9 +269,6 @@ fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) ->
 }
 
 /// Quantities of the scene as if its contacts were others: the equations of motion, solved again.
-///
-/// # Errors
-/// What is not covered.
 pub fn as_if(
     draft: &mut Draft,
     how: AsIf,
@@ -591,7 +585,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().filter(|p| p.a.is_none() && p.alpha.is_some()).count() == 1
+        let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1
             && self.scene.formulas.found.is_none();
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         match () {
@@ -642,11 +636,11 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     /// The speed of the lead.
     fn speed(&self) -> SymbolId {
-        self.m.speed(self.lead()).unwrap_or(SymbolId(0))
+        self.m.of(self.lead()).v.unwrap_or(SymbolId(0))
     }
     /// The acceleration of the lead.
     fn rate(&self) -> SymbolId {
-        self.m.acceleration(self.lead()).unwrap_or(SymbolId(0))
+        self.m.of(self.lead()).a.unwrap_or(SymbolId(0))
     }
 
     // What the scene has.
@@ -692,14 +686,14 @@ impl<'d, 'a> Account<'d, 'a> {
     fn coordinates(&self) -> Vec<Coordinate> {
         self.scene
             .coordinates()
-            .filter(|c| !self.m.inertia(*c).is_empty() || self.m.speed(*c).is_some())
+            .filter(|c| !self.m.of(*c).inertia.is_empty() || self.m.of(*c).v.is_some())
             .collect()
     }
     fn speeds(&self) -> Vec<SymbolId> {
-        self.coordinates().iter().filter_map(|c| self.m.speed(*c)).collect()
+        self.coordinates().iter().filter_map(|c| self.m.of(*c).v).collect()
     }
     fn accelerations(&self) -> Vec<SymbolId> {
-        self.coordinates().iter().filter_map(|c| self.m.acceleration(*c)).collect()
+        self.coordinates().iter().filter_map(|c| self.m.of(*c).a).collect()
     }
     /// `v = r omega` and its likes: every other coordinate by the lead's; speeds are magnitudes.
     fn links(&self, signed: bool, of: impl Fn(&Self, Coordinate) -> Option<SymbolId>) -> Vec<String> {
@@ -709,7 +703,7 @@ impl<'d, 'a> Account<'d, 'a> {
         others
             .filter_map(|c| {
                 let symbol = of(self, c)?;
-                let ratio = self.m.ratio(c);
+                let ratio = &self.m.of(c).ratio;
                 let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
                 let right = by.by(&ratio);
                 Some(self.stated(symbol, &right))
@@ -755,7 +749,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.tell(grown);
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
-        let links = self.links(false, |n, c| n.m.speed(c));
+        let links = self.links(false, |n, c| n.m.of(c).v);
         // Of a start with a speed the gain is written with them already.
         let (before, links) = if self.v0 == ZERO { (Vec::new(), links) } else { (links, Vec::new()) };
         if !before.is_empty() {
@@ -845,8 +839,8 @@ impl<'d, 'a> Account<'d, 'a> {
         works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
-            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.speed(c)?)));
-            let inertias = speeds.flat_map(|(c, v)| self.m.inertia(c).into_iter().map(move |i| (i, v)));
+            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.of(c).v?)));
+            let inertias = speeds.flat_map(|(c, v)| self.m.of(c).inertia.iter().map(move |i| (i, v)));
             sum(inertias.map(|(i, v)| i.times(square(v)).by(&half)))
         } else {
             ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
@@ -972,7 +966,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
         }
         let links = if self.m.one {
-            self.links(true, |n, c| n.m.acceleration(c))
+            self.links(true, |n, c| n.m.of(c).a)
         } else {
             self.demands().iter().map(|(left, right)| format!("${}$", self.equation(left, right))).collect()
         };
@@ -1100,11 +1094,12 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn say_senses(&mut self) {
-        let both = self.m.parts.iter().filter(|p| p.a.is_some() && p.alpha.is_some());
-        let ahead: Vec<bool> = both.map(|p| self.value(&p.along.times(&p.turn).expr()) >= 0.0).collect();
+        let both = self.m.parts.iter().filter(|p| p.line.a.is_some() && p.spin.a.is_some());
+        let ahead: Vec<bool> =
+            both.map(|p| self.value(&p.line.ratio.times(&p.spin.ratio).expr()) >= 0.0).collect();
         let wheels = !ahead.is_empty() && ahead.iter().all(|a| *a);
         self.say(if wheels { "motion.senses" } else { "motion.senses_alone" }, &[]);
-        if self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some()) {
+        if self.m.parts.iter().any(|p| p.line.a.is_none() && p.spin.a.is_some()) {
             self.say("motion.senses_axle", &[]);
         }
         let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
@@ -1349,7 +1344,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Moment of inertia of a body as one term.
     fn inertia_of(&self, body: usize) -> Factors {
-        self.m.parts[body].inertia.iter().fold(Factors::zero(), |all, i| all.plus(i))
+        self.m.parts[body].spin.inertia.iter().fold(Factors::zero(), |all, i| all.plus(i))
     }
 
     /// Where a thrown body is at the end of a leg; it rolls where no spin is given.
@@ -1494,7 +1489,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else { return Ok(()) };
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let (part, d) = (self.m.parts[body].clone(), self.distance());
-        let (Some(v), Some(w)) = (part.v, part.omega) else { return Ok(()) };
+        let (Some(v), Some(w)) = (part.line.v, part.spin.v) else { return Ok(()) };
         let half = ratio(1, 2);
         let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
@@ -1502,7 +1497,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let [forces, moments] =
             [Degree::Along, Degree::Turn].map(|degree| self.row_sum(Coordinate { body, degree }));
         let (work, gain) = (in_sense(forces, place) * d, &half * part.mass.expr() * square(v));
-        let spin = sum(part.inertia.iter().map(|i| &half * i.expr() * square(w)));
+        let spin = sum(part.spin.inertia.iter().map(|i| &half * i.expr() * square(w)));
         let centre = self.equation(&work, &gain);
         let rotation = self.equation(&(in_sense(moments, turn) * phi), &spin);
         let f = self.kinetic_frictions();
@@ -1643,14 +1638,14 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             let (true, Some(mu)) = (self.v0 == ZERO && self.m.one, mu_s) else { continue };
             let along = Coordinate { body, degree: Degree::Along };
-            if self.m.ratio(along).is_zero() {
+            if self.m.of(along).ratio.is_zero() {
                 continue;
             }
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
             let push = self.at_start(&self.share_sum(&[ForceKind::Given]));
             let push = positive_first([in_sense(push, self.sense)]);
-            let hold = (mu * n) * self.magnitude(self.m.ratio(along)).expr();
+            let hold = (mu * n) * self.magnitude(&self.m.of(along).ratio).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
         }
@@ -1791,8 +1786,8 @@ impl<'d, 'a> Account<'d, 'a> {
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
         let masses: Vec<Expr> = lines
             .flat_map(|c| {
-                let by = self.m.ratio(c).squared();
-                self.m.inertia(c).into_iter().map(move |i| i.by(&by))
+                let by = self.m.of(c).ratio.squared();
+                self.m.of(c).inertia.iter().map(move |i| i.by(&by))
             })
             .filter(|e| *e != ZERO)
             .collect();
@@ -1835,7 +1830,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Has anything that turns a moment of inertia?
     fn spins(&self) -> bool {
-        self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty())
+        self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.of(c).inertia.is_empty())
     }
 
     /// Shares of the kinetic energy.

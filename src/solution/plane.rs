@@ -7,7 +7,7 @@ use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
     Acts, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Spot, StrutEnd, Surface,
+    Spot, Strut, StrutEnd, Surface,
 };
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
@@ -31,6 +31,11 @@ const ROUNDING: f64 = 1e-12;
 const NOTHING: f64 = 1e-12;
 
 type Vector = [Sum; 2];
+
+/// To the right and up.
+fn axes() -> [Vector; 2] {
+    [[1.0, 0.0], [0.0, 1.0]].map(|unit| unit.map(|x| Sum::of([sign(x)])))
+}
 
 /// An angle on which places depend.
 #[derive(Debug, Clone)]
@@ -120,7 +125,6 @@ pub struct PlaneBody {
     pub name: String,
     /// What stands below its symbols.
     pub tag: String,
-    /// Mass.
     pub mass: Factors,
     /// Moment of inertia about the mass centre, as a sum.
     pub inertia: Vec<Factors>,
@@ -144,7 +148,6 @@ pub struct PlaneBody {
 /// A force on a body, or a couple.
 #[derive(Debug, Clone)]
 pub struct Pull {
-    /// The body.
     pub body: usize,
     /// The unknown that it is in proportion to, of a joint.
     pub unknown: Option<SymbolId>,
@@ -154,6 +157,14 @@ pub struct Pull {
     pub along: Vector,
     /// Its moment about the mass centre per size, counter-clockwise.
     pub turn: Sum,
+}
+
+impl Pull {
+    /// A couple, counter-clockwise where the sense is 1.
+    fn couple(body: usize, unknown: Option<SymbolId>, size: Factors, sense: i8) -> Self {
+        let turn = Sum::one(Factors::one().signed(sense));
+        Self { body, unknown, size, along: Vector::default(), turn }
+    }
 }
 
 /// What a joint demands of the accelerations: the point of each of its forces stays, per unit of the unknown, but for what its
@@ -169,11 +180,17 @@ struct Hold {
     given: Expr,
 }
 
+impl Hold {
+    fn of(joint: usize, unknown: SymbolId, pulls: Vec<Pull>) -> Self {
+        Self { joint, unknown, pulls, inward: Sum::default(), given: ZERO }
+    }
+}
+
 /// A single body that turns about one fixed pin: moments are taken about the pin, forces along the line to the mass centre and
 /// across.
 #[derive(Debug, Clone)]
 pub struct Pivot {
-    /// The name of the point.
+    /// The name of the point, a formula.
     pub name: String,
     /// Distance from the pin to the mass centre.
     pub h: Factors,
@@ -218,7 +235,6 @@ pub struct Plane<'d, 'a> {
     pub lead: usize,
     /// The angles; the first leads.
     pub turns: Vec<Turn>,
-    /// The bodies.
     pub bodies: Vec<PlaneBody>,
     /// All forces at the place that is asked, those of joints last.
     pub pulls: Vec<Pull>,
@@ -281,9 +297,6 @@ fn beyond<T>() -> Result<T, DerivationStop> {
 
 impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
-    ///
-    /// # Errors
-    /// Joints that do not place a body.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return beyond() };
         let g = terms::gravity(draft);
@@ -383,7 +396,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => self.named(&[&tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
-        let up = self.turns[0].from[1] > 0.0;
+        let (up, name) = (self.turns[0].from[1] > 0.0, format!("${name}$"));
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
@@ -628,6 +641,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let waves = Sum::of(waves.collect::<Vec<_>>());
         line.fixed.plus(&waves)
     }
+    /// By how much it grows on the way.
+    fn change(&mut self, line: &Line) -> Sum {
+        self.at(line, END).plus(&self.at(line, START).opposite())
+    }
     /// Its rate, per unit rate of the leading angle.
     fn rate(&self, line: &Line, which: usize) -> Sum {
         Sum::of(line.waves.iter().map(|(size, turn, wave)| {
@@ -657,7 +674,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.pivot.as_ref().is_some_and(|p| p.radial) {
             return self.circle();
         }
-        [[1.0, 0.0], [0.0, 1.0]].map(|unit| unit.map(|x| Sum::of([sign(x)])))
+        axes()
     }
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
@@ -1174,45 +1191,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn act(&mut self) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let still = scene.end == End::AtOnce;
-        let weighed = if scene.lies_level() { 0 } else { self.bodies.len() };
-        for body in 0..weighed {
-            let weight = self.bodies[body].mass.times(&self.g);
-            let (down, centre) = ([Sum::default(), Sum::one(number(-1))], self.centre(body));
-            let down = self.frame(&down);
-            let pull = self.pull(body, &centre, weight.clone(), down, None);
-            self.pulls.push(pull);
-            if !still {
-                let [_, y] = self.centre(body);
-                let fall = self.at(&y, START).plus(&self.at(&y, END).opposite());
-                let fall = fall.expr();
-                // A body that is guided along a level does not sink, though its place is told by angles.
-                if self.value(&fall).abs() > NOTHING {
-                    let fall = match self.bodies.len() {
-                        1 => fall,
-                        _ => {
-                            let names =
-                                [tagged("h", &self.bodies[body].tag), tagged("H", &self.bodies[body].tag)];
-                            self.page.find(&[&names[0], &names[1]], "m", fall).into()
-                        }
-                    };
-                    self.works.push(weight.by(&fall));
-                }
-            }
-        }
-        if let Some(carrier) = self.carrier.clone().filter(|c| c.acceleration != ZERO) {
-            for body in 0..self.bodies.len() {
-                let force = self.bodies[body].mass.times(&carrier.acceleration);
-                let (unit, centre) = (carrier.direction.each_ref().map(|e| e.factors()), self.centre(body));
-                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
-                let pull = self.pull(body, &centre, force.clone(), against, None);
-                self.pulls.push(pull);
-                if !still {
-                    let way = dot(&centre, &unit);
-                    let back = self.at(&way, START).plus(&self.at(&way, END).opposite());
-                    self.works.push(force.by(back.expr()));
-                }
-            }
-        }
+        self.weigh();
         for push in scene.pushes.iter().filter(|p| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             let unit = self.direction(push.direction_deg);
@@ -1249,16 +1228,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                 continue;
             }
             let line = dot(&self.spot(push.at), &unit);
-            let way = self.at(&line, END).plus(&self.at(&line, START).opposite());
+            let way = self.change(&line);
             self.works.push(size.by(way.expr()));
         }
         for (i, couple) in scene.couples.iter().enumerate() {
             let size = self.number(couple.moment_n_m, "M", "N m").factors();
             let own = if couple.forward { 1 } else { -1 };
-            let turn =
-                Sum::one(Factors::one().signed(if self.bodies[couple.body].clockwise { -own } else { own }));
-            let none = [Sum::default(), Sum::default()];
-            self.pulls.push(Pull { body: couple.body, unknown: None, size: size.clone(), along: none, turn });
+            let sense = own * self.sense_of(couple.body);
+            self.pulls.push(Pull::couple(couple.body, None, size.clone(), sense));
             if !still {
                 let turned = if self.bodies[couple.body].turn == Some(0) {
                     self.turned()
@@ -1278,6 +1255,34 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(())
     }
 
+    /// Weights, and the apparent forces of what is carried: in proportion to the mass, against a direction.
+    fn weigh(&mut self) {
+        let up = (self.g.clone(), [Factors::zero(), Factors::one()], self.bodies.len() > 1);
+        let carrier = self.carrier.iter().filter(|c| c.acceleration != ZERO);
+        let carried =
+            carrier.map(|c| (c.acceleration.clone(), c.direction.each_ref().map(Cancel::factors), false));
+        let fields: Vec<_> = (!self.scene.lies_level()).then_some(up).into_iter().chain(carried).collect();
+        for (rate, unit, named) in fields {
+            for body in 0..self.bodies.len() {
+                let (force, centre) = (self.bodies[body].mass.times(&rate), self.centre(body));
+                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
+                let pull = self.pull(body, &centre, force.clone(), against, None);
+                self.pulls.push(pull);
+                if self.scene.end == End::AtOnce {
+                    continue;
+                }
+                let way = dot(&centre, &unit);
+                let back = self.at(&way, START).plus(&self.at(&way, END).opposite()).expr();
+                // A body that is guided along a level does not sink, though its place is told by angles.
+                if self.value(&back).abs() > NOTHING {
+                    let tag = self.bodies[body].tag.clone();
+                    let back = if named { self.named_by(["h", "H"], &tag, "m", back) } else { back };
+                    self.works.push(force.by(&back));
+                }
+            }
+        }
+    }
+
     /// The work of a force that turns with its body.
     fn turning_work(&self, push: &crate::scene::Push) -> f64 {
         let data = &self.variant.data;
@@ -1285,25 +1290,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         let Some(layout) = Layout::new(self.scene, &numbers) else { return f64::NAN };
         let way = (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians();
         let [c, s] = pose::direction(&numbers, push.direction_deg);
-        let power = |at: f64| {
-            let poses = layout.poses::<Jet<f64>>(at, false).ok_or(DerivationStop::Beyond(Beyond::Unfound))?;
+        let power = |at: f64| -> Result<f64, DerivationStop> {
+            let poses = layout.poses::<Jet<f64>>(at, false).ok_or(Beyond::Unfound)?;
             let pose = &poses[push.at.body];
             let [x, y] = pose.axis.map(|x| x.value);
             let v = pose.point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
-        let work: Result<f64, Wrong> =
-            gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
-        self.scene.value(push.force_n, data) * work.unwrap_or(f64::NAN)
+        self.scene.value(push.force_n, data) * gauss::integral(power, 0.0, way).unwrap_or(f64::NAN)
     }
 
     fn spring(&mut self, strut: usize) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let it = &scene.struts[strut];
-        if it.twists() {
-            return self.torsion(strut);
-        }
         let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+        if it.twists() {
+            return self.torsion(it, &tag);
+        }
         let near = self.spot(it.at);
         let far = match it.to {
             StrutEnd::Ground(place) => self.ground(place),
@@ -1320,10 +1323,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             Rest::Length(l) => (self.number(l, "l_0", "m"), false),
             Rest::Stretch(x) => (self.number(x, "x_0", "m"), true),
         };
-        let instant = scene.end == End::AtOnce;
         let (mut lengths, mut stretch): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
-        let mut last = [Sum::default(), Sum::default()];
-        for which in if instant { END..=END } else { START..=END } {
+        let mut last = Vector::default();
+        for which in self.looked_at() {
             last = self.places(&apart, which);
             let is = self.size(&last);
             let length: Expr = self.named_by(["s", "d"], &format!("{which}{tag}"), "m", is);
@@ -1340,21 +1342,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         for x in &mut stretch {
             let beyond = self.value(x);
-            let idle = match it.acts {
-                Acts::Both => false,
-                Acts::Pushes => beyond >= 0.0,
-                Acts::Pulls => beyond <= 0.0,
-            };
-            if idle {
+            if it.acts == Acts::Pushes && beyond >= 0.0 || it.acts == Acts::Pulls && beyond <= 0.0 {
                 *x = ZERO;
             }
         }
-        if let [first, last] = &stretch[..] {
-            self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
-        }
         let names = if tag.is_empty() { "F_s".to_owned() } else { tagged("F", &format!("s{tag}")) };
-        let other = tagged("F", &format!(r"\mathrm{{s}}{tag}"));
-        let force = self.page.find(&[&names, &other], "N", stiffness * &stretch[stretch.len() - 1]);
+        let names = [names, tagged("F", &format!(r"\mathrm{{s}}{tag}"))];
+        let force = self.pull_of_spring(&stiffness, &stretch, names, "N");
         let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
         let back = along.clone().map(|x| x.opposite());
@@ -1364,44 +1358,51 @@ impl<'d, 'a> Plane<'d, 'a> {
             let pull = self.pull(spot.body, &far, force.factors(), back, None);
             self.pulls.push(pull);
         }
-        self.springs.push(force);
         Ok(())
     }
 
+    /// The places that a spring is looked at: the start and the end, of an instant this alone.
+    fn looked_at(&self) -> std::ops::RangeInclusive<usize> {
+        if self.scene.end == End::AtOnce { END..=END } else { START..=END }
+    }
+
+    /// The force or moment of a spring that is stretched or wound by this much, which does work on the way.
+    fn pull_of_spring(
+        &mut self,
+        stiffness: &Expr,
+        stretch: &[Expr],
+        names: [String; 2],
+        unit: &str,
+    ) -> SymbolId {
+        if let [first, last] = stretch {
+            self.works.push(ratio(1, 2) * stiffness * (square(first) - square(last)));
+        }
+        let force = self.page.find(&[&names[0], &names[1]], unit, stiffness * &stretch[stretch.len() - 1]);
+        self.springs.push(force);
+        force
+    }
+
     /// A torsion spring: its work, and its moment against the angle by which it is wound.
-    fn torsion(&mut self, strut: usize) -> Result<(), DerivationStop> {
-        let scene = self.scene;
-        let it = &scene.struts[strut];
-        let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+    fn torsion(&mut self, it: &Strut, tag: &str) -> Result<(), DerivationStop> {
         let Some(turn) = self.bodies[it.at.body].turn else { return beyond() };
         let angles = self.turns[turn].at.clone();
         let stiffness = self.number(it.stiffness_n_m, "k_t", "N m/rad");
         let (Rest::Length(rest) | Rest::Stretch(rest)) = it.rest;
         let rest = self.number(rest, r"\beta_0", "deg");
-        let instant = scene.end == End::AtOnce;
         let mut wound: Vec<Expr> = Vec::new();
-        for which in if instant { END..=END } else { START..=END } {
+        for which in self.looked_at() {
             let angle: Expr = match it.rest {
                 Rest::Length(_) => angles[which].clone() - &rest,
-                Rest::Stretch(_) if instant => rest.clone(),
+                Rest::Stretch(_) if wound.is_empty() => rest.clone(),
                 Rest::Stretch(_) => &rest + &angles[which] - &angles[START],
             };
             let is = self.draft.radians(angle);
             wound.push(self.named_by([r"\vartheta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
         }
-        if let [first, last] = &wound[..] {
-            self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
-        }
-        let name = if tag.is_empty() {
-            r"M_{\mathrm{s}}".to_owned()
-        } else {
-            tagged("M", &format!(r"\mathrm{{s}}{tag}"))
-        };
-        let moment = self.page.find(&[&name, &tagged("M", "t")], "N m", stiffness * &wound[wound.len() - 1]);
-        let back = if self.bodies[it.at.body].clockwise { 1 } else { -1 };
-        let (turn, along) = (Sum::one(Factors::one().signed(back)), [Sum::default(), Sum::default()]);
-        self.pulls.push(Pull { body: it.at.body, unknown: None, size: moment.factors(), along, turn });
-        self.springs.push(moment);
+        let names = [tagged("M", &format!(r"\mathrm{{s}}{tag}")), tagged("M", "t")];
+        let moment = self.pull_of_spring(&stiffness, &wound, names, "N m");
+        let back = -self.sense_of(it.at.body);
+        self.pulls.push(Pull::couple(it.at.body, None, moment.factors(), back));
         Ok(())
     }
 
@@ -1441,21 +1442,20 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The forces of the joints, and what each demands.
     fn hold(&mut self) {
         let scene = self.scene;
+        let blow = scene.is_struck() && self.blow.is_none();
         if let Some(Pivot { mut force, place, radial, .. }) = self.pivot.clone() {
-            if scene.is_struck() && self.blow.is_none() {
+            if blow {
                 let names = if radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
                 force = names.map(|name| self.named(&[name], "N s"));
             }
-            let along = [[1.0, 0.0], [0.0, 1.0]].map(|u| u.map(|x| Sum::of([sign(x)])));
-            for (unknown, along) in force.into_iter().zip(along) {
+            for (unknown, along) in force.into_iter().zip(axes()) {
                 let pulls = vec![self.pull(0, &place, Factors::one(), along, Some(unknown))];
-                self.holds.push(Hold { joint: 0, unknown, pulls, inward: Sum::default(), given: ZERO });
+                self.holds.push(Hold::of(0, unknown, pulls));
             }
             return;
         }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = names::joint(scene, j);
-            let blow = scene.is_struck() && self.blow.is_none();
             let letters: &[&str] = match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["Jx", "Jy"],
                 JointKind::Guide { .. } | JointKind::Cord { .. } if blow => &["J"],
@@ -1473,31 +1473,20 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.named(&[&name], if *l == "M" { "N m" } else { unit })
                 })
                 .collect();
-            let unit = [[Factors::one(), Factors::zero()], [Factors::zero(), Factors::one()]]
-                .map(|u| u.map(|f| if f.is_zero() { Sum::default() } else { Sum::one(f) }));
             match joint.kind {
                 JointKind::Pin { at, .. } => {
-                    for (force, u) in forces.iter().zip(unit) {
+                    for (force, u) in forces.iter().zip(axes()) {
                         self.add_hold(j, *force, &[(at, u)], None);
                     }
                 }
                 JointKind::Hinge { one, other, .. } => {
-                    for (force, u) in forces.iter().zip(unit) {
+                    for (force, u) in forces.iter().zip(axes()) {
                         let back = u.clone().map(|x| x.opposite());
                         self.add_hold(j, *force, &[(one, u), (other, back)], None);
                     }
                     if let Some(couple) = forces.get(2) {
-                        let none = || [Sum::default(), Sum::default()];
-                        let pulls = [(one.body, 1), (other.body, -1)].map(|(body, sense)| Pull {
-                            body,
-                            unknown: Some(*couple),
-                            size: Factors::one(),
-                            along: none(),
-                            turn: Sum::one(Factors::one().signed(sense)),
-                        });
-                        let inward = Sum::default();
-                        let pulls = pulls.to_vec();
-                        self.holds.push(Hold { joint: j, unknown: *couple, pulls, inward, given: ZERO });
+                        let on = |body, sense| Pull::couple(body, Some(*couple), Factors::one(), sense);
+                        self.holds.push(Hold::of(j, *couple, vec![on(one.body, 1), on(other.body, -1)]));
                     }
                 }
                 JointKind::Guide { at, direction_deg, mu_k, .. } => {
@@ -1531,15 +1520,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn drive(&mut self, alpha: Num) {
         let given = self.number(alpha, r"\alpha_0", "rad/s^2");
         let unknown = self.named(&[r"M_{\mathrm{d}}", r"M_{\mathrm{dr}}"], "N m");
-        let pulls = vec![Pull {
-            body: self.lead,
-            unknown: Some(unknown),
-            size: Factors::one(),
-            along: [Sum::default(), Sum::default()],
-            turn: Sum::one(Factors::one().signed(self.sense_of(self.lead))),
-        }];
+        let pull = Pull::couple(self.lead, Some(unknown), Factors::one(), self.sense_of(self.lead));
         self.driver = Some(unknown);
-        self.holds.push(Hold { joint: usize::MAX, unknown, pulls, inward: Sum::default(), given });
+        self.holds.push(Hold { given, ..Hold::of(usize::MAX, unknown, vec![pull]) });
     }
 
     /// A wheel or a point on a surface.
@@ -1636,7 +1619,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn reactions(&self) -> Vec<SymbolId> {
         self.holds.iter().map(|h| h.unknown).collect()
     }
-    /// All accelerations.
     pub fn accelerations(&self) -> Vec<SymbolId> {
         let free = self.pivot.is_none();
         self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
@@ -1985,9 +1967,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The quantity of a label once the place that is asked is solved.
-    ///
-    /// # Errors
-    /// A quantity that is not covered.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         use Quantity as Q;
         if let Some(DerivedAnswer::Value(known)) = self.found_for(label) {
@@ -2059,7 +2038,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::Rise, Owner::Body(b)) => {
                 let [_, y] = self.centre(b);
-                let is = self.at(&y, END).plus(&self.at(&y, START).opposite()).expr();
+                let is = self.change(&y).expr();
                 let tag = self.bodies[b].tag.clone();
                 new(self, [&tagged(r"\Delta y", &tag), &tagged("y", &tag)], is)
             }
@@ -2369,15 +2348,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What has to be known for what is asked.
     pub fn labels(&self) -> Vec<Label> {
         asked::needed(self.scene, self.problem)
-    }
-}
-
-/// No integral.
-#[derive(Debug, Clone, Copy)]
-struct Wrong;
-impl From<crate::num::gauss::Unsettled> for Wrong {
-    fn from(_: crate::num::gauss::Unsettled) -> Self {
-        Self
     }
 }
 
