@@ -776,6 +776,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => None,
         })
     }
+    /// Distance of the centre of a wheel from the axis of the cylinder that it touches.
+    fn apart(&self, own: &Factors, arc: &Factors, inside: bool) -> Factors {
+        let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(own) };
+        if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap }
+    }
     /// How far a wheel on a cylinder turns per angle of its centre.
     fn turning_of(&mut self, arc: (Spot, Num, [Num; 2], Num, bool, bool)) -> Factors {
         let (_, own, _, arc, inside, rolls) = arc;
@@ -904,22 +909,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let change = self.value(&last) - self.value(&first);
         self.sense = if change == 0.0 { self.value(&self.first).signum() } else { change.signum() };
         let turn = self.add_turn(planar, [first, last], [ONE, ONE]);
-        let distance = |this: &mut Self, spot: Spot| this.of_spot(spot);
         if let Some(arc) = self.arc() {
             let (at, own, middle, radius, inside, rolls) = arc;
             let (own, radius) =
                 (self.number(own, "r", "m").factors(), self.number(radius, "R", "m").factors());
-            let apart = match inside {
-                true => {
-                    let apart = radius.plus(&own.opposite());
-                    if self.value(&apart.expr()) < 0.0 {
-                        apart.opposite().upright(&self.symbols)
-                    } else {
-                        apart
-                    }
-                }
-                false => radius.plus(&own),
-            };
+            let apart = self.apart(&own, &radius, inside);
             let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
             let by = self.turning_of(arc);
             let own = if rolls && scene.bodies[body].turns {
@@ -931,7 +925,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 None
             };
             self.bodies[body].turn = own;
-            let at = distance(self, at);
+            let at = self.of_spot(at);
             let axis = self.axis_of(body);
             self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
             return Ok(());
@@ -1534,9 +1528,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let arc = self.number(arc, "R", "m").factors();
                 let out = less(&self.spot(at), &self.ground(centre_m));
                 let out = self.places(&out, self.here);
-                let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(&own) };
-                let apart =
-                    if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap };
+                let apart = self.apart(&own, &arc, inside);
                 let sense = Factors::one().signed(if inside { -1 } else { 1 });
                 let turned = inside && self.value(&arc.expr()) < self.value(&own.expr());
                 let radius = if turned { own.opposite() } else { own };
@@ -1978,25 +1970,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         let none = || DerivationStop::Beyond(Beyond::Quantity(label.quantity));
         let key = self.variant.solved.get(label).map(|e| e.value());
         let rate = if self.moves { self.rate.into() } else { ZERO };
-        let new = |this: &mut Self, names: [&str; 2], is: Expr| {
-            let names = names.map(str::to_owned);
-            this.page.find(&[&names[0], &names[1]], label.quantity.unit(), is)
-        };
+        let letters = |letters: [&str; 2], tag: &str| letters.map(|l| tagged(l, tag));
+        let i = usize::from(matches!(label.quantity, Q::AY | Q::VY));
+        let way = |b: usize| format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
         let still = matches!(label.quantity, Q::V | Q::VX | Q::VY | Q::KineticEnergy) && !self.moves;
-        let symbol = match (label.quantity, label.of) {
-            _ if still => new(self, ["v_0", "u_0"], ZERO),
+        let (names, is) = match (label.quantity, label.of) {
+            _ if still => (["v_0", "u_0"].map(str::to_owned), ZERO),
             (Q::Omega, Owner::Body(b)) => {
                 let omega = self.bodies[b].omega.ok_or_else(none)?;
                 if omega != self.rate {
                     let is = self.spin(b).by(&rate);
-                    let is = if self.value(&is) < 0.0 { -is } else { is };
+                    let is = in_sense(is.clone(), self.value(&is));
                     self.page.step(omega, is);
                 }
-                omega
+                return Ok(omega);
             }
-            (Q::Alpha, Owner::Body(b)) => self.bodies[b].alpha.ok_or_else(none)?,
+            (Q::Alpha, Owner::Body(b)) => return self.bodies[b].alpha.ok_or_else(none),
             (Q::AX | Q::AY, Owner::Body(b)) => {
-                let i = usize::from(label.quantity == Q::AY);
                 let a = self.bodies[b].a[i];
                 if let Some(pivot) = &self.pivot {
                     let is = self.component(pivot, i);
@@ -2006,8 +1996,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 if with == ZERO {
                     return Ok(a);
                 }
-                let way = tagged("a", &format!("{}{}", self.bodies[b].tag, ["x", "y"][i]));
-                new(self, [&way, &tagged("b", "x")], a + with)
+                ([tagged("a", &way(b)), tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
                 let centre = self.centre(b);
@@ -2016,7 +2005,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     None => self.speed_of(&centre, &rate),
                 };
                 let v = self.bodies[b].v;
-                self.page.step(v, is)
+                return Ok(self.page.step(v, is));
             }
             (Q::V, Owner::Spot(spot)) => {
                 let point = self.spot(spot);
@@ -2027,68 +2016,51 @@ impl<'d, 'a> Plane<'d, 'a> {
                 } else {
                     name
                 };
-                new(self, [&tagged("v", &tag), &tagged("u", &tag)], is)
+                (letters(["v", "u"], &tag), is)
             }
             (Q::VX | Q::VY, Owner::Body(b)) => {
-                let i = usize::from(label.quantity == Q::VY);
                 let line = self.centre(b)[i].clone();
                 let is = in_sense(self.rate(&line, END).expr(), self.sense).by(&rate);
-                let tag = format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
-                new(self, [&tagged("v", &tag), &tagged("u", &tag)], is)
+                (letters(["v", "u"], &way(b)), is)
             }
             (Q::Rise, Owner::Body(b)) => {
                 let [_, y] = self.centre(b);
                 let is = self.change(&y).expr();
-                let tag = self.bodies[b].tag.clone();
-                new(self, [&tagged(r"\Delta y", &tag), &tagged("y", &tag)], is)
+                (letters([r"\Delta y", "y"], &self.bodies[b].tag), is)
             }
             (Q::Phi, _) => {
                 let turned = self.turned();
-                self.sized(turned)
+                return Ok(self.sized(turned));
             }
-            (
-                Q::Normal
-                | Q::Tension
-                | Q::PinX
-                | Q::PinY
-                | Q::PinForce
-                | Q::PinAngle
-                | Q::Moment
-                | Q::Friction,
-                Owner::Joint(j),
-            ) => {
-                return self.of_joint(label.quantity, j).ok_or_else(none);
+            (quantity, Owner::Joint(j)) if quantity != Q::T => {
+                return self.of_joint(quantity, j).ok_or_else(none);
             }
-            (Q::Drive, _) => self.driver.ok_or_else(none)?,
+            (Q::Drive, _) => return self.driver.ok_or_else(none),
             (Q::Moment, Owner::Strut(s)) => {
                 let moment = *self.springs.get(s).ok_or_else(none)?;
                 let several = self.scene.struts.len() > 1;
                 let name =
                     if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
-                self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment)
+                return Ok(self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment));
             }
-            (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
+            (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
             (Q::KineticEnergy, _) => {
                 let speeds = self.speeds();
                 let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
                 let is = ratio(1, 2).by(&j).by(square(&rate));
-                new(self, ["E_{k}", r"E_{\mathrm{kin}}"], is)
-            }
-            (Q::T, _) if matches!(self.scene.end, End::Time(..)) => {
-                let End::Time(_, t) = self.scene.end else { return Err(none()) };
-                match self.number(t, "t", "s") {
-                    Expr::Symbol(t) => t,
-                    _ => return Err(none()),
-                }
+                (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), is)
             }
             (Q::T, _) => {
+                if let End::Time(_, t) = self.scene.end {
+                    return if let Expr::Symbol(t) = self.number(t, "t", "s") { Ok(t) } else { Err(none()) };
+                }
                 let symbol = self.named(&["t", "t_1"], "s");
                 self.symbols.settle(symbol, key.ok_or_else(none)?, 0.0);
-                self.page.step(symbol, symbol.into())
+                return Ok(self.page.step(symbol, symbol.into()));
             }
             _ => return Err(none()),
         };
-        Ok(symbol)
+        Ok(self.page.find(&[&names[0], &names[1]], label.quantity.unit(), is))
     }
 
     /// What a quantity is of a body on a pin that no other body has, or has in another way.
@@ -2163,12 +2135,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PeriodSmall => {
                 let frequency = of(self, Q::OmegaSmall)?;
                 ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
-            }
-            Q::T if self.scene.end != End::AtOnce => {
-                let time = self.varied(0.0, |plane| plane.time()).unwrap_or(f64::NAN);
-                let t = self.named(&["t", "t_1"], "s");
-                self.symbols.settle(t, time, 0.0);
-                return Ok(Some(self.page.step(t, t.into())));
             }
             _ => return Ok(None),
         };
@@ -2265,25 +2231,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
         self.page.expanded(&square)
     }
-    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
-    /// cosine takes away.
-    fn time(&mut self) -> f64 {
-        let Some(square) = self.pivot.as_ref().map(|p| self.square(p)) else { return f64::NAN };
-        let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
-        let (half, pieces) = (0.5 * (last - first).abs(), 40);
-        let step = std::f64::consts::PI / f64::from(pieces);
-        let mut pace = |theta: f64| {
-            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
-            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
-            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
-        };
-        let mut piece = |i: i32| {
-            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
-            gauss::mean(&places.collect::<Vec<f64>>())
-        };
-        step * (0..pieces).map(&mut piece).sum::<f64>()
-    }
-
     fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
         let speed = self.speed(point, None);
         let speed = if self.value(&speed) < 0.0 { -speed } else { speed };
@@ -2323,7 +2270,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 Some(self.page.step(force, in_sense(mu * normal, sense)))
             }
             Quantity::Friction => own.get(1).copied(),
-            _ => own.first().copied(),
+            Quantity::Normal | Quantity::Tension | Quantity::PinX => own.first().copied(),
+            _ => None,
         }
     }
 
