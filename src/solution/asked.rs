@@ -249,8 +249,10 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
     let miss = |x: f64| -> f64 {
         let mut draft = Draft::trial((problem, variant), scene, words, Symbols::new(words), Some(x));
         let measured: f64 = found.measured.value(&variant.data);
-        match derive(&mut draft).ok().and_then(|()| draft.found_for(found.label)) {
-            Some(DerivedAnswer::Value(symbol)) => draft.symbols.value(symbol) - measured,
+        let derived = derive(&mut draft);
+        match (draft.imbalance, derived.ok().and_then(|()| draft.found_for(found.label))) {
+            (Some(imbalance), _) => imbalance,
+            (None, Some(DerivedAnswer::Value(symbol))) => draft.symbols.value(symbol) - measured,
             _ => f64::NAN,
         }
     };

@@ -470,6 +470,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             // The place is that of the key: there the balance has to hold.
             let (work, gain) = (self.value(&works), self.value(&right));
             let size = work.abs() + gain.abs() + self.value(&first).abs();
+            self.imbalance = Some(work - gain);
             if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.symbols.doubt(rate)) {
                 return Err(Beyond::Differs(Quantity::Omega).into());
             }

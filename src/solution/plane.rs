@@ -6,9 +6,10 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Spot, Strut, StrutEnd, Surface,
+    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
+    RotaryInertia, Spot, Strut, StrutEnd, Surface,
 };
+use crate::solution::account::START_NAMES;
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -261,6 +262,8 @@ pub struct Plane<'d, 'a> {
     speeds: Vec<Expr>,
     /// Does the lead move as no joint says?
     drifts: Option<Vector>,
+    /// The speed at which parallel guides carry it.
+    glides: Option<Expr>,
     open: bool,
     /// Angles that the joints give: of which body, and what ties them.
     pub loops: Vec<(usize, [String; 2])>,
@@ -321,6 +324,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             moves: true,
             speeds: Vec::new(),
             drifts: None,
+            glides: None,
             open: false,
             loops: Vec::new(),
             driver: None,
@@ -339,9 +343,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         this.first = this.start_rate();
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
         this.moves = !this.scene.is_still() || sets_off;
+        if this.gliding().is_some() {
+            this.glides = Some(std::mem::replace(&mut this.first, ZERO));
+        }
         this.read_bodies();
         this.start_from()?;
         this.place()?;
+        if this.glides.is_some() {
+            // Parallel guides let nothing turn.
+            this.turns[0].rate = [ZERO, ZERO];
+        }
+        if let Some((Coordinate { body, degree: Degree::Along }, _)) = this.scene.start_speeds().next()
+            && this.first != ZERO
+        {
+            let v = this.rates(&this.centre(body), START);
+            this.first = this.first.over(product(&v, &v).rooted());
+        }
         if let (Some(symbol), Some((c, _))) = (this.spun, this.scene.start_speeds().next())
             && let Some(turn) = this.bodies[c.body].turn
         {
@@ -368,6 +385,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         this.let_drift();
         Ok(this)
+    }
+
+    /// The direction in which parallel guides carry the leading body.
+    fn gliding(&self) -> Option<[f64; 2]> {
+        Layout::new(self.scene, &Numbers::<f64>::new(self.scene, &self.values))?.glide()
     }
 
     fn find_pivot(&mut self) {
@@ -412,18 +434,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The spin that is given at the start, of whichever body.
+    /// The spin or the speed that is given at the start, of whichever body.
     fn start_rate(&mut self) -> Expr {
-        let given = self.scene.start_speeds().next();
-        given.map_or(ZERO, |(_, w)| self.number(w, r"\omega_0", "rad/s"))
+        let Some((c, given)) = self.scene.start_speeds().next() else { return ZERO };
+        let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
+        self.number(given, tex, unit)
     }
-    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1.
+    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1. Of a speed that comes
+    /// later, when all has its place.
     fn start_from(&mut self) -> Result<(), DerivationStop> {
-        let Some((c, _)) = self.scene.start_speeds().next().filter(|_| self.first != ZERO) else {
+        let turns = |c: &Coordinate| c.degree == Degree::Turn;
+        let Some((c, _)) = self.scene.start_speeds().next().filter(|(c, _)| self.first != ZERO && turns(c))
+        else {
             return Ok(());
         };
         let per = if c.body != self.lead {
-            let (Some(poses), Degree::Turn) = (self.poses(0.0, true), c.degree) else { return beyond() };
+            let Some(poses) = self.poses(0.0, true) else { return beyond() };
             let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
             let tag = format!("{},0", self.bodies[c.body].tag);
             let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
@@ -910,13 +936,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.sense = if change == 0.0 { self.value(&self.first).signum() } else { change.signum() };
         let turn = self.add_turn(planar, [first, last], [ONE, ONE]);
         if let Some(arc) = self.arc() {
-            let (at, own, middle, radius, inside, rolls) = arc;
+            let (at, own, middle, radius, inside, _) = arc;
             let (own, radius) =
                 (self.number(own, "r", "m").factors(), self.number(radius, "R", "m").factors());
             let apart = self.apart(&own, &radius, inside);
             let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
             let by = self.turning_of(arc);
-            let own = if rolls && scene.bodies[body].turns {
+            let own = if scene.bodies[body].turns {
                 let [first, last] = self.turns[turn].at.clone();
                 let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
                 let last = &first + turned;
@@ -1577,7 +1603,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
         let over = self.variant.solved.get(Label { quantity: Quantity::Normal, of: Owner::Joint(joint) });
         let presses = over.map_or(1.0, |n| n.value().signum());
-        let sense = Factors::one().signed(if key * up * presses < 0.0 { -1 } else { 1 });
+        // Where guides carry it, as it goes.
+        let carried = self.gliding().zip(self.glides.as_ref()).map_or(0.0, |([c, s], speed)| {
+            -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
+        });
+        let way = if carried == 0.0 { key * up * presses } else { carried };
+        let sense = Factors::one().signed(if way < 0.0 { -1 } else { 1 });
         let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
         let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
         let point = self.spot(at);
@@ -1999,6 +2030,10 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ([tagged("a", &way(b)), tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
+                if let Some(speed) = &self.glides {
+                    let (speed, v) = (self.positive(speed), self.bodies[b].v);
+                    return Ok(self.page.step(v, speed));
+                }
                 let centre = self.centre(b);
                 let is = match self.speeds.get(b) {
                     Some(speed) => speed.by(&rate),
