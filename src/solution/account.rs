@@ -721,6 +721,8 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(solution) = self.rows_solved() else { return beyond(Beyond::Unfound) };
         for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
             let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
+            // What is 0 but for rounding.
+            let value = if value.abs() < SLACK * self.value(&self.m.g) { 0.0 } else { value };
             self.symbols.settle(symbol, value, 0.0);
             self.found(label, symbol, symbol.into());
         }

@@ -29,7 +29,9 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
         match label.of {
             Owner::Asked(i) => {
                 let terms = scene.formulas.asked.get(i).into_iter().flat_map(|a| a.formula.names());
-                all.extend(terms.filter_map(|t| if let Term::Said(label) = t { Some(label) } else { None }));
+                // What another question asks is found with that one.
+                let said = |t| if let Term::Said(label) = t { Some(label) } else { None };
+                all.extend(terms.filter_map(said).filter(|l| !matches!(l.of, Owner::Asked(_))));
             }
             _ => all.push(label),
         }

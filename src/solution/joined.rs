@@ -212,6 +212,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
             End::AtOnce if !self.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
+            _ if self.carried_on() => "onward.other",
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.springs.is_empty() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
@@ -469,7 +470,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.page.step(rate, is.clone());
             // The place is that of the key: there the balance has to hold.
             let (work, gain) = (self.value(&works), self.value(&right));
-            let size = work.abs() + gain.abs() + self.value(&first).abs();
+            let size = self.works.iter().map(|w| self.value(w).abs()).sum::<f64>();
+            let size = size + gain.abs() + self.value(&first).abs();
             self.imbalance = Some(work - gain);
             if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.symbols.doubt(rate)) {
                 return Err(Beyond::Differs(Quantity::Omega).into());

@@ -392,6 +392,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         Layout::new(self.scene, &Numbers::<f64>::new(self.scene, &self.values))?.glide()
     }
 
+    /// Is it carried at a speed by parallel guides?
+    pub fn carried_on(&self) -> bool {
+        self.glides.as_ref().is_some_and(|speed| *speed != ZERO)
+    }
+
     fn find_pivot(&mut self) {
         let (1, [joint], None) = (self.bodies.len(), &self.scene.joints[..], self.scene.driven()) else {
             return;
