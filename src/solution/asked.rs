@@ -336,8 +336,8 @@ fn inverse(page: &Page, left: Expr, right: &Expr, symbol: SymbolId) -> Option<Ex
         own.next().filter(|_| own.next().is_none()).cloned()
     };
     let spread = |e: &Expr| {
-        let terms = if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
-        sum(terms.iter().flat_map(|t| t.factors().spread(symbol)).map(|t| t.expr()).collect::<Vec<_>>())
+        let all = e.terms().into_iter().flat_map(|t| t.factors().spread(symbol));
+        sum(all.map(|t| t.expr()))
     };
     match right {
         Expr::Symbol(_) => Some(left),

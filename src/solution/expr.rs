@@ -323,6 +323,11 @@ impl Expr {
         }
     }
 
+    /// Its terms: itself where it is no sum.
+    pub fn terms(&self) -> Vec<Self> {
+        if let Self::Sum(terms) = self { terms.clone() } else { vec![self.clone()] }
+    }
+
     /// The expressions that it is made of.
     pub fn parts(&self) -> Vec<&Self> {
         match self {

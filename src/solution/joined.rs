@@ -470,7 +470,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.page.step(rate, is.clone());
             // The place is that of the key: there the balance has to hold.
             let (work, gain) = (self.value(&works), self.value(&right));
-            let size = self.works.iter().map(|w| self.value(w).abs()).sum::<f64>();
+            let named = |w: &Expr| if let Expr::Symbol(s) = w { self.from(*s) } else { w.clone() };
+            let terms = self.works.iter().flat_map(|w| named(w).terms());
+            let size = terms.map(|w| self.value(&w).abs()).sum::<f64>();
             let size = size + gain.abs() + self.value(&first).abs();
             self.imbalance = Some(work - gain);
             if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.symbols.doubt(rate)) {
@@ -487,11 +489,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tell([rate]);
             return Ok(());
         }
-        let twice = Sum::of(self.works.iter().flat_map(|w| {
-            let terms = if let Expr::Sum(terms) = w { terms.clone() } else { vec![w.clone()] };
-            terms.into_iter().map(|w| w.factors().times(number(2))).collect::<Vec<_>>()
-        }));
-        let twice = twice.expr();
+        let twice = self.works.iter().flat_map(Expr::terms).map(|w| w.factors().times(number(2)));
+        let twice = Sum::of(twice).expr();
         let is = if from_rest {
             twice.over(&j)
         } else if same {

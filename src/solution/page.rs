@@ -109,8 +109,7 @@ impl<'d, 'a> Page<'d, 'a> {
         let factor = factor.into();
         let symbols = factor.uses();
         let holds = |e: &Expr| e.uses().iter().any(|s| symbols.contains(s));
-        let flat = |e: &Expr| if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
-        let all = flat(right).into_iter().chain(flat(left).into_iter().map(|t| -t));
+        let all = right.terms().into_iter().chain(left.terms().into_iter().map(|t| -t));
         let (own, rest): (Vec<Expr>, Vec<Expr>) = all.filter(|t| *t != ZERO).partition(holds);
         let share = Sum::of(own.iter().map(|t| (-t).factors().per(&factor))).expr();
         let sense = self.value(&share);

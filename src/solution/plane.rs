@@ -606,10 +606,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn ground(&mut self, place: [Num; 2]) -> Point {
         let [x, y] = [self.symbol(place[0], "x_0", "m"), self.symbol(place[1], "y_0", "m")];
-        [x, y].map(|e| {
-            let terms = if let Expr::Sum(terms) = e { terms } else { vec![e] };
-            Line::fixed(Sum::of(terms.iter().map(Factors::of)))
-        })
+        [x, y].map(|e| Line::fixed(Sum::of(e.terms().iter().map(Factors::of))))
     }
     /// A unit vector along a direction.
     fn direction(&mut self, degrees: Num) -> [Factors; 2] {
@@ -845,7 +842,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The change of the leading angle in degrees that the key has, with its sign.
-    fn way_of_key(&self) -> Option<f64> {
+    fn way_of_key(&mut self) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
@@ -878,14 +875,25 @@ impl<'d, 'a> Plane<'d, 'a> {
         if (ahead - behind).abs() > NOTHING {
             return Some(if ahead < behind { way } else { -way }.to_degrees());
         }
-        // Both alike: the sense in which weights and apparent forces set it off.
+        // Both alike: the sense in which weights, apparent forces, forces and couples set it off.
         let moving = self.poses(0.0, false)?;
         let [x, y] = numbers.carried.unwrap_or_default();
         let powers = self.bodies.iter().zip(&moving).map(|(it, pose)| {
             let v = pose.point([self.value(&it.centre.expr()), 0.0]).map(|v| v.first);
             -self.value(&it.mass.expr()) * (v[0] * x + v[1] * (y + numbers.gravity))
         });
-        Some((way * powers.sum::<f64>().signum()).to_degrees())
+        let mut power: f64 = powers.sum();
+        for push in self.scene.pushes.iter().filter(|p| !p.blow && !p.turns) {
+            let v = moving[push.at.body].point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
+            let [c, s] = pose::direction(&numbers, push.direction_deg);
+            power += self.datum(push.force_n) * (v[0] * c + v[1] * s);
+        }
+        for couple in &self.scene.couples {
+            let moment = signed(self.number(couple.moment_n_m, "M", "N m"), couple.forward);
+            let turn = moving[couple.body].turn().0 * f64::from(self.sense_of(couple.body));
+            power += self.value(&moment) * turn;
+        }
+        Some((way * power.signum()).to_degrees())
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -1773,11 +1781,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let angle = self.turns[0].at[END].uses().first().copied()?;
             let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
             let per = half / self.draft.pi();
-            let slope = match -self.page.expanded(&all).slope(angle, &per) {
-                Expr::Sum(terms) => Sum::of(terms.iter().map(Factors::of)).expr(),
-                one => one.factors().expr(),
-            };
-            self.page.step(k, slope);
+            let slope = (-self.page.expanded(&all).slope(angle, &per)).terms();
+            self.page.step(k, Sum::of(slope.iter().map(Factors::of)).expr());
         }
         self.k = Some(k);
         Some(k)
@@ -1973,8 +1978,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let by_rest = ahead.by(&power).plus(&given.opposite());
         let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
         let spread = |sum: &Sum, by: &Expr| {
-            let by = if let Expr::Sum(terms) = by { terms.clone() } else { vec![by.clone()] };
-            let all = by.iter().flat_map(|b| sum.terms().iter().map(|t| t.times(b)).collect::<Vec<_>>());
+            let all = by
+                .terms()
+                .into_iter()
+                .flat_map(|b| sum.terms().iter().map(|t| t.times(b)).collect::<Vec<_>>());
             all.flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
         let shared = |all: Vec<Factors>| {
