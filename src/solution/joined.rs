@@ -278,7 +278,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             End::Leaves(j) => {
                 let force = self.of_joint(Quantity::Normal, j);
                 let force = force.map_or_else(String::new, |f| self.names(&[f]));
-                self.say("joined.leaves", &[("force", &force), ("angle", &value)]);
+                let angle = self.inline(&last);
+                self.say("joined.leaves", &[("force", &force), ("angle", &angle)]);
                 None
             }
             End::TurningPoint(_) => Some("pinned.angle_turning"),
@@ -365,13 +366,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                 self.stated(self.bodies[b].v, &is)
             })
             .collect();
+        let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         let name = match (self.single(), self.scene.drifts()) {
             (true, Some(_)) => "joined.speed_drifts",
             (true, None) => "joined.speed",
-            _ => "joined.speeds",
+            (false, _) if named.is_empty() => "joined.speeds",
+            (false, _) => "joined.speeds_added",
         };
         self.say(name, &[("speeds", &moving.join(", "))]);
-        let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         self.tell(named);
         let is = self.moving.expr();
         let plain = self.single() && self.moving.terms().len() == 1;
@@ -705,7 +707,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let j = self.j();
         let found = self.leaving(joint, &j);
         let name = if found.is_some() { "joined.leaves_closed" } else { "joined.leaves_solved" };
-        self.say(name, &[("force", &force), ("rate", &rate)]);
+        let angle = self.valued(&self.turns[0].at[END], "1");
+        self.say(name, &[("force", &force), ("rate", &rate), ("angle", &angle)]);
         let Some([left, right, wave, is]) = found else { return };
         let (line, value) = (self.equation(&left, &right), self.valued(&is, "1"));
         let value = format!("{} = {}", self.tex(&wave), value.trim_matches('$'));

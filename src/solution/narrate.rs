@@ -1472,10 +1472,11 @@ impl<'d, 'a> Account<'d, 'a> {
         } else {
             self.tell([v].into_iter().chain(self.s.uses()));
         }
-        for quantity in [Quantity::Omega, Quantity::Phi, Quantity::SlipDistance] {
+        for quantity in [Quantity::Omega, Quantity::Phi] {
             self.get(of_body(quantity, body))?;
         }
-        self.say("motion.spin_of_slip", &[]);
+        let slip = self.get(of_body(Quantity::SlipDistance, body))?;
+        self.say("motion.spin_of_slip", &[("slip", &self.names(&[slip]))]);
         self.tell_new();
         Ok(())
     }

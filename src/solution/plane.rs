@@ -1981,7 +1981,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let all = by
                 .terms()
                 .into_iter()
-                .flat_map(|b| sum.terms().iter().map(|t| t.times(b)).collect::<Vec<_>>());
+                .flat_map(|b| sum.terms().iter().map(|t| t.times(&b)).collect::<Vec<_>>());
             all.flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
         let shared = |all: Vec<Factors>| {
