@@ -162,7 +162,7 @@ pub const fn of_tie(quantity: Quantity, tie: usize) -> Label {
 }
 
 /// The acceleration of a coordinate.
-const fn rate_of(c: Coordinate) -> Label {
+pub const fn rate_of(c: Coordinate) -> Label {
     of_body(if matches!(c.degree, Degree::Along) { Quantity::A } else { Quantity::Alpha }, c.body)
 }
 
@@ -210,6 +210,10 @@ fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
 
+fn unfound<T>() -> Result<T, DerivationStop> {
+    beyond(Beyond::Unfound)
+}
+
 stands_on!(Account.page: Page<'d, 'a>);
 
 impl<'d, 'a> Account<'d, 'a> {
@@ -251,7 +255,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let stiffness = this.number(ks, "k_s", "N/m");
             let stretch = this.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
-                return beyond(Beyond::Unfound);
+                return unfound();
             };
             let gamma = this.point(&action);
             if gamma.is_zero() {
@@ -339,7 +343,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// value. What turns back on its way is not drawn.
     fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
         let start = self.first_acceleration();
-        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
+        let v_label = speed_of(self.lead());
         self.accelerate();
         let h = self.halves();
         let [first, last] = [start, a].map(Expr::from);
@@ -372,7 +376,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let mean = weighed([(&g.first, (h, h + 2)), (&g.last.into(), (2, h + 2))]);
             return Ok(mean.by(&self.s));
         };
-        let (t, a) = (self.number(t, "t", "s"), self.get(self.of_lead(Quantity::A, Quantity::Alpha))?);
+        let (t, a) = (self.number(t, "t", "s"), self.get(rate_of(self.lead()))?);
         let square = (h + 2) * (h + 2);
         let [first, last] = [start, a].map(|rate| rate * &t);
         let gained = weighed([
@@ -718,7 +722,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Accelerations and reactions as all equations together give them.
     fn together(&mut self) -> Result<(), DerivationStop> {
-        let Some(solution) = self.rows_solved() else { return beyond(Beyond::Unfound) };
+        let Some(solution) = self.rows_solved() else { return unfound() };
         for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
             let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
             // What is 0 but for rounding.
@@ -751,7 +755,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
         }
         let rest = self.scene.start_speeds().next().is_none();
-        let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
+        let Ok(solution) = system.solve() else { return unfound() };
         for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
             let Some(symbol) = self.m.of(*c).v else { continue };
             let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
@@ -898,7 +902,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let per = self.drive.over(&self.effective);
             let last =
                 self.grown.iter().fold(per, |per, g| per.put(g.mean.unwrap_or(g.last), &g.last.into()));
-            self.found(self.of_lead(Quantity::A, Quantity::Alpha), a, last);
+            self.found(rate_of(self.lead()), a, last);
         }
     }
 
@@ -906,13 +910,13 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn arrive(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
         let (Some(a), Some(v)) = (self.m.of(lead).a, self.m.of(lead).v) else {
-            return beyond(Beyond::Unfound);
+            return unfound();
         };
-        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
+        let v_label = speed_of(self.lead());
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             // Where ties give no velocity ratios the swing is not known from the lead alone.
             if !self.m.one {
-                return beyond(Beyond::Unfound);
+                return unfound();
             }
             return self.arrive_on_spring(a, v);
         }
@@ -1022,9 +1026,8 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-        let (a_label, v_label) =
-            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let Some(spring) = self.spring.clone() else { return unfound() };
+        let (a_label, v_label) = (rate_of(self.lead()), speed_of(self.lead()));
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
         let mut last = None;
@@ -1069,7 +1072,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     }
                 }
             }
-            _ => return beyond(Beyond::Unfound),
+            _ => return unfound(),
         }
         if let Some(x) = last {
             let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
@@ -1134,7 +1137,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Time of a motion on a spring, by the angle of its swing.
     fn time_on_spring(&mut self) -> Result<Expr, DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let Some(spring) = self.spring.clone() else { return unfound() };
         let last = self.last.clone();
         if last == ZERO
             && !spring.rigid
@@ -1156,11 +1159,6 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok((end - begin) / frequency)
     }
 
-    /// The label of the lead: this for a line, that for a turn.
-    pub fn of_lead(&self, line: Quantity, spin: Quantity) -> Label {
-        of_body(if self.straight() { line } else { spin }, self.lead().body)
-    }
-
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
     pub fn stretch_at(&self, s: &Expr) -> Expr {
         let Some(spring) = &self.spring else { return ZERO };
@@ -1180,12 +1178,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 let mut open = self.open(*c).filter(|(t, _)| !ties.contains(t));
                 open.next().filter(|_| open.next().is_none()).map(|one| (at, one))
             });
-            let Some((at, (tie, force))) = next else { return beyond(Beyond::Unfound) };
+            let Some((at, (tie, force))) = next else { return unfound() };
             let row = rows.remove(at);
             gone.push(Eliminated { row, force, is: self.solved(row, force)? });
             ties.push(tie);
         }
-        rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Unfound.into())
+        rows.pop().map(|last| (gone, last)).ok_or(Beyond::Unfound.into())
     }
 
     /// The reactions in a row, each with its tie.
@@ -1199,7 +1197,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// A row, solved for one of its forces.
     fn solved(&self, c: Coordinate, force: SymbolId) -> Result<Expr, DerivationStop> {
         let row = (self.row_sum(c), self.gain(c));
-        self.isolated(&row, force).ok_or_else(|| Beyond::Unfound.into())
+        self.isolated(&row, force).ok_or(Beyond::Unfound.into())
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1235,7 +1233,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.solving.clear();
                 self.together()?;
                 let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
-                found.ok_or_else(|| Beyond::Unfound.into())
+                found.ok_or(Beyond::Unfound.into())
             });
         }
         let from = self.derived(label, body)?;
@@ -1311,7 +1309,7 @@ impl<'d, 'a> Account<'d, 'a> {
             // Found before, as if it rolled.
             Quantity::FrictionIfRolled => match self.draft.found_for(label) {
                 Some(DerivedAnswer::Value(symbol)) => Ok(symbol.into()),
-                _ => beyond(Beyond::Unfound),
+                _ => unfound(),
             },
             Quantity::Rise => {
                 let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
@@ -1328,13 +1326,13 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::Heat => self.heat(),
             Quantity::KBound => self.bound_of_gyration(body),
             Quantity::XEq => {
-                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                let Some(spring) = self.spring.clone() else { return unfound() };
                 // Without friction, which would hold it in many places.
                 let given = self.share_sum(&[ForceKind::Given]);
                 Ok(if self.m.tied { self.rest_under(&spring, &given) } else { ZERO })
             }
             Quantity::OmegaSmall | Quantity::PeriodSmall => {
-                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                let Some(spring) = self.spring.clone() else { return unfound() };
                 let frequency = self.frequency(&spring);
                 match label.quantity {
                     Quantity::OmegaSmall => Ok(frequency.into()),
@@ -1352,7 +1350,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The force of a fixed axle: what weight and cords leave of a sum of nothing.
     fn axle(&mut self, quantity: Quantity, body: usize) -> Result<Expr, DerivationStop> {
-        let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
+        let Some(pulls) = self.scene.axle_pulls(body) else { return unfound() };
         if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
             let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
             return Ok(if quantity == Quantity::PinForce { length(x, y) } else { self.angle_of(x, y) });
@@ -1382,12 +1380,12 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
     fn acceleration(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
         if self.m.of(c).a.is_none() || c == self.lead() || !self.m.one {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         if self.own(c) {
             return Ok(self.row_sum(c).over(sum(self.m.of(c).inertia.iter().map(Factors::expr))));
         }
-        let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
+        let by = self.get(rate_of(self.lead()))?;
         Ok(by.by(&self.m.of(c).ratio))
     }
 
@@ -1467,10 +1465,10 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Tie(t) => Some(t),
             _ => self.contact_of(body),
         };
-        let Some(tie) = tie else { return beyond(Beyond::Unfound) };
+        let Some(tie) = tie else { return unfound() };
         // Each would need the other first.
         if self.solving.contains(&tie) {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
@@ -1483,7 +1481,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let rows = rows.filter(|(_, others)| !others.iter().any(|t| self.solving.contains(t)));
         let price =
             |(c, others): &(Coordinate, Vec<usize>)| 2 * others.len() + usize::from(c.degree == Degree::Turn);
-        let Some((c, others)) = rows.min_by_key(price) else { return beyond(Beyond::Unfound) };
+        let Some((c, others)) = rows.min_by_key(price) else { return unfound() };
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
@@ -1495,7 +1493,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
         }
-        let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
+        let Some(symbol) = self.m.force_of(tie) else { return unfound() };
         let from = self.solved(c, symbol)?;
         self.solving.pop();
         Ok(self.found(self.label_of_tie(tie), symbol, from))
@@ -1526,7 +1524,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Of a friction that changes evenly with forces that grow, the larger one of its first and its last value.
     fn largest_grown(&mut self, last: SymbolId) -> Result<SymbolId, DerivationStop> {
         let Some(start) = self.first_rate else { return Ok(last) };
-        let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
+        let a = self.get(rate_of(self.lead()))?;
         let from = self.from(last).put(a, &start.into());
         let first = self.grown.iter().fold(from, |f, g| f.put(g.last, &g.first));
         if self.reactions().iter().any(|(_, f)| first.uses().contains(f)) {
@@ -1564,7 +1562,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
     pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let Some(spring) = self.spring.clone() else { return unfound() };
         let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
@@ -1582,7 +1580,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
     fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<SymbolId, DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let Some(spring) = self.spring.clone() else { return unfound() };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
         let tex = marked(self.symbols.tex(now), mark);
@@ -1601,7 +1599,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.symbols.settle(spring.tension, end, 0.0);
                 let at = self.unknowns().iter().position(|(_, s)| *s == now);
                 let Some(value) = there.zip(at).and_then(|(all, at)| all[at]) else {
-                    return beyond(Beyond::Unfound);
+                    return unfound();
                 };
                 self.symbols.settle(symbol, value, 0.0);
                 self.step(symbol, symbol.into());
@@ -1612,7 +1610,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// By how much the friction on a body grows with the tension of a cord: from its closed form.
     fn friction_per_tension(&mut self, body: usize, tie: usize) -> Result<Expr, DerivationStop> {
-        let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Unfound) };
+        let Some(closed) = self.closed_friction(body) else { return unfound() };
         let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
         let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
         Ok(over.over(&closed.under))
@@ -1655,7 +1653,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.spring.is_some() {
             return self.time_on_spring();
         }
-        let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
+        let a = self.get(rate_of(self.lead()))?;
         Ok(if self.value(&a.into()) == 0.0 {
             &self.s / &self.v0
         } else if self.v0 == ZERO {
@@ -1666,8 +1664,8 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
-        let Owner::Tie(t) = label.of else { return beyond(Beyond::Unfound) };
-        self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
+        let Owner::Tie(t) = label.of else { return unfound() };
+        self.m.action_of(t).map_or_else(|| unfound(), |a| Ok((t, a.clone())))
     }
 
     /// Travel or speed of a cord's end in the sense of the pull, from those of the centre and of the turn.
@@ -1761,7 +1759,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
         });
-        let Some(radius) = radius else { return beyond(Beyond::Unfound) };
+        let Some(radius) = radius else { return unfound() };
         let c = self.number(radius, "R", "m");
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let way = self.signed_travel(along(body))?;
@@ -1789,7 +1787,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
-        let Some(c) = c else { return beyond(Beyond::Unfound) };
+        let Some(c) = c else { return unfound() };
         let c = self.number(c, "R", "m");
         let share = |task: &Self, c: Coordinate| {
             let given = task.row(c).into_iter().filter(|(a, _)| a.kind == ForceKind::Given);
@@ -1798,7 +1796,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (force, moment) = (share(self, along(body)), share(self, turn(body)));
         let up = f64::from(self.m.parts[body].up);
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         Ok(root(c * moment / force))
     }
@@ -1810,7 +1808,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let first = in_sense(self.v0.clone(), self.sense);
         let (size, way) = match self.spring.clone() {
             // Thrown against a constant force: fastest at the start.
-            None if self.value(&self.drive) * self.sense > 0.0 => return beyond(Beyond::Unfound),
+            None if self.value(&self.drive) * self.sense > 0.0 => return unfound(),
             None => (first, ZERO),
             Some(spring) => {
                 let x_eq: Expr = self.middle(&spring)?.into();
@@ -1822,7 +1820,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     // It goes away from the place of rest, so it was fastest at the start.
                     (first, ZERO)
                 } else if !spring.rigid && self.value(&x_eq) < 0.0 {
-                    return beyond(Beyond::Unfound);
+                    return unfound();
                 } else if self.v0 == ZERO {
                     (&gap * root(&spring.stiffness / &self.effective), gap.over(&per))
                 } else {
@@ -1842,7 +1840,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(self.positive(&far));
         }
         if self.value(&self.drive) * self.sense >= 0.0 {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         Ok(&self.effective * square(&self.v0) / (number(2) * self.positive(&self.drive)))
     }
@@ -1854,7 +1852,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(far);
         }
         if self.value(&self.drive) * self.value(&far) >= 0.0 {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         let stored = &spring.stiffness * square(&spring.stretch);
         let moving = &self.effective * square(&self.v0);

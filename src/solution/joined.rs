@@ -137,9 +137,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         self.tell_values(values);
         Ok(())
     }
-    fn is_grounded(&self, _: Quantity) -> bool {
-        false
-    }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         self.get(label)
     }

@@ -62,7 +62,9 @@ pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     /// Forces that are asked.
     fn forces(&mut self) -> Result<(), DerivationStop>;
     /// Is this another quantity as it is seen from the ground?
-    fn is_grounded(&self, quantity: Quantity) -> bool;
+    fn is_grounded(&self, _: Quantity) -> bool {
+        false
+    }
     /// A quantity, looked up or derived, as it is asked.
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
     /// What is said before a quantity that is asked besides.
@@ -384,8 +386,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
-            (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
-            (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
+            (Short::Energy, _) if self.placed() && spring => "idea.spring",
+            (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
         if !found {
@@ -425,9 +427,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let rolled = std::mem::take(&mut self.supposed);
         self.end();
         self.draft.sections.extend(rolled);
-        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         match self.short {
-            Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
+            Short::Energy | Short::Motion if self.spring.is_some() && !self.placed() => self.swings(),
             Short::Energy => {
                 self.energy();
                 self.grow_up();
@@ -511,7 +512,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
             self.say("carried.ground", &[]);
         }
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let place = self.placed();
         let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
             self.say("forces.mean", &[]);
@@ -610,6 +611,10 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     fn formula(&mut self, tex: String) {
         self.page.formula(tex);
+    }
+    /// Is the place given at which it ends?
+    fn placed(&self) -> bool {
+        matches!(self.scene.end, End::Travel(..) | End::Position(..))
     }
     fn slips(&self) -> bool {
         self.m.parts.iter().any(|p| p.slips)
@@ -722,7 +727,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if directed {
             self.tell_direction();
         }
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let place = self.placed();
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
@@ -731,7 +736,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.of_lead(Quantity::V, Quantity::Omega);
+        let v = speed_of(self.lead());
         let v = self.get(v).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
@@ -811,7 +816,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say_of(name, action.body, &[("centre", &c), ("point", &away), ("gamma", &own)]);
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
-            let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+            let given = self.placed();
             let told = given && !spring && self.s != ZERO && self.asks_label(travel);
             let tail = if told { self.get(travel).ok() } else { None }.map(|l| self.step_of(l));
             match tail {
@@ -1461,9 +1466,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.short == Short::Rates {
             return Ok(());
         }
-        let v = self.of_lead(Quantity::V, Quantity::Omega);
+        let v = speed_of(self.lead());
         let v = self.get(v)?;
-        if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
+        if self.placed() {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
             let from = root(Expr::Number(2, 1) * by * self.distance());
@@ -1516,7 +1521,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, mut speeds, own) = (self.accelerations(), self.speeds(), self.speed());
         // Where the speed at the end is given, the place is asked.
-        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let placed = self.placed();
         let what = if placed { own } else { self.s.uses().first().copied().unwrap_or(own) };
         speeds.iter_mut().filter(|s| **s == own).for_each(|s| *s = what);
         let newton: Vec<SymbolId> =
@@ -1757,7 +1762,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        if !matches!(self.scene.end, End::Travel(..) | End::Position(..)) || !self.straight() {
+        if !self.placed() || !self.straight() {
             return Ok(());
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;

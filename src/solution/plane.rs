@@ -1093,23 +1093,36 @@ impl<'d, 'a> Plane<'d, 'a> {
             });
             return Ok(());
         }
-        let Some((own, other, far)) = pair else { return Ok(()) };
+        if let Some(pair) = pair {
+            placed[pair.1.body] = true;
+            self.follow_pair((body, &at, &place), pair, angles)?;
+        }
+        Ok(())
+    }
+
+    /// Places two hinged rods, of which the one is held by this place: the angle of the other one, and what ties both.
+    fn follow_pair(
+        &mut self,
+        (body, at, place): (usize, &[Factors; 2], &Point),
+        (own, other, far): (Spot, Spot, ([Factors; 2], Point)),
+        angles: &[Vec<f64>; 2],
+    ) -> Result<(), DerivationStop> {
+        let turn = self.turns.len() - 1;
         let own = self.of_spot(own);
         let own = [0, 1].map(|i| own[i].plus(&at[i].opposite()));
-        let Some(planar) = scene.planar(other.body) else { return beyond() };
+        let Some(planar) = self.scene.planar(other.body) else { return beyond() };
         self.free_turn(other.body, planar, angles);
         let second = self.of_spot(other);
         let second = [0, 1].map(|i| second[i].plus(&far.0[i].opposite()));
         let axis = self.axis(turn + 1);
         self.bodies[other.body].origin = less(&far.1, &from_axis(&axis, &far.0));
-        placed[other.body] = true;
         let (one, two) = (from_axis(&self.axis(turn), &own), from_axis(&axis, &second));
-        let gap = less(&plus(&place, &one), &plus(&far.1, &two));
+        let gap = less(&plus(place, &one), &plus(&far.1, &two));
         for line in &gap {
             self.tie(body, line, &Line::default());
         }
         // Along one of the two rods the other end of that rod does not move it.
-        let apart = less(&place, &far.1);
+        let apart = less(place, &far.1);
         for (body, turn, own, across, sense) in
             [(body, turn, &one, &two, -1), (other.body, turn + 1, &two, &one, 1)]
         {
@@ -2057,12 +2070,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::V, Owner::Spot(spot)) => {
                 let point = self.spot(spot);
                 let is = self.speed_of(&point, &rate);
-                let name = self.scene.point_name(spot).map_or("P", |n| n.1).to_owned();
-                let tag = if self.symbols.named(&[&tagged("v", &name)]).is_some() {
-                    format!("{name}{}", self.bodies[spot.body].tag)
-                } else {
-                    name
-                };
+                let name = self.scene.point_name(spot).map_or("P", |n| n.1);
+                let known = self.symbols.named(&[&tagged("v", name)]).is_some();
+                let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
+                let tag = format!("{name}{tag}");
                 (letters(["v", "u"], &tag), is)
             }
             (Q::VX | Q::VY, Owner::Body(b)) => {
@@ -2097,17 +2108,20 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let is = ratio(1, 2).by(&j).by(square(&rate));
                 (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), is)
             }
-            (Q::T, _) => {
-                if let End::Time(_, t) = self.scene.end {
-                    return if let Expr::Symbol(t) = self.number(t, "t", "s") { Ok(t) } else { Err(none()) };
-                }
-                let symbol = self.named(&["t", "t_1"], "s");
-                self.symbols.settle(symbol, key.ok_or_else(none)?, 0.0);
-                return Ok(self.page.step(symbol, symbol.into()));
-            }
+            (Q::T, _) => return self.time(key).ok_or_else(none),
             _ => return Err(none()),
         };
         Ok(self.page.find(&[&names[0], &names[1]], label.quantity.unit(), is))
+    }
+
+    /// The time up to the end: given, or that of the key.
+    fn time(&mut self, key: Option<f64>) -> Option<SymbolId> {
+        if let End::Time(_, t) = self.scene.end {
+            return self.number(t, "t", "s").uses().first().copied();
+        }
+        let symbol = self.named(&["t", "t_1"], "s");
+        self.symbols.settle(symbol, key?, 0.0);
+        Some(self.page.step(symbol, symbol.into()))
     }
 
     /// What a quantity is of a body on a pin that no other body has, or has in another way.
