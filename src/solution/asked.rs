@@ -260,8 +260,16 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
     };
     let [low, high] = found.range;
     let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);
-    let (mut low, mut high) =
-        (0..PLACES).map(|i| (at(i), at(i + 1))).find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
+    // Beyond some value there may be no such motion: up to there.
+    let defined = |mut there: f64, mut beyond: f64| {
+        for _ in 0..if miss(beyond).is_nan() && !miss(there).is_nan() { HALVINGS } else { 0 } {
+            let middle = f64::midpoint(there, beyond);
+            if miss(middle).is_nan() { beyond = middle } else { there = middle }
+        }
+        if miss(beyond).is_nan() { there } else { beyond }
+    };
+    let mut pieces = (0..PLACES).map(|i| (at(i), at(i + 1))).map(|(a, b)| (defined(b, a), defined(a, b)));
+    let (mut low, mut high) = pieces.find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
     let rising = miss(high) > 0.0 || miss(low) < 0.0;
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);

@@ -408,7 +408,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let angles = needs(|from| from.uses().len() > 1 && matches!(from, Expr::Quotient(..)));
             let notes = [
                 ("joined.in_radians", angles),
-                ("joined.of_springs", !self.springs.is_empty()),
+                ("joined.of_springs", self.scene.struts.iter().any(|s| !s.twists())),
                 ("joined.sinking", !self.single()),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);

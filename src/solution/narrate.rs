@@ -573,6 +573,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if self.v0 == ZERO && self.short != Short::Motion {
             self.energies()?;
         }
+        if self.v0 == ZERO && self.placed() && self.slips() && self.m.parts.len() == 1 {
+            self.smooth_limit();
+        }
         if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
             let still = self.get(of_scene(Quantity::XEq)).ok();
             if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
@@ -1784,6 +1787,16 @@ impl<'d, 'a> Account<'d, 'a> {
             self.tell([turn]);
         }
         Ok(())
+    }
+
+    /// Without friction: the closed form of the speed of a wheel that only slips, if it goes the same way.
+    fn smooth_limit(&mut self) {
+        let drive = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
+        let smooth = (Expr::Number(2, 1) * self.distance() * drive).over(&self.effective);
+        if self.value(&smooth) > 0.0 && self.grown.is_empty() && self.spring.is_none() {
+            let fast = self.relation(&root(smooth.clone()), self.value(&smooth).sqrt(), "m/s");
+            self.say("limits.smooth", &[("v", &self.shown(self.speed())), ("fast", &fast)]);
+        }
     }
 
     /// Without rotary inertia: the closed form of the speed that is left.

@@ -487,18 +487,18 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
             assert!(near, "{what}, seed {seed}: {here}, by hand {form}");
         };
         let (data, found, text) = of("disc-off-a-drum");
-        let [_, r, big, v0, phi0] = data[..] else { panic!("{data:?}") };
+        let [_, r, big, v0, phi0, ..] = data[..] else { panic!("{data:?}") };
         let cosine = (4.0 * wave(phi0).1 + 3.0 * v0 * v0 / (g * (big + r))) / 7.0;
         same("cosine", wave(found[0] + phi0).1, cosine);
         same("speed", found[1] * found[1], g * (big + r) * cosine);
         assert!(text.contains(r"\frac{3\,v_0^{2}}{7\,(R + r)\,g}"), "{text}");
         let (data, found, _) = of("ball-in-a-loop");
-        let [m, r, big, v0] = data[..] else { panic!("{data:?}") };
+        let [m, r, big, v0, ..] = data[..] else { panic!("{data:?}") };
         let square = v0 * v0 - 20.0 / 7.0 * g * (big - r);
         same("force of the loop", found[0], m * square / (big - r) - m * g);
         same("speed at the top", found[1] * found[1], square);
         let (data, found, text) = of("rear-brakes");
-        let [m, h, front, rear, mu, v0] = data[..] else { panic!("{data:?}") };
+        let [m, h, front, rear, mu, v0, ..] = data[..] else { panic!("{data:?}") };
         let normal = m * g * front / (front + rear + mu * h);
         for (at, form) in
             [-mu * normal / m, normal, m * v0 * v0 / (2.0 * mu * normal)].into_iter().enumerate()
@@ -507,15 +507,15 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
         }
         assert!(text.contains(r"-\mu\,N_{R} = m\,a_{x}"), "{text}");
         let (data, found, _) = of("skidding-van");
-        let [m, h, _, _, a1] = data[..] else { panic!("{data:?}") };
+        let [m, h, _, _, a1, ..] = data[..] else { panic!("{data:?}") };
         same("coefficient", found[0], -a1 / g);
         same("force of the van", found[1], m * (1.5 * g - a1 * h) / 3.5);
         let (data, found, _) = of("rod-on-a-buffer");
-        let [m, length, stiffness, phi0] = data[..] else { panic!("{data:?}") };
+        let [m, length, stiffness, phi0, ..] = data[..] else { panic!("{data:?}") };
         let fall = 0.5 * (length * wave(phi0).0 + found[0]);
         same("buffer", 0.5 * stiffness * found[0] * found[0], m * g * fall);
         let (data, found, _) = of("couple-to-the-level");
-        let [m, length, angle, _] = data[..] else { panic!("{data:?}") };
+        let [m, length, angle, _, ..] = data[..] else { panic!("{data:?}") };
         same("couple", found[0] * angle, 0.5 * m * g * length * (1.0 - wave(angle).1));
         let (data, found, text) = of("yo-yo-that-stays");
         let [m, k, r, ..] = data[..] else { panic!("{data:?}") };
@@ -524,7 +524,7 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
         }
         assert!(text.contains(r"a = 0\ \mathrm{m}/\mathrm{s}^{2}"), "{text}");
         let (data, found, _) = of("rod-on-a-cylinder");
-        let [m, _, phi] = data[..] else { panic!("{data:?}") };
+        let [m, _, phi, ..] = data[..] else { panic!("{data:?}") };
         same("turn", found[0], 0.0);
         same("force of the cylinder", found[1], m * g * wave(phi).0);
     }
