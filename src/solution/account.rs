@@ -1665,7 +1665,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
         let Owner::Tie(t) = label.of else { return unfound() };
-        self.m.action_of(t).map_or_else(|| unfound(), |a| Ok((t, a.clone())))
+        self.m.action_of(t).map_or_else(unfound, |a| Ok((t, a.clone())))
     }
 
     /// Travel or speed of a cord's end in the sense of the pull, from those of the centre and of the turn.
