@@ -21,7 +21,6 @@ use crate::solution::text::SolutionSection;
 pub struct CordSpring {
     /// Index of its tie.
     pub tie: usize,
-    /// Stiffness.
     pub stiffness: Expr,
     /// Stretch at the start.
     pub stretch: Expr,
@@ -49,7 +48,6 @@ pub struct GrownForce {
 /// A reaction as it leaves the equations: from which row, and what it is there.
 #[derive(Debug, Clone)]
 pub struct Eliminated {
-    /// The row.
     pub row: Coordinate,
     /// The reaction.
     pub force: SymbolId,
@@ -58,7 +56,7 @@ pub struct Eliminated {
 }
 
 /// Names and units of a speed and a spin of the start.
-const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
+pub const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
 
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
@@ -83,7 +81,6 @@ pub struct Account<'d, 'a> {
     pub effective: Expr,
     /// Sum of the forces but the spring's, reckoned to the lead.
     pub drive: Expr,
-    /// The spring.
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
     pub last: Expr,
@@ -165,7 +162,7 @@ pub const fn of_tie(quantity: Quantity, tie: usize) -> Label {
 }
 
 /// The acceleration of a coordinate.
-const fn rate_of(c: Coordinate) -> Label {
+pub const fn rate_of(c: Coordinate) -> Label {
     of_body(if matches!(c.degree, Degree::Along) { Quantity::A } else { Quantity::Alpha }, c.body)
 }
 
@@ -213,13 +210,14 @@ fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
 
+fn unfound<T>() -> Result<T, DerivationStop> {
+    beyond(Beyond::Unfound)
+}
+
 stands_on!(Account.page: Page<'d, 'a>);
 
 impl<'d, 'a> Account<'d, 'a> {
     /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
         let m = Terms::new(draft, rolled);
         let mut this = Self {
@@ -257,7 +255,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let stiffness = this.number(ks, "k_s", "N/m");
             let stretch = this.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
-                return beyond(Beyond::Unfound);
+                return unfound();
             };
             let gamma = this.point(&action);
             if gamma.is_zero() {
@@ -345,7 +343,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// value. What turns back on its way is not drawn.
     fn arrive_grown(&mut self, t: &Expr, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
         let start = self.first_acceleration();
-        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
+        let v_label = speed_of(self.lead());
         self.accelerate();
         let h = self.halves();
         let [first, last] = [start, a].map(Expr::from);
@@ -378,7 +376,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let mean = weighed([(&g.first, (h, h + 2)), (&g.last.into(), (2, h + 2))]);
             return Ok(mean.by(&self.s));
         };
-        let (t, a) = (self.number(t, "t", "s"), self.get(self.of_lead(Quantity::A, Quantity::Alpha))?);
+        let (t, a) = (self.number(t, "t", "s"), self.get(rate_of(self.lead()))?);
         let square = (h + 2) * (h + 2);
         let [first, last] = [start, a].map(|rate| rate * &t);
         let gained = weighed([
@@ -426,11 +424,11 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio, common factors in front. The
     /// spin of a slipping body is left out.
     fn effective_mass(&self) -> Expr {
-        let coordinates = self.scene.coordinates().filter(|c| !self.m.ratio(*c).is_zero());
+        let coordinates = self.scene.coordinates().filter(|c| !self.m.of(*c).ratio.is_zero());
         let terms: Vec<Factors> = coordinates
             .flat_map(|c| {
-                let square = self.m.ratio(c).squared();
-                self.m.inertia(c).into_iter().map(move |i| i.times(&square))
+                let square = self.m.of(c).ratio.squared();
+                self.m.of(c).inertia.iter().map(move |i| i.times(&square))
             })
             .collect();
         gathered(Sum::of(terms).terms())
@@ -460,7 +458,6 @@ impl<'d, 'a> Account<'d, 'a> {
         self.positive(&self.s)
     }
 
-    /// The lead.
     pub fn lead(&self) -> Coordinate {
         self.m.lead
     }
@@ -480,7 +477,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let scene = self.scene;
         for (c, num) in scene.start_speeds() {
             let given = self.given_start(c, num);
-            let ratio = self.m.ratio(c).clone();
+            let ratio = self.m.of(c).ratio.clone();
             if given != ZERO && !ratio.is_zero() {
                 return given.over(&ratio);
             }
@@ -514,9 +511,6 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// A quantity as it is asked: of what is carried as it is seen from the ground.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some((_, symbol)) = self.seen.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
@@ -583,7 +577,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let [rate, lead] = [self.get(rate_of(c))?, self.get(rate_of(self.lead()))?];
             self.v0.by(&(rate / lead))
         } else if at_start {
-            self.v0.by(self.m.ratio(c))
+            self.v0.by(&self.m.of(c).ratio)
         } else {
             let v = self.get(speed_of(c))?;
             if self.symbols.value(v) == 0.0 { ZERO } else { in_sense(v.into(), self.velocity_sense(c)) }
@@ -603,7 +597,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn seen_energy(&mut self, at_start: bool) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for c in self.scene.coordinates().collect::<Vec<_>>() {
-            let inertia = self.m.inertia(c);
+            let inertia = self.m.of(c).inertia.clone();
             if inertia.is_empty() {
                 continue;
             }
@@ -650,7 +644,7 @@ impl<'d, 'a> Account<'d, 'a> {
             push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
         }
         let v0 = self.value(&self.v0);
-        self.sense = match self.m.acceleration(lead) {
+        self.sense = match self.m.of(lead).a {
             _ if v0 != 0.0 => v0.signum(),
             Some(a) if !self.m.one => self.symbols.value(a).signum(),
             _ => push.signum(),
@@ -671,7 +665,7 @@ impl<'d, 'a> Account<'d, 'a> {
             };
             let push = self.value(&self.share_sum(&[ForceKind::Given])) + spring.map_or(0.0, pulls);
             let goes = if v0 == 0.0 { push } else { v0 };
-            let own = self.value(&self.m.ratio(along(body)).expr());
+            let own = self.value(&self.m.of(along(body)).ratio.expr());
             return -(goes * own).signum() * f64::from(self.m.parts[body].up);
         }
         let key = self.variant.solved.get(of_body(Quantity::Friction, body));
@@ -700,7 +694,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Accelerations and reactions that are unknown, of which the rows and the ties are as many equations.
     fn unknowns(&self) -> Vec<(Label, SymbolId)> {
-        let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.acceleration(c)?)));
+        let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.of(c).a?)));
         let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
         rates.chain(ties).collect()
     }
@@ -718,7 +712,7 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
         let each = |(tie, _): (usize, SymbolId)| {
             let terms = self.tied(tie).into_iter();
-            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.acceleration(c)?)));
+            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.of(c).a?)));
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
             if left.is_empty() { (right, ZERO) } else { (sum(left), right) }
@@ -728,9 +722,11 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Accelerations and reactions as all equations together give them.
     fn together(&mut self) -> Result<(), DerivationStop> {
-        let Some(solution) = self.rows_solved() else { return beyond(Beyond::Unfound) };
+        let Some(solution) = self.rows_solved() else { return unfound() };
         for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
             let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
+            // What is 0 but for rounding.
+            let value = if value.abs() < SLACK * self.value(&self.m.g) { 0.0 } else { value };
             self.symbols.settle(symbol, value, 0.0);
             self.found(label, symbol, symbol.into());
         }
@@ -759,9 +755,9 @@ impl<'d, 'a> Account<'d, 'a> {
             }
         }
         let rest = self.scene.start_speeds().next().is_none();
-        let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
+        let Ok(solution) = system.solve() else { return unfound() };
         for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
-            let Some(symbol) = self.m.speed(*c) else { continue };
+            let Some(symbol) = self.m.of(*c).v else { continue };
             let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
             self.symbols.settle(symbol, v, 0.0);
             self.found(speed_of(*c), symbol, symbol.into());
@@ -809,8 +805,8 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn equations(&self, body: usize) -> Vec<(Option<Coordinate>, Expr, Expr)> {
         let (mut all, part) = (Vec::new(), &self.m.parts[body]);
         for c in [along(body), turn(body)] {
-            let (inertia, forces) = (self.m.inertia(c), self.row_sum(c));
-            if let Some(a) = self.m.acceleration(c).filter(|_| !inertia.is_empty() || forces != ZERO) {
+            let (inertia, forces) = (&self.m.of(c).inertia, self.row_sum(c));
+            if let Some(a) = self.m.of(c).a.filter(|_| !inertia.is_empty() || forces != ZERO) {
                 all.push((Some(c), forces, sum(inertia.iter().map(|i| i.by(a)))));
             }
             if let (Degree::Along, Some((normal, is))) = (c.degree, part.normal.clone()) {
@@ -873,8 +869,8 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What tells a quantity of one body or cord from that of another, where several have it.
     fn tag_of(&self, label: Label) -> String {
         let has = |p: &&BodyTerms| match label.quantity {
-            Quantity::Phi | Quantity::AngularMomentum => p.alpha.is_some(),
-            Quantity::Distance | Quantity::Impulse | Quantity::Rise => p.a.is_some(),
+            Quantity::Phi | Quantity::AngularMomentum => p.spin.a.is_some(),
+            Quantity::Distance | Quantity::Impulse | Quantity::Rise => p.line.a.is_some(),
             _ => false,
         };
         let pulled =
@@ -902,28 +898,25 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The acceleration of the lead, of forces that grow at the end.
     pub fn accelerate(&mut self) {
-        if let (Some(a), true) = (self.m.acceleration(self.lead()), self.m.one) {
+        if let (Some(a), true) = (self.m.of(self.lead()).a, self.m.one) {
             let per = self.drive.over(&self.effective);
             let last =
                 self.grown.iter().fold(per, |per, g| per.put(g.mean.unwrap_or(g.last), &g.last.into()));
-            self.found(self.of_lead(Quantity::A, Quantity::Alpha), a, last);
+            self.found(rate_of(self.lead()), a, last);
         }
     }
 
     /// The motion up to its end: displacement, speed, acceleration of the lead.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn arrive(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
-            return beyond(Beyond::Unfound);
+        let (Some(a), Some(v)) = (self.m.of(lead).a, self.m.of(lead).v) else {
+            return unfound();
         };
-        let v_label = self.of_lead(Quantity::V, Quantity::Omega);
+        let v_label = speed_of(self.lead());
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             // Where ties give no velocity ratios the swing is not known from the lead alone.
             if !self.m.one {
-                return beyond(Beyond::Unfound);
+                return unfound();
             }
             return self.arrive_on_spring(a, v);
         }
@@ -1033,9 +1026,8 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-        let (a_label, v_label) =
-            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let Some(spring) = self.spring.clone() else { return unfound() };
+        let (a_label, v_label) = (rate_of(self.lead()), speed_of(self.lead()));
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
         let mut last = None;
@@ -1080,7 +1072,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     }
                 }
             }
-            _ => return beyond(Beyond::Unfound),
+            _ => return unfound(),
         }
         if let Some(x) = last {
             let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
@@ -1145,7 +1137,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Time of a motion on a spring, by the angle of its swing.
     fn time_on_spring(&mut self) -> Result<Expr, DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let Some(spring) = self.spring.clone() else { return unfound() };
         let last = self.last.clone();
         if last == ZERO
             && !spring.rigid
@@ -1167,11 +1159,6 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok((end - begin) / frequency)
     }
 
-    /// The label of the lead: this for a line, that for a turn.
-    pub fn of_lead(&self, line: Quantity, spin: Quantity) -> Label {
-        of_body(if self.straight() { line } else { spin }, self.lead().body)
-    }
-
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
     pub fn stretch_at(&self, s: &Expr) -> Expr {
         let Some(spring) = &self.spring else { return ZERO };
@@ -1182,9 +1169,6 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The reactions in the order in which they leave the equations, and the row that is left: each from a row in which it is the
     /// only one, moments first.
-    ///
-    /// # Errors
-    /// Only several equations together give a reaction.
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
@@ -1194,12 +1178,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 let mut open = self.open(*c).filter(|(t, _)| !ties.contains(t));
                 open.next().filter(|_| open.next().is_none()).map(|one| (at, one))
             });
-            let Some((at, (tie, force))) = next else { return beyond(Beyond::Unfound) };
+            let Some((at, (tie, force))) = next else { return unfound() };
             let row = rows.remove(at);
             gone.push(Eliminated { row, force, is: self.solved(row, force)? });
             ties.push(tie);
         }
-        rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Unfound.into())
+        rows.pop().map(|last| (gone, last)).ok_or(Beyond::Unfound.into())
     }
 
     /// The reactions in a row, each with its tie.
@@ -1213,25 +1197,24 @@ impl<'d, 'a> Account<'d, 'a> {
     /// A row, solved for one of its forces.
     fn solved(&self, c: Coordinate, force: SymbolId) -> Result<Expr, DerivationStop> {
         let row = (self.row_sum(c), self.gain(c));
-        self.isolated(&row, force).ok_or_else(|| Beyond::Unfound.into())
+        self.isolated(&row, force).ok_or(Beyond::Unfound.into())
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
     pub fn gain(&self, c: Coordinate) -> Expr {
         let part = &self.m.parts[c.body];
-        let (by, ratio) = match (c.degree, part.a, self.m.acceleration(self.lead())) {
-            (_, Some(a), _) if !part.along.is_zero() && !self.own(c) => (a, self.m.ratio(c).per(&part.along)),
-            (_, _, Some(lead)) => (lead, self.m.ratio(c).clone()),
+        let (by, ratio) = match (c.degree, part.line.a, self.m.of(self.lead()).a) {
+            (_, Some(a), _) if !part.line.ratio.is_zero() && !self.own(c) => {
+                (a, self.m.of(c).ratio.per(&part.line.ratio))
+            }
+            (_, _, Some(lead)) => (lead, self.m.of(c).ratio.clone()),
             _ => return ZERO,
         };
         let by = Factors::of(&by.into()).times(&ratio);
-        sum(self.m.inertia(c).iter().map(|i| i.by(&by)))
+        sum(self.m.of(c).inertia.iter().map(|i| i.by(&by)))
     }
 
     /// A quantity: looked up, or derived.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
@@ -1250,7 +1233,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.solving.clear();
                 self.together()?;
                 let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
-                found.ok_or_else(|| Beyond::Unfound.into())
+                found.ok_or(Beyond::Unfound.into())
             });
         }
         let from = self.derived(label, body)?;
@@ -1259,8 +1242,8 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(*symbol);
         }
         let own = match label.quantity {
-            Quantity::A | Quantity::Alpha => self.m.acceleration(coordinate(label.quantity, body)),
-            Quantity::V | Quantity::Omega => self.m.speed(coordinate(label.quantity, body)),
+            Quantity::A | Quantity::Alpha => self.m.of(coordinate(label.quantity, body)).a,
+            Quantity::V | Quantity::Omega => self.m.of(coordinate(label.quantity, body)).v,
             _ => None,
         };
         match (own, &from) {
@@ -1284,17 +1267,17 @@ impl<'d, 'a> Account<'d, 'a> {
         match label.quantity {
             Quantity::A | Quantity::Alpha => self.acceleration(c),
             Quantity::V | Quantity::Omega if self.own(c) => self.since_rest(c, 1),
-            Quantity::V | Quantity::Omega if self.m.speed(c).is_some() => Ok(self.over_lead(&self.v, c)),
+            Quantity::V | Quantity::Omega if self.m.of(c).v.is_some() => Ok(self.over_lead(&self.v, c)),
             Quantity::Phi | Quantity::Distance => self.travel(c),
             Quantity::Displacement => self.signed_travel(c),
             Quantity::AngularMomentum => {
                 let omega = self.get(of_body(Quantity::Omega, body))?;
-                Ok(sum(self.m.inertia(c).iter().map(|i| i.by(omega))))
+                Ok(sum(self.m.of(c).inertia.iter().map(|i| i.by(omega))))
             }
             Quantity::Impulse => {
                 let v = self.get(of_body(Quantity::V, body))?;
                 let v = in_sense(v.into(), self.velocity_sense(along(body)));
-                let before = self.v0.by(&self.m.parts[body].along);
+                let before = self.v0.by(&self.m.parts[body].line.ratio);
                 Ok(self.m.parts[body].mass.by(positive_first([v - before])))
             }
             Quantity::Work => match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
@@ -1308,7 +1291,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 if label.quantity == Quantity::WorkCouple && !self.grown.is_empty() {
                     let mut all = Vec::new();
                     for (action, _) in couples {
-                        let turn = self.m.ratio(c).times(self.m.lever(&action, c));
+                        let turn = self.m.of(c).ratio.times(self.m.lever(&action, c));
                         all.push(self.worked(&action)?.by(turn));
                     }
                     return Ok(positive_first(all));
@@ -1326,7 +1309,7 @@ impl<'d, 'a> Account<'d, 'a> {
             // Found before, as if it rolled.
             Quantity::FrictionIfRolled => match self.draft.found_for(label) {
                 Some(DerivedAnswer::Value(symbol)) => Ok(symbol.into()),
-                _ => beyond(Beyond::Unfound),
+                _ => unfound(),
             },
             Quantity::Rise => {
                 let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
@@ -1343,13 +1326,13 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::Heat => self.heat(),
             Quantity::KBound => self.bound_of_gyration(body),
             Quantity::XEq => {
-                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                let Some(spring) = self.spring.clone() else { return unfound() };
                 // Without friction, which would hold it in many places.
                 let given = self.share_sum(&[ForceKind::Given]);
                 Ok(if self.m.tied { self.rest_under(&spring, &given) } else { ZERO })
             }
             Quantity::OmegaSmall | Quantity::PeriodSmall => {
-                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                let Some(spring) = self.spring.clone() else { return unfound() };
                 let frequency = self.frequency(&spring);
                 match label.quantity {
                     Quantity::OmegaSmall => Ok(frequency.into()),
@@ -1367,7 +1350,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The force of a fixed axle: what weight and cords leave of a sum of nothing.
     fn axle(&mut self, quantity: Quantity, body: usize) -> Result<Expr, DerivationStop> {
-        let Some(pulls) = self.scene.axle_pulls(body) else { return beyond(Beyond::Unfound) };
+        let Some(pulls) = self.scene.axle_pulls(body) else { return unfound() };
         if matches!(quantity, Quantity::PinForce | Quantity::PinAngle) {
             let (x, y) = (self.get(of_body(Quantity::PinX, body))?, self.get(of_body(Quantity::PinY, body))?);
             return Ok(if quantity == Quantity::PinForce { length(x, y) } else { self.angle_of(x, y) });
@@ -1396,19 +1379,19 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
     fn acceleration(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
-        if self.m.acceleration(c).is_none() || c == self.lead() || !self.m.one {
-            return beyond(Beyond::Unfound);
+        if self.m.of(c).a.is_none() || c == self.lead() || !self.m.one {
+            return unfound();
         }
         if self.own(c) {
-            return Ok(self.row_sum(c).over(self.m.inertia_expr(c)));
+            return Ok(self.row_sum(c).over(sum(self.m.of(c).inertia.iter().map(Factors::expr))));
         }
-        let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        Ok(by.by(self.m.ratio(c)))
+        let by = self.get(rate_of(self.lead()))?;
+        Ok(by.by(&self.m.of(c).ratio))
     }
 
     /// By the lead's, a magnitude.
     fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
-        of.by(self.magnitude(self.m.ratio(c)))
+        of.by(self.magnitude(&self.m.of(c).ratio))
     }
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
@@ -1439,7 +1422,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The same with its sign.
     fn signed_travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
         if !self.own(c) {
-            return Ok(self.s.by(self.m.ratio(c)));
+            return Ok(self.s.by(&self.m.of(c).ratio));
         }
         let travel = self.travel(c)?;
         Ok(in_sense(travel, self.velocity_sense(c)))
@@ -1447,9 +1430,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Sense in which a coordinate moves; nothing turns back.
     fn velocity_sense(&self, c: Coordinate) -> f64 {
-        match self.m.acceleration(c) {
+        match self.m.of(c).a {
             Some(a) if self.own(c) => self.symbols.value(a),
-            _ => self.value(&self.m.ratio(c).expr()) * self.sense,
+            _ => self.value(&self.m.of(c).ratio.expr()) * self.sense,
         }
     }
 
@@ -1482,10 +1465,10 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Tie(t) => Some(t),
             _ => self.contact_of(body),
         };
-        let Some(tie) = tie else { return beyond(Beyond::Unfound) };
+        let Some(tie) = tie else { return unfound() };
         // Each would need the other first.
         if self.solving.contains(&tie) {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
@@ -1498,11 +1481,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let rows = rows.filter(|(_, others)| !others.iter().any(|t| self.solving.contains(t)));
         let price =
             |(c, others): &(Coordinate, Vec<usize>)| 2 * others.len() + usize::from(c.degree == Degree::Turn);
-        let Some((c, others)) = rows.min_by_key(price) else { return beyond(Beyond::Unfound) };
+        let Some((c, others)) = rows.min_by_key(price) else { return unfound() };
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
-        if self.m.parts[c.body].a.is_some() && !self.m.parts[c.body].along.is_zero() {
+        if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
             self.get(of_body(Quantity::A, c.body))?;
         }
         // Another one may have taken all equations together.
@@ -1510,7 +1493,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
             return Ok(*symbol);
         }
-        let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
+        let Some(symbol) = self.m.force_of(tie) else { return unfound() };
         let from = self.solved(c, symbol)?;
         self.solving.pop();
         Ok(self.found(self.label_of_tie(tie), symbol, from))
@@ -1541,7 +1524,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Of a friction that changes evenly with forces that grow, the larger one of its first and its last value.
     fn largest_grown(&mut self, last: SymbolId) -> Result<SymbolId, DerivationStop> {
         let Some(start) = self.first_rate else { return Ok(last) };
-        let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
+        let a = self.get(rate_of(self.lead()))?;
         let from = self.from(last).put(a, &start.into());
         let first = self.grown.iter().fold(from, |f, g| f.put(g.last, &g.first));
         if self.reactions().iter().any(|(_, f)| first.uses().contains(f)) {
@@ -1556,9 +1539,6 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring: it is linear in the
     /// tension, so one of them is the largest.
-    ///
-    /// # Errors
-    /// What is not covered.
     pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
@@ -1581,11 +1561,8 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
-    ///
-    /// # Errors
-    /// There is no spring.
     pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let Some(spring) = self.spring.clone() else { return unfound() };
         let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
@@ -1603,7 +1580,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
     fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<SymbolId, DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let Some(spring) = self.spring.clone() else { return unfound() };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
         let tex = marked(self.symbols.tex(now), mark);
@@ -1622,7 +1599,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.symbols.settle(spring.tension, end, 0.0);
                 let at = self.unknowns().iter().position(|(_, s)| *s == now);
                 let Some(value) = there.zip(at).and_then(|(all, at)| all[at]) else {
-                    return beyond(Beyond::Unfound);
+                    return unfound();
                 };
                 self.symbols.settle(symbol, value, 0.0);
                 self.step(symbol, symbol.into());
@@ -1633,7 +1610,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// By how much the friction on a body grows with the tension of a cord: from its closed form.
     fn friction_per_tension(&mut self, body: usize, tie: usize) -> Result<Expr, DerivationStop> {
-        let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Unfound) };
+        let Some(closed) = self.closed_friction(body) else { return unfound() };
         let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
         let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
         Ok(over.over(&closed.under))
@@ -1651,7 +1628,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let c = self.magnitude(&self.m.action_of(tie)?.arm);
         let mut j = Factors::zero();
-        for i in &part.inertia {
+        for i in &part.spin.inertia {
             j = j.plus(&i.per(&part.mass));
         }
         let up = part.up;
@@ -1676,7 +1653,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.spring.is_some() {
             return self.time_on_spring();
         }
-        let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
+        let a = self.get(rate_of(self.lead()))?;
         Ok(if self.value(&a.into()) == 0.0 {
             &self.s / &self.v0
         } else if self.v0 == ZERO {
@@ -1687,8 +1664,8 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
-        let Owner::Tie(t) = label.of else { return beyond(Beyond::Unfound) };
-        self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
+        let Owner::Tie(t) = label.of else { return unfound() };
+        self.m.action_of(t).map_or_else(unfound, |a| Ok((t, a.clone())))
     }
 
     /// Travel or speed of a cord's end in the sense of the pull, from those of the centre and of the turn.
@@ -1744,8 +1721,8 @@ impl<'d, 'a> Account<'d, 'a> {
     fn kinetic_sum(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for c in self.scene.coordinates() {
-            let inertia = self.m.inertia(c);
-            if inertia.is_empty() || (self.m.ratio(c).is_zero() && !self.own(c)) {
+            let inertia = self.m.of(c).inertia.clone();
+            if inertia.is_empty() || (self.m.of(c).ratio.is_zero() && !self.own(c)) {
                 continue;
             }
             let v = self.get(speed_of(c))?;
@@ -1759,12 +1736,12 @@ impl<'d, 'a> Account<'d, 'a> {
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for body in 0..self.m.parts.len() {
             let c = turn(body);
-            for i in self.m.inertia(c) {
+            for i in self.m.of(c).inertia.clone() {
                 if slips {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     turning.push(ratio(1, 2) * i.expr() * square(omega));
                 } else {
-                    turning.push(i.by(self.m.ratio(c).squared()));
+                    turning.push(i.by(self.m.of(c).ratio.squared()));
                 }
             }
         }
@@ -1782,7 +1759,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
         });
-        let Some(radius) = radius else { return beyond(Beyond::Unfound) };
+        let Some(radius) = radius else { return unfound() };
         let c = self.number(radius, "R", "m");
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let way = self.signed_travel(along(body))?;
@@ -1810,7 +1787,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
-        let Some(c) = c else { return beyond(Beyond::Unfound) };
+        let Some(c) = c else { return unfound() };
         let c = self.number(c, "R", "m");
         let share = |task: &Self, c: Coordinate| {
             let given = task.row(c).into_iter().filter(|(a, _)| a.kind == ForceKind::Given);
@@ -1819,7 +1796,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (force, moment) = (share(self, along(body)), share(self, turn(body)));
         let up = f64::from(self.m.parts[body].up);
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         Ok(root(c * moment / force))
     }
@@ -1831,7 +1808,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let first = in_sense(self.v0.clone(), self.sense);
         let (size, way) = match self.spring.clone() {
             // Thrown against a constant force: fastest at the start.
-            None if self.value(&self.drive) * self.sense > 0.0 => return beyond(Beyond::Unfound),
+            None if self.value(&self.drive) * self.sense > 0.0 => return unfound(),
             None => (first, ZERO),
             Some(spring) => {
                 let x_eq: Expr = self.middle(&spring)?.into();
@@ -1843,7 +1820,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     // It goes away from the place of rest, so it was fastest at the start.
                     (first, ZERO)
                 } else if !spring.rigid && self.value(&x_eq) < 0.0 {
-                    return beyond(Beyond::Unfound);
+                    return unfound();
                 } else if self.v0 == ZERO {
                     (&gap * root(&spring.stiffness / &self.effective), gap.over(&per))
                 } else {
@@ -1863,7 +1840,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(self.positive(&far));
         }
         if self.value(&self.drive) * self.sense >= 0.0 {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         Ok(&self.effective * square(&self.v0) / (number(2) * self.positive(&self.drive)))
     }
@@ -1875,7 +1852,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(far);
         }
         if self.value(&self.drive) * self.value(&far) >= 0.0 {
-            return beyond(Beyond::Unfound);
+            return unfound();
         }
         let stored = &spring.stiffness * square(&spring.stretch);
         let moving = &self.effective * square(&self.v0);

@@ -29,7 +29,9 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
         match label.of {
             Owner::Asked(i) => {
                 let terms = scene.formulas.asked.get(i).into_iter().flat_map(|a| a.formula.names());
-                all.extend(terms.filter_map(|t| if let Term::Said(label) = t { Some(label) } else { None }));
+                // What another question asks is found with that one.
+                let said = |t| if let Term::Said(label) = t { Some(label) } else { None };
+                all.extend(terms.filter_map(said).filter(|l| !matches!(l.of, Owner::Asked(_))));
             }
             _ => all.push(label),
         }
@@ -48,9 +50,6 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
 }
 
 /// Answers the questions by formula once everything else has been found.
-///
-/// # Errors
-/// A quantity that is not covered.
 pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
     let scene = draft.scene;
     let problem = draft.problem;
@@ -179,9 +178,6 @@ pub fn given_as(draft: &mut Draft, given: Given) -> (Expr, bool) {
 }
 
 /// A formula of the bank in the symbols of the solution; angles outside of waves count in radians.
-///
-/// # Errors
-/// Those of what it names.
 pub fn expression<V: Copy + PartialEq>(
     draft: &mut Draft,
     formula: &Formula<V>,
@@ -255,15 +251,25 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
     let miss = |x: f64| -> f64 {
         let mut draft = Draft::trial((problem, variant), scene, words, Symbols::new(words), Some(x));
         let measured: f64 = found.measured.value(&variant.data);
-        match derive(&mut draft).ok().and_then(|()| draft.found_for(found.label)) {
-            Some(DerivedAnswer::Value(symbol)) => draft.symbols.value(symbol) - measured,
+        let derived = derive(&mut draft);
+        match (draft.imbalance, derived.ok().and_then(|()| draft.found_for(found.label))) {
+            (Some(imbalance), _) => imbalance,
+            (None, Some(DerivedAnswer::Value(symbol))) => draft.symbols.value(symbol) - measured,
             _ => f64::NAN,
         }
     };
     let [low, high] = found.range;
     let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);
-    let (mut low, mut high) =
-        (0..PLACES).map(|i| (at(i), at(i + 1))).find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
+    // Beyond some value there may be no such motion: up to there.
+    let defined = |mut there: f64, mut beyond: f64| {
+        for _ in 0..if miss(beyond).is_nan() && !miss(there).is_nan() { HALVINGS } else { 0 } {
+            let middle = f64::midpoint(there, beyond);
+            if miss(middle).is_nan() { beyond = middle } else { there = middle }
+        }
+        if miss(beyond).is_nan() { there } else { beyond }
+    };
+    let mut pieces = (0..PLACES).map(|i| (at(i), at(i + 1))).map(|(a, b)| (defined(b, a), defined(a, b)));
+    let (mut low, mut high) = pieces.find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
     let rising = miss(high) > 0.0 || miss(low) < 0.0;
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);
@@ -338,8 +344,8 @@ fn inverse(page: &Page, left: Expr, right: &Expr, symbol: SymbolId) -> Option<Ex
         own.next().filter(|_| own.next().is_none()).cloned()
     };
     let spread = |e: &Expr| {
-        let terms = if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
-        sum(terms.iter().flat_map(|t| t.factors().spread(symbol)).map(|t| t.expr()).collect::<Vec<_>>())
+        let all = e.terms().into_iter().flat_map(|t| t.factors().spread(symbol));
+        sum(all.map(|t| t.expr()))
     };
     match right {
         Expr::Symbol(_) => Some(left),

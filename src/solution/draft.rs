@@ -88,6 +88,8 @@ pub struct Draft<'a> {
     pub unknown: Option<f64>,
     /// How far from the asked angle, degrees, where that is one that varies, even if it is 0.
     pub varies: Option<f64>,
+    /// What is left of the balance of work at a place that is the key's, J.
+    pub imbalance: Option<f64>,
     /// What the contacts are taken as, where another scene is worked.
     pub as_if: Option<AsIf>,
     /// The data as the scene takes them, with what it takes over where it follows another motion.
@@ -134,6 +136,7 @@ impl<'a> Draft<'a> {
             steps: Vec::new(),
             unknown,
             varies: None,
+            imbalance: None,
             as_if: None,
             values: variant.data.clone(),
             handed: Vec::new(),

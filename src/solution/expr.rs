@@ -17,7 +17,6 @@ pub enum Expr {
     Minus(Box<Expr>),
     /// A sum; terms that are [`Expr::Minus`] are subtracted.
     Sum(Vec<Expr>),
-    /// A product.
     Product(Vec<Expr>),
     /// A fraction.
     Quotient(Box<Expr>, Box<Expr>),
@@ -36,7 +35,6 @@ pub enum Function {
     Sine,
     /// Cosine of an angle.
     Cosine,
-    /// Magnitude.
     Magnitude,
     /// The angle, in radians, whose cosine it is.
     ArcCosine,
@@ -178,7 +176,6 @@ pub fn positive_first(terms: impl IntoIterator<Item = Expr>) -> Expr {
     sum(plus.into_iter().chain(minus))
 }
 
-/// The square.
 pub fn square(base: impl Into<Expr>) -> Expr {
     power(base.into(), 2)
 }
@@ -214,7 +211,6 @@ pub fn length(x: impl Into<Expr>, y: impl Into<Expr>) -> Expr {
     root(square(x) + square(y))
 }
 
-/// Magnitude.
 pub fn magnitude(of: impl Into<Expr>) -> Expr {
     Expr::Of(Function::Magnitude, Box::new(of.into()))
 }
@@ -325,6 +321,11 @@ impl Expr {
                 minus(quotient(of(inner), under))
             }
         }
+    }
+
+    /// Its terms: itself where it is no sum.
+    pub fn terms(&self) -> Vec<Self> {
+        if let Self::Sum(terms) = self { terms.clone() } else { vec![self.clone()] }
     }
 
     /// The expressions that it is made of.

@@ -209,7 +209,6 @@ impl From<&Self> for Factors {
 
 /// Products and quotients in which equal factors above and below are gone.
 pub trait Cancel {
-    /// Its factors.
     fn factors(&self) -> Factors;
     /// The product.
     fn by(&self, other: impl Into<Factors>) -> Expr {
@@ -339,7 +338,6 @@ impl Sum {
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
-    /// Its terms.
     pub fn terms(&self) -> &[Factors] {
         &self.0
     }

@@ -52,9 +52,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         if self.scene.is_still() || self.rubs() {
             return;
         }
-        if let Some(pivot) = &self.pivot {
-            let pin = format!("${}$", pivot.name);
-            self.say("pinned.idea_pin", &[("pin", &pin)]);
+        if let Some(pivot) = self.pivot.clone() {
+            self.say("pinned.idea_pin", &[("pin", &pivot.name)]);
             return;
         }
         self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
@@ -138,9 +137,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         self.tell_values(values);
         Ok(())
     }
-    fn is_grounded(&self, _: Quantity) -> bool {
-        false
-    }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         self.get(label)
     }
@@ -165,8 +161,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             let Some(force) = self.of_joint(quantity, j) else { continue };
             if self.leaves() == Some(j) {
                 // The place is that of the key: there the force has to vanish.
-                let weight: f64 = self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum();
-                if self.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * weight {
+                if self.symbols.value(force).abs() > AGREEMENT_REL * 9.81 * self.mass() {
                     return Err(Beyond::Differs(quantity).into());
                 }
             } else if !self.symbols.value(force).is_nan() {
@@ -214,6 +209,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
             End::AtOnce if !self.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
+            _ if self.carried_on() => "onward.other",
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.springs.is_empty() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
@@ -250,6 +246,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
         self.page.say(name, pieces);
     }
+    /// Answers what is asked of these quantities.
+    fn answers(&mut self, which: &dyn Fn(Quantity) -> bool) -> Result<Vec<Label>, DerivationStop> {
+        let all: Vec<Label> = self.labels().into_iter().filter(|l| which(l.quantity)).collect();
+        for label in &all {
+            let symbol = self.get(*label)?;
+            self.answer(*label, DerivedAnswer::Value(symbol));
+        }
+        Ok(all)
+    }
+    /// The sum of all masses.
+    fn mass(&self) -> f64 {
+        self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum()
+    }
     /// Does nothing turn?
     fn points(&self) -> bool {
         self.bodies.iter().all(|b| b.alpha.is_none())
@@ -266,7 +275,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             End::Leaves(j) => {
                 let force = self.of_joint(Quantity::Normal, j);
                 let force = force.map_or_else(String::new, |f| self.names(&[f]));
-                self.say("joined.leaves", &[("force", &force), ("angle", &value)]);
+                let angle = self.inline(&last);
+                self.say("joined.leaves", &[("force", &force), ("angle", &angle)]);
                 None
             }
             End::TurningPoint(_) => Some("pinned.angle_turning"),
@@ -301,16 +311,13 @@ impl<'d, 'a> Plane<'d, 'a> {
             &[("angles", &angles.join("; "))],
         );
         let loops: Vec<String> = self.loops.iter().map(|(_, [a, b])| format!("{a} = {b}")).collect();
-        match &loops[..] {
-            [one] if width(one) <= WITHIN => self.add(format!("${one}$.")),
-            _ => self.formulas(loops),
-        }
+        self.formulas_or_one(loops);
     }
 
     /// Moment of inertia about the pin.
     fn about_the_pin(&mut self, pivot: &Pivot) {
-        let pin = format!("${}$", pivot.name);
-        self.say(if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[("pin", &pin)]);
+        let name = if pivot.own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" };
+        self.say(name, &[("pin", &pivot.name)]);
         let square = self.bodies[0].mass.times(pivot.h.squared());
         let (short, whole) = (pivot.own.factors().plus(&square).expr(), self.from(pivot.about));
         let line = self.chain(pivot.about, &whole);
@@ -356,13 +363,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                 self.stated(self.bodies[b].v, &is)
             })
             .collect();
+        let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         let name = match (self.single(), self.scene.drifts()) {
             (true, Some(_)) => "joined.speed_drifts",
             (true, None) => "joined.speed",
-            _ => "joined.speeds",
+            (false, _) if named.is_empty() => "joined.speeds",
+            (false, _) => "joined.speeds_added",
         };
         self.say(name, &[("speeds", &moving.join(", "))]);
-        let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         self.tell(named);
         let is = self.moving.expr();
         let plain = self.single() && self.moving.terms().len() == 1;
@@ -375,12 +383,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let energy = self.inline(&(ratio(1, 2).by(j).by(square(self.rate))));
             self.say("joined.energy", &[("energy", &energy)]);
             let line = self.step_of(j);
-            if width(&line) <= WITHIN && !line.contains('&') {
-                self.add(format!("${line}$."));
-                self.told(j);
-            } else {
-                self.display(j, &is, "");
-            }
+            self.formulas_or_one(vec![line]);
+            self.told(j);
             self.j = Some(j);
         }
     }
@@ -404,7 +408,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let angles = needs(|from| from.uses().len() > 1 && matches!(from, Expr::Quotient(..)));
             let notes = [
                 ("joined.in_radians", angles),
-                ("joined.of_springs", !self.springs.is_empty()),
+                ("joined.of_springs", self.scene.struts.iter().any(|s| !s.twists())),
                 ("joined.sinking", !self.single()),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);
@@ -434,12 +438,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         self.balance()?;
         self.skip_new();
-        for label in self.labels() {
-            if matches!(label.quantity, Quantity::V | Quantity::Omega | Quantity::VX | Quantity::VY) {
-                let symbol = self.get(label)?;
-                self.answer(label, DerivedAnswer::Value(symbol));
-            }
-        }
+        use Quantity::{Omega, V, VX, VY};
+        self.answers(&|q| matches!(q, V | Omega | VX | VY))?;
         self.tell_new();
         Ok(())
     }
@@ -469,7 +469,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.page.step(rate, is.clone());
             // The place is that of the key: there the balance has to hold.
             let (work, gain) = (self.value(&works), self.value(&right));
-            let size = work.abs() + gain.abs() + self.value(&first).abs();
+            let named = |w: &Expr| if let Expr::Symbol(s) = w { self.from(*s) } else { w.clone() };
+            let terms = self.works.iter().flat_map(|w| named(w).terms());
+            let size = terms.map(|w| self.value(&w).abs()).sum::<f64>();
+            let size = size + gain.abs() + self.value(&first).abs();
+            self.imbalance = Some(work - gain);
             if (work - gain).abs() > f64::max(AGREEMENT_REL * size, self.symbols.doubt(rate)) {
                 return Err(Beyond::Differs(Quantity::Omega).into());
             }
@@ -484,11 +488,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tell([rate]);
             return Ok(());
         }
-        let twice = Sum::of(self.works.iter().flat_map(|w| {
-            let terms = if let Expr::Sum(terms) = w { terms.clone() } else { vec![w.clone()] };
-            terms.into_iter().map(|w| w.factors().times(number(2))).collect::<Vec<_>>()
-        }));
-        let twice = twice.expr();
+        let twice = self.works.iter().flat_map(Expr::terms).map(|w| w.factors().times(number(2)));
+        let twice = Sum::of(twice).expr();
         let is = if from_rest {
             twice.over(&j)
         } else if same {
@@ -546,20 +547,18 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(pivot) = &pivot {
             self.about_the_pin(pivot);
         }
-        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
+        let pin = pivot.as_ref().map_or("", |p| &p.name);
         let name = match &pivot {
             None if blow.impulses.is_empty() => "joined.blow",
             None => "joined.blow_joints",
             Some(pivot) if pivot.radial => "joined.blow_radial",
             Some(_) => "joined.blow_pinned",
         };
-        self.say(name, &[("pin", &pin)]);
-        let rows = blow.rows.iter().map(|(l, r)| self.equation(l, r)).collect::<Vec<_>>();
-        self.formulas(rows);
+        self.say(name, &[("pin", pin)]);
+        self.page.equations(&blow.rows);
         if !blow.demands.is_empty() && blow.demands.len() <= FEW {
             self.say("joined.blow_demands", &[]);
-            let lines = blow.demands.iter().map(|(l, r)| self.equation(l, r)).collect::<Vec<_>>();
-            self.formulas(lines);
+            self.page.equations(&blow.demands);
         }
         let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
         let mut order: Vec<SymbolId> = blow.steps.iter().map(|s| s.symbol).collect();
@@ -575,10 +574,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Equilibrium: no force accelerates anything; and how it swings beside it.
     fn at_rest(&mut self) -> Result<(), DerivationStop> {
         self.motion("short", "rest_motion")?;
-        let weight: f64 = self.bodies.iter().map(|b| self.value(&b.mass.expr())).sum();
         let rows: Vec<(Expr, Expr)> = (0..self.bodies.len()).flat_map(|b| self.equations(b)).collect();
         let left = rows.iter().map(|(left, _)| self.value(left).abs()).fold(0.0, f64::max);
-        if !left.le(&(AGREEMENT_REL * 9.81 * weight)) {
+        if !left.le(&(AGREEMENT_REL * 9.81 * self.mass())) {
             return Err(Beyond::Differs(Quantity::Phi).into());
         }
         let small = [Quantity::OmegaSmall, Quantity::PeriodSmall].iter().any(|q| self.asks(*q));
@@ -596,12 +594,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.tell([k]);
         }
         self.skip_new();
-        for label in self.labels() {
-            if matches!(label.quantity, Quantity::OmegaSmall | Quantity::PeriodSmall) {
-                let symbol = self.get(label)?;
-                self.answer(label, DerivedAnswer::Value(symbol));
-            }
-        }
+        self.answers(&|q| matches!(q, Quantity::OmegaSmall | Quantity::PeriodSmall))?;
         self.tell_new();
         Ok(())
     }
@@ -667,11 +660,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         self.skip_new();
         let pivot = self.pivot.clone();
-        let forces = pivot.as_ref().map(|p| p.force.map(|f| self.names(&[f])));
-        let pin = pivot.as_ref().map_or_else(String::new, |p| format!("${}$", p.name));
-        let pieces = forces
+        let pieces = pivot.map(|p| (p.force.map(|f| self.names(&[f])), p.name));
+        let pieces = pieces
             .as_ref()
-            .map(|[radial, across]| [("radial", &**radial), ("across", &**across), ("pin", pin.as_str())]);
+            .map(|([radial, across], pin)| [("radial", &**radial), ("across", &**across), ("pin", &**pin)]);
         // The place has been named with the force of the spring.
         let there =
             if self.instant() || pieces.is_some() && !self.springs.is_empty() { "" } else { "_there" };
@@ -690,8 +682,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {
             self.say(if self.points() { "joined.point_demands" } else { "joined.demands" }, &[]);
-            let lines: Vec<String> = demands.iter().map(|(l, r)| self.equation(l, r)).collect();
-            self.formulas(lines);
+            self.page.equations(&demands);
         }
         if let Some(joint) = self.leaves() {
             self.where_it_leaves(joint);
@@ -713,7 +704,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let j = self.j();
         let found = self.leaving(joint, &j);
         let name = if found.is_some() { "joined.leaves_closed" } else { "joined.leaves_solved" };
-        self.say(name, &[("force", &force), ("rate", &rate)]);
+        let angle = self.valued(&self.turns[0].at[END], "1");
+        self.say(name, &[("force", &force), ("rate", &rate), ("angle", &angle)]);
         let Some([left, right, wave, is]) = found else { return };
         let (line, value) = (self.equation(&left, &right), self.valued(&is, "1"));
         let value = format!("{} = {}", self.tex(&wave), value.trim_matches('$'));
@@ -891,22 +883,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let ways = [chains(&all), chains(&needed), plain(&all)];
         let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
         let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
-        match &told[..] {
-            [one] if width(one) <= WITHIN => self.add(format!("${one}$.")),
-            _ => self.formulas(told),
-        }
+        self.formulas_or_one(told);
         self.skip_new();
     }
 
     /// What the equations of a body on a pin give one after the other, as far as it is asked, and what the signs say.
     fn forces_of_the_pin(&mut self, kinetic: &dyn Fn(Quantity) -> bool) -> Result<(), DerivationStop> {
-        let asked: Vec<Label> = self.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
-        let Some(pivot) = self.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
         let before = self.steps.len();
-        for label in &asked {
-            let symbol = self.get(*label)?;
-            self.answer(*label, DerivedAnswer::Value(symbol));
-        }
+        let asked = self.answers(kinetic)?;
+        let Some(pivot) = self.pivot.clone().filter(|_| !asked.is_empty()) else { return Ok(()) };
         self.skip_new();
         let held = asked.iter().any(|l| l.quantity != Quantity::Alpha);
         let solved = self.accelerations().into_iter().chain(pivot.force.into_iter().filter(|_| held));

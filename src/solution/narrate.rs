@@ -62,7 +62,9 @@ pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     /// Forces that are asked.
     fn forces(&mut self) -> Result<(), DerivationStop>;
     /// Is this another quantity as it is seen from the ground?
-    fn is_grounded(&self, quantity: Quantity) -> bool;
+    fn is_grounded(&self, _: Quantity) -> bool {
+        false
+    }
     /// A quantity, looked up or derived, as it is asked.
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop>;
     /// What is said before a quantity that is asked besides.
@@ -113,9 +115,6 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
 }
 
 /// Writes the sections of a scene.
-///
-/// # Errors
-/// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.lead().is_some() {
         return tell(&mut Plane::new(draft)?);
@@ -272,9 +271,6 @@ fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) ->
 }
 
 /// Quantities of the scene as if its contacts were others: the equations of motion, solved again.
-///
-/// # Errors
-/// What is not covered.
 pub fn as_if(
     draft: &mut Draft,
     how: AsIf,
@@ -390,8 +386,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
-            (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
-            (Short::Energy, End::Travel(..) | End::Position(..)) => "idea.place",
+            (Short::Energy, _) if self.placed() && spring => "idea.spring",
+            (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
         if !found {
@@ -431,9 +427,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let rolled = std::mem::take(&mut self.supposed);
         self.end();
         self.draft.sections.extend(rolled);
-        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
         match self.short {
-            Short::Energy | Short::Motion if self.spring.is_some() && !placed => self.swings(),
+            Short::Energy | Short::Motion if self.spring.is_some() && !self.placed() => self.swings(),
             Short::Energy => {
                 self.energy();
                 self.grow_up();
@@ -517,7 +512,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
             self.say("carried.ground", &[]);
         }
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let place = self.placed();
         let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
             self.say("forces.mean", &[]);
@@ -578,6 +573,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if self.v0 == ZERO && self.short != Short::Motion {
             self.energies()?;
         }
+        if self.v0 == ZERO && self.placed() && self.slips() && self.m.parts.len() == 1 {
+            self.smooth_limit();
+        }
         if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
             let still = self.get(of_scene(Quantity::XEq)).ok();
             if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
@@ -591,7 +589,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().filter(|p| p.a.is_none() && p.alpha.is_some()).count() == 1
+        let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1
             && self.scene.formulas.found.is_none();
         let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
         match () {
@@ -616,6 +614,10 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     fn formula(&mut self, tex: String) {
         self.page.formula(tex);
+    }
+    /// Is the place given at which it ends?
+    fn placed(&self) -> bool {
+        matches!(self.scene.end, End::Travel(..) | End::Position(..))
     }
     fn slips(&self) -> bool {
         self.m.parts.iter().any(|p| p.slips)
@@ -642,11 +644,11 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     /// The speed of the lead.
     fn speed(&self) -> SymbolId {
-        self.m.speed(self.lead()).unwrap_or(SymbolId(0))
+        self.m.of(self.lead()).v.unwrap_or(SymbolId(0))
     }
     /// The acceleration of the lead.
     fn rate(&self) -> SymbolId {
-        self.m.acceleration(self.lead()).unwrap_or(SymbolId(0))
+        self.m.of(self.lead()).a.unwrap_or(SymbolId(0))
     }
 
     // What the scene has.
@@ -692,14 +694,14 @@ impl<'d, 'a> Account<'d, 'a> {
     fn coordinates(&self) -> Vec<Coordinate> {
         self.scene
             .coordinates()
-            .filter(|c| !self.m.inertia(*c).is_empty() || self.m.speed(*c).is_some())
+            .filter(|c| !self.m.of(*c).inertia.is_empty() || self.m.of(*c).v.is_some())
             .collect()
     }
     fn speeds(&self) -> Vec<SymbolId> {
-        self.coordinates().iter().filter_map(|c| self.m.speed(*c)).collect()
+        self.coordinates().iter().filter_map(|c| self.m.of(*c).v).collect()
     }
     fn accelerations(&self) -> Vec<SymbolId> {
-        self.coordinates().iter().filter_map(|c| self.m.acceleration(*c)).collect()
+        self.coordinates().iter().filter_map(|c| self.m.of(*c).a).collect()
     }
     /// `v = r omega` and its likes: every other coordinate by the lead's; speeds are magnitudes.
     fn links(&self, signed: bool, of: impl Fn(&Self, Coordinate) -> Option<SymbolId>) -> Vec<String> {
@@ -709,7 +711,7 @@ impl<'d, 'a> Account<'d, 'a> {
         others
             .filter_map(|c| {
                 let symbol = of(self, c)?;
-                let ratio = self.m.ratio(c);
+                let ratio = &self.m.of(c).ratio;
                 let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
                 let right = by.by(&ratio);
                 Some(self.stated(symbol, &right))
@@ -728,7 +730,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if directed {
             self.tell_direction();
         }
-        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let place = self.placed();
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
@@ -737,7 +739,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // The stretch at the end comes before the balance.
         let spring = self.spring.clone();
-        let v = self.of_lead(Quantity::V, Quantity::Omega);
+        let v = speed_of(self.lead());
         let v = self.get(v).ok();
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
@@ -755,7 +757,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.tell(grown);
         }
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
-        let links = self.links(false, |n, c| n.m.speed(c));
+        let links = self.links(false, |n, c| n.m.of(c).v);
         // Of a start with a speed the gain is written with them already.
         let (before, links) = if self.v0 == ZERO { (Vec::new(), links) } else { (links, Vec::new()) };
         if !before.is_empty() {
@@ -817,7 +819,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say_of(name, action.body, &[("centre", &c), ("point", &away), ("gamma", &own)]);
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
-            let given = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+            let given = self.placed();
             let told = given && !spring && self.s != ZERO && self.asks_label(travel);
             let tail = if told { self.get(travel).ok() } else { None }.map(|l| self.step_of(l));
             match tail {
@@ -845,8 +847,8 @@ impl<'d, 'a> Account<'d, 'a> {
         works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
-            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.speed(c)?)));
-            let inertias = speeds.flat_map(|(c, v)| self.m.inertia(c).into_iter().map(move |i| (i, v)));
+            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.of(c).v?)));
+            let inertias = speeds.flat_map(|(c, v)| self.m.of(c).inertia.iter().map(move |i| (i, v)));
             sum(inertias.map(|(i, v)| i.times(square(v)).by(&half)))
         } else {
             ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
@@ -972,7 +974,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
         }
         let links = if self.m.one {
-            self.links(true, |n, c| n.m.acceleration(c))
+            self.links(true, |n, c| n.m.of(c).a)
         } else {
             self.demands().iter().map(|(left, right)| format!("${}$", self.equation(left, right))).collect()
         };
@@ -1100,11 +1102,12 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn say_senses(&mut self) {
-        let both = self.m.parts.iter().filter(|p| p.a.is_some() && p.alpha.is_some());
-        let ahead: Vec<bool> = both.map(|p| self.value(&p.along.times(&p.turn).expr()) >= 0.0).collect();
+        let both = self.m.parts.iter().filter(|p| p.line.a.is_some() && p.spin.a.is_some());
+        let ahead: Vec<bool> =
+            both.map(|p| self.value(&p.line.ratio.times(&p.spin.ratio).expr()) >= 0.0).collect();
         let wheels = !ahead.is_empty() && ahead.iter().all(|a| *a);
         self.say(if wheels { "motion.senses" } else { "motion.senses_alone" }, &[]);
-        if self.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some()) {
+        if self.m.parts.iter().any(|p| p.line.a.is_none() && p.spin.a.is_some()) {
             self.say("motion.senses_axle", &[]);
         }
         let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
@@ -1349,7 +1352,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Moment of inertia of a body as one term.
     fn inertia_of(&self, body: usize) -> Factors {
-        self.m.parts[body].inertia.iter().fold(Factors::zero(), |all, i| all.plus(i))
+        self.m.parts[body].spin.inertia.iter().fold(Factors::zero(), |all, i| all.plus(i))
     }
 
     /// Where a thrown body is at the end of a leg; it rolls where no spin is given.
@@ -1466,9 +1469,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.short == Short::Rates {
             return Ok(());
         }
-        let v = self.of_lead(Quantity::V, Quantity::Omega);
+        let v = speed_of(self.lead());
         let v = self.get(v)?;
-        if matches!(self.scene.end, End::Travel(..) | End::Position(..)) {
+        if self.placed() {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
             let from = root(Expr::Number(2, 1) * by * self.distance());
@@ -1477,10 +1480,11 @@ impl<'d, 'a> Account<'d, 'a> {
         } else {
             self.tell([v].into_iter().chain(self.s.uses()));
         }
-        for quantity in [Quantity::Omega, Quantity::Phi, Quantity::SlipDistance] {
+        for quantity in [Quantity::Omega, Quantity::Phi] {
             self.get(of_body(quantity, body))?;
         }
-        self.say("motion.spin_of_slip", &[]);
+        let slip = self.get(of_body(Quantity::SlipDistance, body))?;
+        self.say("motion.spin_of_slip", &[("slip", &self.names(&[slip]))]);
         self.tell_new();
         Ok(())
     }
@@ -1494,7 +1498,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else { return Ok(()) };
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let (part, d) = (self.m.parts[body].clone(), self.distance());
-        let (Some(v), Some(w)) = (part.v, part.omega) else { return Ok(()) };
+        let (Some(v), Some(w)) = (part.line.v, part.spin.v) else { return Ok(()) };
         let half = ratio(1, 2);
         let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
@@ -1502,7 +1506,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let [forces, moments] =
             [Degree::Along, Degree::Turn].map(|degree| self.row_sum(Coordinate { body, degree }));
         let (work, gain) = (in_sense(forces, place) * d, &half * part.mass.expr() * square(v));
-        let spin = sum(part.inertia.iter().map(|i| &half * i.expr() * square(w)));
+        let spin = sum(part.spin.inertia.iter().map(|i| &half * i.expr() * square(w)));
         let centre = self.equation(&work, &gain);
         let rotation = self.equation(&(in_sense(moments, turn) * phi), &spin);
         let f = self.kinetic_frictions();
@@ -1520,7 +1524,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, mut speeds, own) = (self.accelerations(), self.speeds(), self.speed());
         // Where the speed at the end is given, the place is asked.
-        let placed = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        let placed = self.placed();
         let what = if placed { own } else { self.s.uses().first().copied().unwrap_or(own) };
         speeds.iter_mut().filter(|s| **s == own).for_each(|s| *s = what);
         let newton: Vec<SymbolId> =
@@ -1643,14 +1647,14 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             let (true, Some(mu)) = (self.v0 == ZERO && self.m.one, mu_s) else { continue };
             let along = Coordinate { body, degree: Degree::Along };
-            if self.m.ratio(along).is_zero() {
+            if self.m.of(along).ratio.is_zero() {
                 continue;
             }
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
             let push = self.at_start(&self.share_sum(&[ForceKind::Given]));
             let push = positive_first([in_sense(push, self.sense)]);
-            let hold = (mu * n) * self.magnitude(self.m.ratio(along)).expr();
+            let hold = (mu * n) * self.magnitude(&self.m.of(along).ratio).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
         }
@@ -1761,7 +1765,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        if !matches!(self.scene.end, End::Travel(..) | End::Position(..)) || !self.straight() {
+        if !self.placed() || !self.straight() {
             return Ok(());
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;
@@ -1785,14 +1789,24 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
+    /// Without friction: the closed form of the speed of a wheel that only slips, if it goes the same way.
+    fn smooth_limit(&mut self) {
+        let drive = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
+        let smooth = (Expr::Number(2, 1) * self.distance() * drive).over(&self.effective);
+        if self.value(&smooth) > 0.0 && self.grown.is_empty() && self.spring.is_none() {
+            let fast = self.relation(&root(smooth.clone()), self.value(&smooth).sqrt(), "m/s");
+            self.say("limits.smooth", &[("v", &self.shown(self.speed())), ("fast", &fast)]);
+        }
+    }
+
     /// Without rotary inertia: the closed form of the speed that is left.
     fn massless_limit(&mut self) {
         let v = self.speed();
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
         let masses: Vec<Expr> = lines
             .flat_map(|c| {
-                let by = self.m.ratio(c).squared();
-                self.m.inertia(c).into_iter().map(move |i| i.by(&by))
+                let by = self.m.of(c).ratio.squared();
+                self.m.of(c).inertia.iter().map(move |i| i.by(&by))
             })
             .filter(|e| *e != ZERO)
             .collect();
@@ -1835,7 +1849,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Has anything that turns a moment of inertia?
     fn spins(&self) -> bool {
-        self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.inertia(c).is_empty())
+        self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.m.of(c).inertia.is_empty())
     }
 
     /// Shares of the kinetic energy.

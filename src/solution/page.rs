@@ -27,7 +27,6 @@ const FLAT: f64 = 1e-9;
 /// A quantity as it was found.
 #[derive(Debug, Clone)]
 pub struct Step {
-    /// Its symbol.
     pub symbol: SymbolId,
     /// What it is equal to.
     pub from: Expr,
@@ -35,7 +34,6 @@ pub struct Step {
 
 /// The section that is being written.
 pub struct Page<'d, 'a> {
-    /// The draft.
     pub draft: &'d mut Draft<'a>,
     /// What was found, in order.
     pub steps: Vec<Step>,
@@ -111,8 +109,7 @@ impl<'d, 'a> Page<'d, 'a> {
         let factor = factor.into();
         let symbols = factor.uses();
         let holds = |e: &Expr| e.uses().iter().any(|s| symbols.contains(s));
-        let flat = |e: &Expr| if let Expr::Sum(terms) = e { terms.clone() } else { vec![e.clone()] };
-        let all = flat(right).into_iter().chain(flat(left).into_iter().map(|t| -t));
+        let all = right.terms().into_iter().chain(left.terms().into_iter().map(|t| -t));
         let (own, rest): (Vec<Expr>, Vec<Expr>) = all.filter(|t| *t != ZERO).partition(holds);
         let share = Sum::of(own.iter().map(|t| (-t).factors().per(&factor))).expr();
         let sense = self.value(&share);
@@ -204,6 +201,18 @@ impl<'d, 'a> Page<'d, 'a> {
         for line in packed(all) {
             self.formula(line);
         }
+    }
+    /// The same; a single short one within the sentence.
+    pub fn formulas_or_one(&mut self, all: Vec<String>) {
+        match &all[..] {
+            [one] if width(one) <= WITHIN && !one.contains('&') => self.add(format!("${one}$.")),
+            _ => self.formulas(all),
+        }
+    }
+    /// Equations, as many to a line as it holds.
+    pub fn equations(&mut self, all: &[(Expr, Expr)]) {
+        let lines: Vec<String> = all.iter().map(|(l, r)| self.equation(l, r)).collect();
+        self.formulas(lines);
     }
     /// The pictures of the scene and of its free bodies.
     pub fn sketch(&mut self) {

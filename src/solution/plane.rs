@@ -6,9 +6,10 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Spot, StrutEnd, Surface,
+    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
+    RotaryInertia, Spot, Strut, StrutEnd, Surface,
 };
+use crate::solution::account::START_NAMES;
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -31,6 +32,11 @@ const ROUNDING: f64 = 1e-12;
 const NOTHING: f64 = 1e-12;
 
 type Vector = [Sum; 2];
+
+/// To the right and up.
+fn axes() -> [Vector; 2] {
+    [[1.0, 0.0], [0.0, 1.0]].map(|unit| unit.map(|x| Sum::of([sign(x)])))
+}
 
 /// An angle on which places depend.
 #[derive(Debug, Clone)]
@@ -120,7 +126,6 @@ pub struct PlaneBody {
     pub name: String,
     /// What stands below its symbols.
     pub tag: String,
-    /// Mass.
     pub mass: Factors,
     /// Moment of inertia about the mass centre, as a sum.
     pub inertia: Vec<Factors>,
@@ -144,7 +149,6 @@ pub struct PlaneBody {
 /// A force on a body, or a couple.
 #[derive(Debug, Clone)]
 pub struct Pull {
-    /// The body.
     pub body: usize,
     /// The unknown that it is in proportion to, of a joint.
     pub unknown: Option<SymbolId>,
@@ -154,6 +158,14 @@ pub struct Pull {
     pub along: Vector,
     /// Its moment about the mass centre per size, counter-clockwise.
     pub turn: Sum,
+}
+
+impl Pull {
+    /// A couple, counter-clockwise where the sense is 1.
+    fn couple(body: usize, unknown: Option<SymbolId>, size: Factors, sense: i8) -> Self {
+        let turn = Sum::one(Factors::one().signed(sense));
+        Self { body, unknown, size, along: Vector::default(), turn }
+    }
 }
 
 /// What a joint demands of the accelerations: the point of each of its forces stays, per unit of the unknown, but for what its
@@ -169,11 +181,17 @@ struct Hold {
     given: Expr,
 }
 
+impl Hold {
+    fn of(joint: usize, unknown: SymbolId, pulls: Vec<Pull>) -> Self {
+        Self { joint, unknown, pulls, inward: Sum::default(), given: ZERO }
+    }
+}
+
 /// A single body that turns about one fixed pin: moments are taken about the pin, forces along the line to the mass centre and
 /// across.
 #[derive(Debug, Clone)]
 pub struct Pivot {
-    /// The name of the point.
+    /// The name of the point, a formula.
     pub name: String,
     /// Distance from the pin to the mass centre.
     pub h: Factors,
@@ -218,7 +236,6 @@ pub struct Plane<'d, 'a> {
     pub lead: usize,
     /// The angles; the first leads.
     pub turns: Vec<Turn>,
-    /// The bodies.
     pub bodies: Vec<PlaneBody>,
     /// All forces at the place that is asked, those of joints last.
     pub pulls: Vec<Pull>,
@@ -245,6 +262,8 @@ pub struct Plane<'d, 'a> {
     speeds: Vec<Expr>,
     /// Does the lead move as no joint says?
     drifts: Option<Vector>,
+    /// The speed at which parallel guides carry it.
+    glides: Option<Expr>,
     open: bool,
     /// Angles that the joints give: of which body, and what ties them.
     pub loops: Vec<(usize, [String; 2])>,
@@ -281,9 +300,6 @@ fn beyond<T>() -> Result<T, DerivationStop> {
 
 impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
-    ///
-    /// # Errors
-    /// Joints that do not place a body.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return beyond() };
         let g = terms::gravity(draft);
@@ -308,6 +324,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             moves: true,
             speeds: Vec::new(),
             drifts: None,
+            glides: None,
             open: false,
             loops: Vec::new(),
             driver: None,
@@ -326,9 +343,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         this.first = this.start_rate();
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
         this.moves = !this.scene.is_still() || sets_off;
+        if this.gliding().is_some() {
+            this.glides = Some(std::mem::replace(&mut this.first, ZERO));
+        }
         this.read_bodies();
         this.start_from()?;
         this.place()?;
+        if this.glides.is_some() {
+            // Parallel guides let nothing turn.
+            this.turns[0].rate = [ZERO, ZERO];
+        }
+        if let Some((Coordinate { body, degree: Degree::Along }, _)) = this.scene.start_speeds().next()
+            && this.first != ZERO
+        {
+            let v = this.rates(&this.centre(body), START);
+            this.first = this.first.over(product(&v, &v).rooted());
+        }
         if let (Some(symbol), Some((c, _))) = (this.spun, this.scene.start_speeds().next())
             && let Some(turn) = this.bodies[c.body].turn
         {
@@ -357,6 +387,16 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(this)
     }
 
+    /// The direction in which parallel guides carry the leading body.
+    fn gliding(&self) -> Option<[f64; 2]> {
+        Layout::new(self.scene, &Numbers::<f64>::new(self.scene, &self.values))?.glide()
+    }
+
+    /// Is it carried at a speed by parallel guides?
+    pub fn carried_on(&self) -> bool {
+        self.glides.as_ref().is_some_and(|speed| *speed != ZERO)
+    }
+
     fn find_pivot(&mut self) {
         let (1, [joint], None) = (self.bodies.len(), &self.scene.joints[..], self.scene.driven()) else {
             return;
@@ -383,7 +423,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => self.named(&[&tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
-        let up = self.turns[0].from[1] > 0.0;
+        let (up, name) = (self.turns[0].from[1] > 0.0, format!("${name}$"));
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
@@ -399,18 +439,22 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The spin that is given at the start, of whichever body.
+    /// The spin or the speed that is given at the start, of whichever body.
     fn start_rate(&mut self) -> Expr {
-        let given = self.scene.start_speeds().next();
-        given.map_or(ZERO, |(_, w)| self.number(w, r"\omega_0", "rad/s"))
+        let Some((c, given)) = self.scene.start_speeds().next() else { return ZERO };
+        let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
+        self.number(given, tex, unit)
     }
-    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1.
+    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1. Of a speed that comes
+    /// later, when all has its place.
     fn start_from(&mut self) -> Result<(), DerivationStop> {
-        let Some((c, _)) = self.scene.start_speeds().next().filter(|_| self.first != ZERO) else {
+        let turns = |c: &Coordinate| c.degree == Degree::Turn;
+        let Some((c, _)) = self.scene.start_speeds().next().filter(|(c, _)| self.first != ZERO && turns(c))
+        else {
             return Ok(());
         };
         let per = if c.body != self.lead {
-            let (Some(poses), Degree::Turn) = (self.poses(0.0, true), c.degree) else { return beyond() };
+            let Some(poses) = self.poses(0.0, true) else { return beyond() };
             let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
             let tag = format!("{},0", self.bodies[c.body].tag);
             let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
@@ -562,10 +606,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn ground(&mut self, place: [Num; 2]) -> Point {
         let [x, y] = [self.symbol(place[0], "x_0", "m"), self.symbol(place[1], "y_0", "m")];
-        [x, y].map(|e| {
-            let terms = if let Expr::Sum(terms) = e { terms } else { vec![e] };
-            Line::fixed(Sum::of(terms.iter().map(Factors::of)))
-        })
+        [x, y].map(|e| Line::fixed(Sum::of(e.terms().iter().map(Factors::of))))
     }
     /// A unit vector along a direction.
     fn direction(&mut self, degrees: Num) -> [Factors; 2] {
@@ -628,6 +669,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let waves = Sum::of(waves.collect::<Vec<_>>());
         line.fixed.plus(&waves)
     }
+    /// By how much it grows on the way.
+    fn change(&mut self, line: &Line) -> Sum {
+        self.at(line, END).plus(&self.at(line, START).opposite())
+    }
     /// Its rate, per unit rate of the leading angle.
     fn rate(&self, line: &Line, which: usize) -> Sum {
         Sum::of(line.waves.iter().map(|(size, turn, wave)| {
@@ -657,7 +702,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.pivot.as_ref().is_some_and(|p| p.radial) {
             return self.circle();
         }
-        [[1.0, 0.0], [0.0, 1.0]].map(|unit| unit.map(|x| Sum::of([sign(x)])))
+        axes()
     }
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
@@ -759,6 +804,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => None,
         })
     }
+    /// Distance of the centre of a wheel from the axis of the cylinder that it touches.
+    fn apart(&self, own: &Factors, arc: &Factors, inside: bool) -> Factors {
+        let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(own) };
+        if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap }
+    }
     /// How far a wheel on a cylinder turns per angle of its centre.
     fn turning_of(&mut self, arc: (Spot, Num, [Num; 2], Num, bool, bool)) -> Factors {
         let (_, own, _, arc, inside, rolls) = arc;
@@ -792,7 +842,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The change of the leading angle in degrees that the key has, with its sign.
-    fn way_of_key(&self) -> Option<f64> {
+    fn way_of_key(&mut self) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
@@ -825,14 +875,25 @@ impl<'d, 'a> Plane<'d, 'a> {
         if (ahead - behind).abs() > NOTHING {
             return Some(if ahead < behind { way } else { -way }.to_degrees());
         }
-        // Both alike: the sense in which weights and apparent forces set it off.
+        // Both alike: the sense in which weights, apparent forces, forces and couples set it off.
         let moving = self.poses(0.0, false)?;
         let [x, y] = numbers.carried.unwrap_or_default();
         let powers = self.bodies.iter().zip(&moving).map(|(it, pose)| {
             let v = pose.point([self.value(&it.centre.expr()), 0.0]).map(|v| v.first);
             -self.value(&it.mass.expr()) * (v[0] * x + v[1] * (y + numbers.gravity))
         });
-        Some((way * powers.sum::<f64>().signum()).to_degrees())
+        let mut power: f64 = powers.sum();
+        for push in self.scene.pushes.iter().filter(|p| !p.blow && !p.turns) {
+            let v = moving[push.at.body].point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
+            let [c, s] = pose::direction(&numbers, push.direction_deg);
+            power += self.datum(push.force_n) * (v[0] * c + v[1] * s);
+        }
+        for couple in &self.scene.couples {
+            let moment = signed(self.number(couple.moment_n_m, "M", "N m"), couple.forward);
+            let turn = moving[couple.body].turn().0 * f64::from(self.sense_of(couple.body));
+            power += self.value(&moment) * turn;
+        }
+        Some((way * power.signum()).to_degrees())
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -887,25 +948,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         let change = self.value(&last) - self.value(&first);
         self.sense = if change == 0.0 { self.value(&self.first).signum() } else { change.signum() };
         let turn = self.add_turn(planar, [first, last], [ONE, ONE]);
-        let distance = |this: &mut Self, spot: Spot| this.of_spot(spot);
         if let Some(arc) = self.arc() {
-            let (at, own, middle, radius, inside, rolls) = arc;
+            let (at, own, middle, radius, inside, _) = arc;
             let (own, radius) =
                 (self.number(own, "r", "m").factors(), self.number(radius, "R", "m").factors());
-            let apart = match inside {
-                true => {
-                    let apart = radius.plus(&own.opposite());
-                    if self.value(&apart.expr()) < 0.0 {
-                        apart.opposite().upright(&self.symbols)
-                    } else {
-                        apart
-                    }
-                }
-                false => radius.plus(&own),
-            };
+            let apart = self.apart(&own, &radius, inside);
             let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
             let by = self.turning_of(arc);
-            let own = if rolls && scene.bodies[body].turns {
+            let own = if scene.bodies[body].turns {
                 let [first, last] = self.turns[turn].at.clone();
                 let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
                 let last = &first + turned;
@@ -914,7 +964,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 None
             };
             self.bodies[body].turn = own;
-            let at = distance(self, at);
+            let at = self.of_spot(at);
             let axis = self.axis_of(body);
             self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
             return Ok(());
@@ -1043,23 +1093,36 @@ impl<'d, 'a> Plane<'d, 'a> {
             });
             return Ok(());
         }
-        let Some((own, other, far)) = pair else { return Ok(()) };
+        if let Some(pair) = pair {
+            placed[pair.1.body] = true;
+            self.follow_pair((body, &at, &place), pair, angles)?;
+        }
+        Ok(())
+    }
+
+    /// Places two hinged rods, of which the one is held by this place: the angle of the other one, and what ties both.
+    fn follow_pair(
+        &mut self,
+        (body, at, place): (usize, &[Factors; 2], &Point),
+        (own, other, far): (Spot, Spot, ([Factors; 2], Point)),
+        angles: &[Vec<f64>; 2],
+    ) -> Result<(), DerivationStop> {
+        let turn = self.turns.len() - 1;
         let own = self.of_spot(own);
         let own = [0, 1].map(|i| own[i].plus(&at[i].opposite()));
-        let Some(planar) = scene.planar(other.body) else { return beyond() };
+        let Some(planar) = self.scene.planar(other.body) else { return beyond() };
         self.free_turn(other.body, planar, angles);
         let second = self.of_spot(other);
         let second = [0, 1].map(|i| second[i].plus(&far.0[i].opposite()));
         let axis = self.axis(turn + 1);
         self.bodies[other.body].origin = less(&far.1, &from_axis(&axis, &far.0));
-        placed[other.body] = true;
         let (one, two) = (from_axis(&self.axis(turn), &own), from_axis(&axis, &second));
-        let gap = less(&plus(&place, &one), &plus(&far.1, &two));
+        let gap = less(&plus(place, &one), &plus(&far.1, &two));
         for line in &gap {
             self.tie(body, line, &Line::default());
         }
         // Along one of the two rods the other end of that rod does not move it.
-        let apart = less(&place, &far.1);
+        let apart = less(place, &far.1);
         for (body, turn, own, across, sense) in
             [(body, turn, &one, &two, -1), (other.body, turn + 1, &two, &one, 1)]
         {
@@ -1174,45 +1237,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn act(&mut self) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let still = scene.end == End::AtOnce;
-        let weighed = if scene.lies_level() { 0 } else { self.bodies.len() };
-        for body in 0..weighed {
-            let weight = self.bodies[body].mass.times(&self.g);
-            let (down, centre) = ([Sum::default(), Sum::one(number(-1))], self.centre(body));
-            let down = self.frame(&down);
-            let pull = self.pull(body, &centre, weight.clone(), down, None);
-            self.pulls.push(pull);
-            if !still {
-                let [_, y] = self.centre(body);
-                let fall = self.at(&y, START).plus(&self.at(&y, END).opposite());
-                let fall = fall.expr();
-                // A body that is guided along a level does not sink, though its place is told by angles.
-                if self.value(&fall).abs() > NOTHING {
-                    let fall = match self.bodies.len() {
-                        1 => fall,
-                        _ => {
-                            let names =
-                                [tagged("h", &self.bodies[body].tag), tagged("H", &self.bodies[body].tag)];
-                            self.page.find(&[&names[0], &names[1]], "m", fall).into()
-                        }
-                    };
-                    self.works.push(weight.by(&fall));
-                }
-            }
-        }
-        if let Some(carrier) = self.carrier.clone().filter(|c| c.acceleration != ZERO) {
-            for body in 0..self.bodies.len() {
-                let force = self.bodies[body].mass.times(&carrier.acceleration);
-                let (unit, centre) = (carrier.direction.each_ref().map(|e| e.factors()), self.centre(body));
-                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
-                let pull = self.pull(body, &centre, force.clone(), against, None);
-                self.pulls.push(pull);
-                if !still {
-                    let way = dot(&centre, &unit);
-                    let back = self.at(&way, START).plus(&self.at(&way, END).opposite());
-                    self.works.push(force.by(back.expr()));
-                }
-            }
-        }
+        self.weigh();
         for push in scene.pushes.iter().filter(|p| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             let unit = self.direction(push.direction_deg);
@@ -1249,16 +1274,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                 continue;
             }
             let line = dot(&self.spot(push.at), &unit);
-            let way = self.at(&line, END).plus(&self.at(&line, START).opposite());
+            let way = self.change(&line);
             self.works.push(size.by(way.expr()));
         }
         for (i, couple) in scene.couples.iter().enumerate() {
             let size = self.number(couple.moment_n_m, "M", "N m").factors();
             let own = if couple.forward { 1 } else { -1 };
-            let turn =
-                Sum::one(Factors::one().signed(if self.bodies[couple.body].clockwise { -own } else { own }));
-            let none = [Sum::default(), Sum::default()];
-            self.pulls.push(Pull { body: couple.body, unknown: None, size: size.clone(), along: none, turn });
+            let sense = own * self.sense_of(couple.body);
+            self.pulls.push(Pull::couple(couple.body, None, size.clone(), sense));
             if !still {
                 let turned = if self.bodies[couple.body].turn == Some(0) {
                     self.turned()
@@ -1278,6 +1301,34 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(())
     }
 
+    /// Weights, and the apparent forces of what is carried: in proportion to the mass, against a direction.
+    fn weigh(&mut self) {
+        let up = (self.g.clone(), [Factors::zero(), Factors::one()], self.bodies.len() > 1);
+        let carrier = self.carrier.iter().filter(|c| c.acceleration != ZERO);
+        let carried =
+            carrier.map(|c| (c.acceleration.clone(), c.direction.each_ref().map(Cancel::factors), false));
+        let fields: Vec<_> = (!self.scene.lies_level()).then_some(up).into_iter().chain(carried).collect();
+        for (rate, unit, named) in fields {
+            for body in 0..self.bodies.len() {
+                let (force, centre) = (self.bodies[body].mass.times(&rate), self.centre(body));
+                let against = self.frame(&vector(&unit).map(|x| x.opposite()));
+                let pull = self.pull(body, &centre, force.clone(), against, None);
+                self.pulls.push(pull);
+                if self.scene.end == End::AtOnce {
+                    continue;
+                }
+                let way = dot(&centre, &unit);
+                let back = self.at(&way, START).plus(&self.at(&way, END).opposite()).expr();
+                // A body that is guided along a level does not sink, though its place is told by angles.
+                if self.value(&back).abs() > NOTHING {
+                    let tag = self.bodies[body].tag.clone();
+                    let back = if named { self.named_by(["h", "H"], &tag, "m", back) } else { back };
+                    self.works.push(force.by(&back));
+                }
+            }
+        }
+    }
+
     /// The work of a force that turns with its body.
     fn turning_work(&self, push: &crate::scene::Push) -> f64 {
         let data = &self.variant.data;
@@ -1285,25 +1336,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         let Some(layout) = Layout::new(self.scene, &numbers) else { return f64::NAN };
         let way = (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians();
         let [c, s] = pose::direction(&numbers, push.direction_deg);
-        let power = |at: f64| {
-            let poses = layout.poses::<Jet<f64>>(at, false).ok_or(DerivationStop::Beyond(Beyond::Unfound))?;
+        let power = |at: f64| -> Result<f64, DerivationStop> {
+            let poses = layout.poses::<Jet<f64>>(at, false).ok_or(Beyond::Unfound)?;
             let pose = &poses[push.at.body];
             let [x, y] = pose.axis.map(|x| x.value);
             let v = pose.point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
-        let work: Result<f64, Wrong> =
-            gauss::integral(|at| power(at).map_err(|_: DerivationStop| Wrong), 0.0, way);
-        self.scene.value(push.force_n, data) * work.unwrap_or(f64::NAN)
+        self.scene.value(push.force_n, data) * gauss::integral(power, 0.0, way).unwrap_or(f64::NAN)
     }
 
     fn spring(&mut self, strut: usize) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let it = &scene.struts[strut];
-        if it.twists() {
-            return self.torsion(strut);
-        }
         let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+        if it.twists() {
+            return self.torsion(it, &tag);
+        }
         let near = self.spot(it.at);
         let far = match it.to {
             StrutEnd::Ground(place) => self.ground(place),
@@ -1320,10 +1369,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             Rest::Length(l) => (self.number(l, "l_0", "m"), false),
             Rest::Stretch(x) => (self.number(x, "x_0", "m"), true),
         };
-        let instant = scene.end == End::AtOnce;
         let (mut lengths, mut stretch): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
-        let mut last = [Sum::default(), Sum::default()];
-        for which in if instant { END..=END } else { START..=END } {
+        let mut last = Vector::default();
+        for which in self.looked_at() {
             last = self.places(&apart, which);
             let is = self.size(&last);
             let length: Expr = self.named_by(["s", "d"], &format!("{which}{tag}"), "m", is);
@@ -1340,21 +1388,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         for x in &mut stretch {
             let beyond = self.value(x);
-            let idle = match it.acts {
-                Acts::Both => false,
-                Acts::Pushes => beyond >= 0.0,
-                Acts::Pulls => beyond <= 0.0,
-            };
-            if idle {
+            if it.acts == Acts::Pushes && beyond >= 0.0 || it.acts == Acts::Pulls && beyond <= 0.0 {
                 *x = ZERO;
             }
         }
-        if let [first, last] = &stretch[..] {
-            self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
-        }
         let names = if tag.is_empty() { "F_s".to_owned() } else { tagged("F", &format!("s{tag}")) };
-        let other = tagged("F", &format!(r"\mathrm{{s}}{tag}"));
-        let force = self.page.find(&[&names, &other], "N", stiffness * &stretch[stretch.len() - 1]);
+        let names = [names, tagged("F", &format!(r"\mathrm{{s}}{tag}"))];
+        let force = self.pull_of_spring(&stiffness, &stretch, names, "N");
         let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
         let back = along.clone().map(|x| x.opposite());
@@ -1364,44 +1404,51 @@ impl<'d, 'a> Plane<'d, 'a> {
             let pull = self.pull(spot.body, &far, force.factors(), back, None);
             self.pulls.push(pull);
         }
-        self.springs.push(force);
         Ok(())
     }
 
+    /// The places that a spring is looked at: the start and the end, of an instant this alone.
+    fn looked_at(&self) -> std::ops::RangeInclusive<usize> {
+        if self.scene.end == End::AtOnce { END..=END } else { START..=END }
+    }
+
+    /// The force or moment of a spring that is stretched or wound by this much, which does work on the way.
+    fn pull_of_spring(
+        &mut self,
+        stiffness: &Expr,
+        stretch: &[Expr],
+        names: [String; 2],
+        unit: &str,
+    ) -> SymbolId {
+        if let [first, last] = stretch {
+            self.works.push(ratio(1, 2) * stiffness * (square(first) - square(last)));
+        }
+        let force = self.page.find(&[&names[0], &names[1]], unit, stiffness * &stretch[stretch.len() - 1]);
+        self.springs.push(force);
+        force
+    }
+
     /// A torsion spring: its work, and its moment against the angle by which it is wound.
-    fn torsion(&mut self, strut: usize) -> Result<(), DerivationStop> {
-        let scene = self.scene;
-        let it = &scene.struts[strut];
-        let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+    fn torsion(&mut self, it: &Strut, tag: &str) -> Result<(), DerivationStop> {
         let Some(turn) = self.bodies[it.at.body].turn else { return beyond() };
         let angles = self.turns[turn].at.clone();
         let stiffness = self.number(it.stiffness_n_m, "k_t", "N m/rad");
         let (Rest::Length(rest) | Rest::Stretch(rest)) = it.rest;
         let rest = self.number(rest, r"\beta_0", "deg");
-        let instant = scene.end == End::AtOnce;
         let mut wound: Vec<Expr> = Vec::new();
-        for which in if instant { END..=END } else { START..=END } {
+        for which in self.looked_at() {
             let angle: Expr = match it.rest {
                 Rest::Length(_) => angles[which].clone() - &rest,
-                Rest::Stretch(_) if instant => rest.clone(),
+                Rest::Stretch(_) if wound.is_empty() => rest.clone(),
                 Rest::Stretch(_) => &rest + &angles[which] - &angles[START],
             };
             let is = self.draft.radians(angle);
             wound.push(self.named_by([r"\vartheta", r"\epsilon"], &format!("{which}{tag}"), "rad", is));
         }
-        if let [first, last] = &wound[..] {
-            self.works.push(ratio(1, 2) * &stiffness * (square(first) - square(last)));
-        }
-        let name = if tag.is_empty() {
-            r"M_{\mathrm{s}}".to_owned()
-        } else {
-            tagged("M", &format!(r"\mathrm{{s}}{tag}"))
-        };
-        let moment = self.page.find(&[&name, &tagged("M", "t")], "N m", stiffness * &wound[wound.len() - 1]);
-        let back = if self.bodies[it.at.body].clockwise { 1 } else { -1 };
-        let (turn, along) = (Sum::one(Factors::one().signed(back)), [Sum::default(), Sum::default()]);
-        self.pulls.push(Pull { body: it.at.body, unknown: None, size: moment.factors(), along, turn });
-        self.springs.push(moment);
+        let names = [tagged("M", &format!(r"\mathrm{{s}}{tag}")), tagged("M", "t")];
+        let moment = self.pull_of_spring(&stiffness, &wound, names, "N m");
+        let back = -self.sense_of(it.at.body);
+        self.pulls.push(Pull::couple(it.at.body, None, moment.factors(), back));
         Ok(())
     }
 
@@ -1441,21 +1488,20 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The forces of the joints, and what each demands.
     fn hold(&mut self) {
         let scene = self.scene;
+        let blow = scene.is_struck() && self.blow.is_none();
         if let Some(Pivot { mut force, place, radial, .. }) = self.pivot.clone() {
-            if scene.is_struck() && self.blow.is_none() {
+            if blow {
                 let names = if radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
                 force = names.map(|name| self.named(&[name], "N s"));
             }
-            let along = [[1.0, 0.0], [0.0, 1.0]].map(|u| u.map(|x| Sum::of([sign(x)])));
-            for (unknown, along) in force.into_iter().zip(along) {
+            for (unknown, along) in force.into_iter().zip(axes()) {
                 let pulls = vec![self.pull(0, &place, Factors::one(), along, Some(unknown))];
-                self.holds.push(Hold { joint: 0, unknown, pulls, inward: Sum::default(), given: ZERO });
+                self.holds.push(Hold::of(0, unknown, pulls));
             }
             return;
         }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = names::joint(scene, j);
-            let blow = scene.is_struck() && self.blow.is_none();
             let letters: &[&str] = match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["Jx", "Jy"],
                 JointKind::Guide { .. } | JointKind::Cord { .. } if blow => &["J"],
@@ -1473,31 +1519,20 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.named(&[&name], if *l == "M" { "N m" } else { unit })
                 })
                 .collect();
-            let unit = [[Factors::one(), Factors::zero()], [Factors::zero(), Factors::one()]]
-                .map(|u| u.map(|f| if f.is_zero() { Sum::default() } else { Sum::one(f) }));
             match joint.kind {
                 JointKind::Pin { at, .. } => {
-                    for (force, u) in forces.iter().zip(unit) {
+                    for (force, u) in forces.iter().zip(axes()) {
                         self.add_hold(j, *force, &[(at, u)], None);
                     }
                 }
                 JointKind::Hinge { one, other, .. } => {
-                    for (force, u) in forces.iter().zip(unit) {
+                    for (force, u) in forces.iter().zip(axes()) {
                         let back = u.clone().map(|x| x.opposite());
                         self.add_hold(j, *force, &[(one, u), (other, back)], None);
                     }
                     if let Some(couple) = forces.get(2) {
-                        let none = || [Sum::default(), Sum::default()];
-                        let pulls = [(one.body, 1), (other.body, -1)].map(|(body, sense)| Pull {
-                            body,
-                            unknown: Some(*couple),
-                            size: Factors::one(),
-                            along: none(),
-                            turn: Sum::one(Factors::one().signed(sense)),
-                        });
-                        let inward = Sum::default();
-                        let pulls = pulls.to_vec();
-                        self.holds.push(Hold { joint: j, unknown: *couple, pulls, inward, given: ZERO });
+                        let on = |body, sense| Pull::couple(body, Some(*couple), Factors::one(), sense);
+                        self.holds.push(Hold::of(j, *couple, vec![on(one.body, 1), on(other.body, -1)]));
                     }
                 }
                 JointKind::Guide { at, direction_deg, mu_k, .. } => {
@@ -1531,15 +1566,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn drive(&mut self, alpha: Num) {
         let given = self.number(alpha, r"\alpha_0", "rad/s^2");
         let unknown = self.named(&[r"M_{\mathrm{d}}", r"M_{\mathrm{dr}}"], "N m");
-        let pulls = vec![Pull {
-            body: self.lead,
-            unknown: Some(unknown),
-            size: Factors::one(),
-            along: [Sum::default(), Sum::default()],
-            turn: Sum::one(Factors::one().signed(self.sense_of(self.lead))),
-        }];
+        let pull = Pull::couple(self.lead, Some(unknown), Factors::one(), self.sense_of(self.lead));
         self.driver = Some(unknown);
-        self.holds.push(Hold { joint: usize::MAX, unknown, pulls, inward: Sum::default(), given });
+        self.holds.push(Hold { given, ..Hold::of(usize::MAX, unknown, vec![pull]) });
     }
 
     /// A wheel or a point on a surface.
@@ -1551,9 +1580,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let arc = self.number(arc, "R", "m").factors();
                 let out = less(&self.spot(at), &self.ground(centre_m));
                 let out = self.places(&out, self.here);
-                let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(&own) };
-                let apart =
-                    if self.value(&gap.expr()) < 0.0 { gap.opposite().upright(&self.symbols) } else { gap };
+                let apart = self.apart(&own, &arc, inside);
                 let sense = Factors::one().signed(if inside { -1 } else { 1 });
                 let turned = inside && self.value(&arc.expr()) < self.value(&own.expr());
                 let radius = if turned { own.opposite() } else { own };
@@ -1602,7 +1629,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
         let over = self.variant.solved.get(Label { quantity: Quantity::Normal, of: Owner::Joint(joint) });
         let presses = over.map_or(1.0, |n| n.value().signum());
-        let sense = Factors::one().signed(if key * up * presses < 0.0 { -1 } else { 1 });
+        // Where guides carry it, as it goes.
+        let carried = self.gliding().zip(self.glides.as_ref()).map_or(0.0, |([c, s], speed)| {
+            -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
+        });
+        let way = if carried == 0.0 { key * up * presses } else { carried };
+        let sense = Factors::one().signed(if way < 0.0 { -1 } else { 1 });
         let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
         let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
         let point = self.spot(at);
@@ -1636,7 +1668,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn reactions(&self) -> Vec<SymbolId> {
         self.holds.iter().map(|h| h.unknown).collect()
     }
-    /// All accelerations.
     pub fn accelerations(&self) -> Vec<SymbolId> {
         let free = self.pivot.is_none();
         self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
@@ -1763,11 +1794,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let angle = self.turns[0].at[END].uses().first().copied()?;
             let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
             let per = half / self.draft.pi();
-            let slope = match -self.page.expanded(&all).slope(angle, &per) {
-                Expr::Sum(terms) => Sum::of(terms.iter().map(Factors::of)).expr(),
-                one => one.factors().expr(),
-            };
-            self.page.step(k, slope);
+            let slope = (-self.page.expanded(&all).slope(angle, &per)).terms();
+            self.page.step(k, Sum::of(slope.iter().map(Factors::of)).expr());
         }
         self.k = Some(k);
         Some(k)
@@ -1963,8 +1991,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let by_rest = ahead.by(&power).plus(&given.opposite());
         let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
         let spread = |sum: &Sum, by: &Expr| {
-            let by = if let Expr::Sum(terms) = by { terms.clone() } else { vec![by.clone()] };
-            let all = by.iter().flat_map(|b| sum.terms().iter().map(|t| t.times(b)).collect::<Vec<_>>());
+            let all = by
+                .terms()
+                .into_iter()
+                .flat_map(|b| sum.terms().iter().map(|t| t.times(&b)).collect::<Vec<_>>());
             all.flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
         let shared = |all: Vec<Factors>| {
@@ -1985,9 +2015,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The quantity of a label once the place that is asked is solved.
-    ///
-    /// # Errors
-    /// A quantity that is not covered.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         use Quantity as Q;
         if let Some(DerivedAnswer::Value(known)) = self.found_for(label) {
@@ -1999,25 +2026,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         let none = || DerivationStop::Beyond(Beyond::Quantity(label.quantity));
         let key = self.variant.solved.get(label).map(|e| e.value());
         let rate = if self.moves { self.rate.into() } else { ZERO };
-        let new = |this: &mut Self, names: [&str; 2], is: Expr| {
-            let names = names.map(str::to_owned);
-            this.page.find(&[&names[0], &names[1]], label.quantity.unit(), is)
-        };
+        let letters = |letters: [&str; 2], tag: &str| letters.map(|l| tagged(l, tag));
+        let i = usize::from(matches!(label.quantity, Q::AY | Q::VY));
+        let way = |b: usize| format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
         let still = matches!(label.quantity, Q::V | Q::VX | Q::VY | Q::KineticEnergy) && !self.moves;
-        let symbol = match (label.quantity, label.of) {
-            _ if still => new(self, ["v_0", "u_0"], ZERO),
+        let (names, is) = match (label.quantity, label.of) {
+            _ if still => (["v_0", "u_0"].map(str::to_owned), ZERO),
             (Q::Omega, Owner::Body(b)) => {
                 let omega = self.bodies[b].omega.ok_or_else(none)?;
                 if omega != self.rate {
                     let is = self.spin(b).by(&rate);
-                    let is = if self.value(&is) < 0.0 { -is } else { is };
+                    let is = in_sense(is.clone(), self.value(&is));
                     self.page.step(omega, is);
                 }
-                omega
+                return Ok(omega);
             }
-            (Q::Alpha, Owner::Body(b)) => self.bodies[b].alpha.ok_or_else(none)?,
+            (Q::Alpha, Owner::Body(b)) => return self.bodies[b].alpha.ok_or_else(none),
             (Q::AX | Q::AY, Owner::Body(b)) => {
-                let i = usize::from(label.quantity == Q::AY);
                 let a = self.bodies[b].a[i];
                 if let Some(pivot) = &self.pivot {
                     let is = self.component(pivot, i);
@@ -2027,89 +2052,76 @@ impl<'d, 'a> Plane<'d, 'a> {
                 if with == ZERO {
                     return Ok(a);
                 }
-                let way = tagged("a", &format!("{}{}", self.bodies[b].tag, ["x", "y"][i]));
-                new(self, [&way, &tagged("b", "x")], a + with)
+                ([tagged("a", &way(b)), tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
+                if let Some(speed) = &self.glides {
+                    let (speed, v) = (self.positive(speed), self.bodies[b].v);
+                    return Ok(self.page.step(v, speed));
+                }
                 let centre = self.centre(b);
                 let is = match self.speeds.get(b) {
                     Some(speed) => speed.by(&rate),
                     None => self.speed_of(&centre, &rate),
                 };
                 let v = self.bodies[b].v;
-                self.page.step(v, is)
+                return Ok(self.page.step(v, is));
             }
             (Q::V, Owner::Spot(spot)) => {
                 let point = self.spot(spot);
                 let is = self.speed_of(&point, &rate);
-                let name = self.scene.point_name(spot).map_or("P", |n| n.1).to_owned();
-                let tag = if self.symbols.named(&[&tagged("v", &name)]).is_some() {
-                    format!("{name}{}", self.bodies[spot.body].tag)
-                } else {
-                    name
-                };
-                new(self, [&tagged("v", &tag), &tagged("u", &tag)], is)
+                let name = self.scene.point_name(spot).map_or("P", |n| n.1);
+                let known = self.symbols.named(&[&tagged("v", name)]).is_some();
+                let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
+                let tag = format!("{name}{tag}");
+                (letters(["v", "u"], &tag), is)
             }
             (Q::VX | Q::VY, Owner::Body(b)) => {
-                let i = usize::from(label.quantity == Q::VY);
                 let line = self.centre(b)[i].clone();
                 let is = in_sense(self.rate(&line, END).expr(), self.sense).by(&rate);
-                let tag = format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
-                new(self, [&tagged("v", &tag), &tagged("u", &tag)], is)
+                (letters(["v", "u"], &way(b)), is)
             }
             (Q::Rise, Owner::Body(b)) => {
                 let [_, y] = self.centre(b);
-                let is = self.at(&y, END).plus(&self.at(&y, START).opposite()).expr();
-                let tag = self.bodies[b].tag.clone();
-                new(self, [&tagged(r"\Delta y", &tag), &tagged("y", &tag)], is)
+                let is = self.change(&y).expr();
+                (letters([r"\Delta y", "y"], &self.bodies[b].tag), is)
             }
             (Q::Phi, _) => {
                 let turned = self.turned();
-                self.sized(turned)
+                return Ok(self.sized(turned));
             }
-            (
-                Q::Normal
-                | Q::Tension
-                | Q::PinX
-                | Q::PinY
-                | Q::PinForce
-                | Q::PinAngle
-                | Q::Moment
-                | Q::Friction,
-                Owner::Joint(j),
-            ) => {
-                return self.of_joint(label.quantity, j).ok_or_else(none);
+            (quantity, Owner::Joint(j)) if quantity != Q::T => {
+                return self.of_joint(quantity, j).ok_or_else(none);
             }
-            (Q::Drive, _) => self.driver.ok_or_else(none)?,
+            (Q::Drive, _) => return self.driver.ok_or_else(none),
             (Q::Moment, Owner::Strut(s)) => {
                 let moment = *self.springs.get(s).ok_or_else(none)?;
                 let several = self.scene.struts.len() > 1;
                 let name =
                     if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
-                self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment)
+                return Ok(self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment));
             }
-            (Q::SpringForce, Owner::Strut(s)) => *self.springs.get(s).ok_or_else(none)?,
+            (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
             (Q::KineticEnergy, _) => {
                 let speeds = self.speeds();
                 let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
                 let is = ratio(1, 2).by(&j).by(square(&rate));
-                new(self, ["E_{k}", r"E_{\mathrm{kin}}"], is)
+                (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), is)
             }
-            (Q::T, _) if matches!(self.scene.end, End::Time(..)) => {
-                let End::Time(_, t) = self.scene.end else { return Err(none()) };
-                match self.number(t, "t", "s") {
-                    Expr::Symbol(t) => t,
-                    _ => return Err(none()),
-                }
-            }
-            (Q::T, _) => {
-                let symbol = self.named(&["t", "t_1"], "s");
-                self.symbols.settle(symbol, key.ok_or_else(none)?, 0.0);
-                self.page.step(symbol, symbol.into())
-            }
+            (Q::T, _) => return self.time(key).ok_or_else(none),
             _ => return Err(none()),
         };
-        Ok(symbol)
+        Ok(self.page.find(&[&names[0], &names[1]], label.quantity.unit(), is))
+    }
+
+    /// The time up to the end: given, or that of the key.
+    fn time(&mut self, key: Option<f64>) -> Option<SymbolId> {
+        if let End::Time(_, t) = self.scene.end {
+            return self.number(t, "t", "s").uses().first().copied();
+        }
+        let symbol = self.named(&["t", "t_1"], "s");
+        self.symbols.settle(symbol, key?, 0.0);
+        Some(self.page.step(symbol, symbol.into()))
     }
 
     /// What a quantity is of a body on a pin that no other body has, or has in another way.
@@ -2184,12 +2196,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::PeriodSmall => {
                 let frequency = of(self, Q::OmegaSmall)?;
                 ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
-            }
-            Q::T if self.scene.end != End::AtOnce => {
-                let time = self.varied(0.0, |plane| plane.time()).unwrap_or(f64::NAN);
-                let t = self.named(&["t", "t_1"], "s");
-                self.symbols.settle(t, time, 0.0);
-                return Ok(Some(self.page.step(t, t.into())));
             }
             _ => return Ok(None),
         };
@@ -2286,25 +2292,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
         self.page.expanded(&square)
     }
-    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
-    /// cosine takes away.
-    fn time(&mut self) -> f64 {
-        let Some(square) = self.pivot.as_ref().map(|p| self.square(p)) else { return f64::NAN };
-        let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
-        let (half, pieces) = (0.5 * (last - first).abs(), 40);
-        let step = std::f64::consts::PI / f64::from(pieces);
-        let mut pace = |theta: f64| {
-            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
-            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
-            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
-        };
-        let mut piece = |i: i32| {
-            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
-            gauss::mean(&places.collect::<Vec<f64>>())
-        };
-        step * (0..pieces).map(&mut piece).sum::<f64>()
-    }
-
     fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
         let speed = self.speed(point, None);
         let speed = if self.value(&speed) < 0.0 { -speed } else { speed };
@@ -2344,7 +2331,8 @@ impl<'d, 'a> Plane<'d, 'a> {
                 Some(self.page.step(force, in_sense(mu * normal, sense)))
             }
             Quantity::Friction => own.get(1).copied(),
-            _ => own.first().copied(),
+            Quantity::Normal | Quantity::Tension | Quantity::PinX => own.first().copied(),
+            _ => None,
         }
     }
 
@@ -2369,15 +2357,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What has to be known for what is asked.
     pub fn labels(&self) -> Vec<Label> {
         asked::needed(self.scene, self.problem)
-    }
-}
-
-/// No integral.
-#[derive(Debug, Clone, Copy)]
-struct Wrong;
-impl From<crate::num::gauss::Unsettled> for Wrong {
-    fn from(_: crate::num::gauss::Unsettled) -> Self {
-        Self
     }
 }
 

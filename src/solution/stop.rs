@@ -1,5 +1,6 @@
 //! Why a derivation stops: what it does not cover, told in every language, or a fault.
 use crate::finding::Finding;
+use crate::num::gauss;
 use crate::scene::Quantity;
 use crate::words::Words;
 use std::fmt;
@@ -27,6 +28,12 @@ impl fmt::Display for DerivationStop {
 impl From<Finding> for DerivationStop {
     fn from(fault: Finding) -> Self {
         Self::Fault(fault)
+    }
+}
+
+impl From<gauss::Unsettled> for DerivationStop {
+    fn from(_: gauss::Unsettled) -> Self {
+        Self::Beyond(Beyond::Unfound)
     }
 }
 

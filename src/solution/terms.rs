@@ -48,7 +48,6 @@ pub struct Action {
     pub kind: ForceKind,
     /// Is it the friction of a contact?
     pub contact: bool,
-    /// The body.
     pub body: usize,
     /// Its size, positive in its own sense.
     pub force: Expr,
@@ -58,6 +57,19 @@ pub struct Action {
     pub arm: Factors,
 }
 
+/// What belongs to one coordinate of a body.
+#[derive(Debug, Clone)]
+pub struct Freedom {
+    /// Acceleration, where it can move so.
+    pub a: Option<SymbolId>,
+    /// Speed at the end.
+    pub v: Option<SymbolId>,
+    /// Velocity per unit velocity of the lead.
+    pub ratio: Factors,
+    /// Mass or moments of inertia, as a sum.
+    pub inertia: Vec<Factors>,
+}
+
 /// One body.
 #[derive(Debug, Clone)]
 pub struct BodyTerms {
@@ -65,24 +77,13 @@ pub struct BodyTerms {
     pub label: String,
     /// What stands below the symbols that belong to it where several bodies have such a symbol.
     pub tag: String,
-    /// Mass.
     pub mass: Factors,
-    /// Moment of inertia about the mass centre, as a sum.
-    pub inertia: Vec<Factors>,
-    /// Acceleration along its line.
-    pub a: Option<SymbolId>,
-    /// Angular acceleration.
-    pub alpha: Option<SymbolId>,
-    /// Speed at the end.
-    pub v: Option<SymbolId>,
-    /// Angular speed at the end.
-    pub omega: Option<SymbolId>,
+    /// Along its line.
+    pub line: Freedom,
+    /// About its mass centre.
+    pub spin: Freedom,
     /// Normal force of the surface, and what it is.
     pub normal: Option<(SymbolId, Expr)>,
-    /// Velocity of the line, per unit velocity of the lead.
-    pub along: Factors,
-    /// Spin, per unit velocity of the lead.
-    pub turn: Factors,
     /// 1 if forward is up (or right), else -1: the sense in which friction counts as positive.
     pub up: i8,
     /// Slips: its spin is a freedom of its own.
@@ -113,7 +114,6 @@ pub struct Terms {
 pub struct Carrying {
     /// Speed at the start.
     pub speed: Expr,
-    /// Acceleration.
     pub acceleration: Expr,
     /// Its direction, to the right and up.
     pub direction: [Expr; 2],
@@ -175,11 +175,11 @@ impl Terms {
         this.tied = this.ratios(draft, rolled).is_some();
         if !this.tied {
             for part in &mut this.parts {
-                (part.along, part.turn) = (Factors::zero(), Factors::zero());
+                (part.line.ratio, part.spin.ratio) = (Factors::zero(), Factors::zero());
             }
             match lead.degree {
-                Degree::Along => this.parts[lead.body].along = Factors::one(),
-                Degree::Turn => this.parts[lead.body].turn = Factors::one(),
+                Degree::Along => this.parts[lead.body].line.ratio = Factors::one(),
+                Degree::Turn => this.parts[lead.body].spin.ratio = Factors::one(),
             }
         }
         let held = this.actions.iter().any(|a| a.contact && a.kind == ForceKind::Reaction && a.arm.is_zero());
@@ -229,8 +229,9 @@ impl Terms {
                     };
                     for end in tie.actions() {
                         let [along, arm] = levers(draft, &end);
-                        let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
-                        let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
+                        let along =
+                            if self.parts[end.body].line.a.is_some() { along } else { Factors::zero() };
+                        let arm = if self.parts[end.body].spin.a.is_some() { arm } else { Factors::zero() };
                         let levers = [along, arm];
                         self.push(ForceSource::Tie(t), kind, false, end.body, force.clone(), levers);
                     }
@@ -313,7 +314,7 @@ impl Terms {
                 Tie::Cord(cord) if cord.to == Far::Fixed => {
                     let part = &self.parts[cord.from.body];
                     let [along, arm] = lever(draft, &cord.from);
-                    let loose = part.a.is_none() || part.alpha.is_none() || part.slips;
+                    let loose = part.line.a.is_none() || part.spin.a.is_none() || part.slips;
                     if loose || arm.is_zero() || inner[cord.from.body].is_some() {
                         return None;
                     }
@@ -327,7 +328,7 @@ impl Terms {
         let settle =
             |parts: &mut Vec<BodyTerms>, body: usize, degree: Degree, ratio: Factors| -> Option<()> {
                 let part = &mut parts[body];
-                let (line, spin) = (part.a.is_some(), part.alpha.is_some() && !part.slips);
+                let (line, spin) = (part.line.a.is_some(), part.spin.a.is_some() && !part.slips);
                 let (along, turn) = match (&inner[body], degree) {
                     (Some(inner), Degree::Along) if spin => (ratio.clone(), ratio.times(inner)),
                     (Some(inner), Degree::Turn) if line => (ratio.per(inner), ratio),
@@ -335,7 +336,7 @@ impl Terms {
                     (_, Degree::Turn) if spin && !line => (Factors::zero(), ratio),
                     _ => return None,
                 };
-                (part.along, part.turn) = (along, turn);
+                (part.line.ratio, part.spin.ratio) = (along, turn);
                 Some(())
             };
         settle(&mut self.parts, self.lead.body, self.lead.degree, Factors::one())?;
@@ -363,7 +364,7 @@ impl Terms {
             }
             // given + (along v + arm omega) = 0, with omega = inner v.
             let (degree, per) =
-                match (part.a.is_some(), part.alpha.is_some() && !part.slips, &inner[two.body]) {
+                match (part.line.a.is_some(), part.spin.a.is_some() && !part.slips, &inner[two.body]) {
                     (true, true, Some(inner)) => (Degree::Along, along.plus(&arm.times(inner))),
                     (true, true, None) => return None,
                     (true, false, _) => (Degree::Along, along),
@@ -390,49 +391,19 @@ impl Terms {
     fn point_of(&self, draft: &mut Draft, end: &CordEnd) -> Factors {
         let [along, arm] = lever(draft, end);
         let part = &self.parts[end.body];
-        part.along.times(&along).plus(&part.turn.times(&arm))
+        part.line.ratio.times(&along).plus(&part.spin.ratio.times(&arm))
     }
 
     /// Velocity of the point of a force in its own sense, per unit velocity of the lead.
     pub fn point(&self, action: &Action) -> Factors {
         let part = &self.parts[action.body];
-        part.along.times(&action.along).plus(&part.turn.times(&action.arm))
+        part.line.ratio.times(&action.along).plus(&part.spin.ratio.times(&action.arm))
     }
 
-    /// The ratio of a coordinate to the lead.
-    pub fn ratio(&self, c: Coordinate) -> &Factors {
+    /// What belongs to a coordinate.
+    pub fn of(&self, c: Coordinate) -> &Freedom {
         let part = &self.parts[c.body];
-        match c.degree {
-            Degree::Along => &part.along,
-            Degree::Turn => &part.turn,
-        }
-    }
-
-    /// Acceleration of a coordinate.
-    pub fn acceleration(&self, c: Coordinate) -> Option<SymbolId> {
-        let part = &self.parts[c.body];
-        match c.degree {
-            Degree::Along => part.a,
-            Degree::Turn => part.alpha,
-        }
-    }
-
-    /// Speed of a coordinate at the end.
-    pub fn speed(&self, c: Coordinate) -> Option<SymbolId> {
-        let part = &self.parts[c.body];
-        match c.degree {
-            Degree::Along => part.v,
-            Degree::Turn => part.omega,
-        }
-    }
-
-    /// Mass or moments of inertia of a coordinate.
-    pub fn inertia(&self, c: Coordinate) -> Vec<Factors> {
-        let part = &self.parts[c.body];
-        match c.degree {
-            Degree::Along => vec![part.mass.clone()],
-            Degree::Turn => part.inertia.clone(),
-        }
+        if c.degree == Degree::Along { &part.line } else { &part.spin }
     }
 
     /// Share of a force in the equation of a coordinate.
@@ -452,11 +423,6 @@ impl Terms {
     pub fn action_of(&self, tie: usize) -> Option<&Action> {
         self.actions.iter().find(|a| a.source == ForceSource::Tie(tie))
     }
-
-    /// `m` or `m k^2 + ...` of a coordinate, as one expression.
-    pub fn inertia_expr(&self, c: Coordinate) -> Expr {
-        sum(self.inertia(c).iter().map(Factors::expr))
-    }
 }
 
 /// Particles that move as one body.
@@ -466,7 +432,6 @@ pub struct Particles {
     pub names: Vec<String>,
     /// Index of the particle whose velocity is known.
     pub known: usize,
-    /// Masses.
     pub m: Vec<Expr>,
     /// Places.
     pub x: Vec<Expr>,
@@ -542,22 +507,21 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let own = if scene.bodies.len() > 1 { tag.as_str() } else { "" };
         let mass = mass(draft, body, &g, own);
         let inertia = inertia(draft, body, &mass, &g, own);
-        let turning = |draft: &mut Draft, names: [&str; 2], unit: &str| {
-            let tag = below(draft, if turns > 1 { &tag } else { "" }, rolled);
-            let names = names.map(|n| tagged(n, &tag));
-            draft.named(&[&names[0], &names[1]], unit)
+        let named = |draft: &mut Draft, moves: bool, tag: &str, names: [&str; 2], unit: &str| {
+            let names = names.map(|n| tagged(n, tag));
+            moves.then(|| draft.named(&[&names[0], &names[1]], unit))
         };
+        let along = below(draft, if lines > 1 { &tag } else { "" }, rolled);
+        let (along, about) =
+            (relative(draft, &along), below(draft, if turns > 1 { &tag } else { "" }, rolled));
         let moves = body.line.is_some();
-        let line = |draft: &mut Draft, names: &[&str], unit: &str| {
-            let tag = below(draft, if lines > 1 { &tag } else { "" }, rolled);
-            let tag = relative(draft, &tag);
-            let names = [tagged(names[0], &tag), tagged(names[1], &tag)];
-            draft.named(&[&names[0], &names[1]], unit)
-        };
-        let a = moves.then(|| line(draft, &["a", "a_G"], "m/s^2"));
-        let v = moves.then(|| line(draft, &["v", "v_2"], "m/s"));
-        let alpha = body.turns.then(|| turning(draft, [r"\alpha", r"\dot{\omega}"], "rad/s^2"));
-        let omega = body.turns.then(|| turning(draft, [r"\omega", r"\omega_2"], "rad/s"));
+        let freedom = |a, v, inertia| Freedom { a, v, ratio: Factors::zero(), inertia };
+        let a = named(draft, moves, &along, ["a", "a_G"], "m/s^2");
+        let v = named(draft, moves, &along, ["v", "v_2"], "m/s");
+        let line = freedom(a, v, vec![mass.clone()]);
+        let alpha = named(draft, body.turns, &about, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
+        let omega = named(draft, body.turns, &about, [r"\omega", r"\omega_2"], "rad/s");
+        let spin = freedom(alpha, omega, inertia);
         let [_, level] = slope(draft, body.line.map(|l| l.slope));
         let out = carrier.map_or(ZERO, |c| &c.acceleration * c.shares(draft, body)[1].clone());
         // How wheels share a load is not known.
@@ -571,14 +535,9 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
             label: names::body(draft.words, draft.scene, i),
             tag,
             mass,
-            inertia,
-            a,
-            alpha,
-            v,
-            omega,
+            line,
+            spin,
             normal,
-            along: Factors::zero(),
-            turn: Factors::zero(),
             up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
             slips: (0..scene.ties.len())
                 .any(|t| rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)),
