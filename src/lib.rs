@@ -134,7 +134,7 @@ pub mod export;
 pub mod figure;
 pub mod finding;
 #[cfg(feature = "program")]
-pub mod folder;
+mod folder;
 pub mod grade;
 #[cfg(feature = "program")]
 pub mod inspect;
@@ -149,15 +149,15 @@ pub mod page;
 #[cfg(feature = "program")]
 pub mod picture;
 #[cfg(feature = "program")]
-pub mod plot;
+mod plot;
 pub mod policy;
 pub mod problem;
 #[cfg(feature = "program")]
-pub mod regrade;
+mod regrade;
 #[cfg(feature = "program")]
 pub mod report;
 #[cfg(feature = "program")]
-pub mod review;
+mod review;
 pub mod scene;
 #[cfg(feature = "program")]
 pub mod set;

@@ -136,6 +136,10 @@ impl Faults {
         self.hint(node, message, hint);
         None
     }
+    /// [`Faults::refuse_with`] of a node that is something else than was expected.
+    pub fn expected<T>(&self, node: &Node, what: &str, hint: impl Into<String>) -> Option<T> {
+        self.refuse_with(node, told!("expected {what}, found {}", node.kind()), hint)
+    }
     #[cfg(feature = "program")]
     fn push(&self, node: &Node, finding: impl FnOnce() -> Finding) {
         let finding = if node.line > 0 { finding().at(node.line, node.column) } else { finding() };

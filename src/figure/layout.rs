@@ -30,12 +30,7 @@ pub enum BodyLook {
         open: bool,
     },
     /// Only moves: half its length along its line, half its width.
-    Block {
-        /// Along.
-        along: f64,
-        /// Across.
-        across: f64,
-    },
+    Block { along: f64, across: f64 },
 }
 
 /// A body on the board.
@@ -109,10 +104,8 @@ pub struct Ground {
     pub rail: bool,
 }
 
-/// A piece of a cord.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CordPiece {
-    /// Straight.
     Straight(Vec2, Vec2),
     /// Round a body or pulley: centre, radius, angles.
     Round(Vec2, f64, f64, f64),
@@ -138,7 +131,6 @@ pub enum CordStop {
 pub struct CordRun {
     /// Index of its tie.
     pub tie: usize,
-    /// Its pieces.
     pub pieces: Vec<CordPiece>,
     /// What it ends at.
     pub stop: CordStop,
@@ -159,7 +151,6 @@ pub struct SceneLayout {
     pub bodies: Vec<Option<Placed>>,
     /// Surfaces.
     pub grounds: Vec<Ground>,
-    /// Cords.
     pub cords: Vec<CordRun>,
 }
 

@@ -1,6 +1,5 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
-use crate::bank::expression;
-use crate::bank::{FigureLabels, Problem};
+use crate::bank::{FigureLabels, Problem, expression};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
@@ -12,11 +11,9 @@ use crate::words::Words;
 /// A variant with what is needed to label its picture.
 #[derive(Clone, Copy)]
 pub struct SceneView<'a> {
-    /// The problem.
     pub problem: &'a Problem,
     /// One draw of it.
     pub variant: &'a Variant,
-    /// Its scene.
     pub scene: &'a Scene,
     /// Phrases.
     pub words: &'a Words,

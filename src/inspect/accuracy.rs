@@ -10,11 +10,9 @@ use crate::picture::svg::escaped;
 use crate::plot::{Axis, AxisScale, DataPoint, LineChart, Series};
 use crate::scene::{Label, Scene};
 use crate::sheet::terminal;
-use crate::solve::ladder;
-use crate::solve::ladder::{Force, Row, Study, Taken};
+use crate::solve::ladder::{self, Force, Row, Study, Taken};
 use crate::solve::method::{Method, Rung};
-use crate::template;
-use crate::template::{Templates, View};
+use crate::template::{self, Templates, View};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -29,7 +27,6 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// Times within this share are equal.
 const SAME_TIME: f64 = 0.1;
 
-/// One row as it is shown.
 struct MeasuredRow {
     row: Row,
     /// Median time of a solve, s.
@@ -54,10 +51,8 @@ pub struct StudySheet<'s> {
 }
 
 /// Measures every method on a problem with these data, with the clock if `timed`. Whether what happens is what the problem declares;
-/// and the study, or in words that there is nothing to compare.
-///
-/// # Errors
-/// The scene has no answer with these data, or nothing is asked that moves.
+/// and the study, or in words that there is nothing to compare. Errors: the scene has no answer with these data, or nothing is
+/// asked that moves.
 pub fn measure<'s>(
     problem: &'s Problem,
     (case, data, shown): &Data,
@@ -399,10 +394,7 @@ impl StudySheet<'_> {
         })
     }
 
-    /// The page for a browser.
-    ///
-    /// # Errors
-    /// A fault of its template.
+    /// The page for a browser. Errors: a fault of its template.
     pub fn page(&self) -> Result<String, Findings> {
         let mut view = View::new();
         view.foreign("title", &self.problem.title);

@@ -32,7 +32,6 @@ pub struct Series {
 pub struct LineChart {
     /// Tells the figures of a page apart.
     pub id: String,
-    /// Title.
     pub title: String,
     /// What it shows, for those who do not see it.
     pub description: String,
@@ -40,7 +39,6 @@ pub struct LineChart {
     pub x: Axis,
     /// Second axis.
     pub y: Axis,
-    /// The series.
     pub series: Vec<Series>,
     /// What filled and ringed marks mean, below the legend.
     pub notes: Vec<String>,

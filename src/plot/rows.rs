@@ -3,7 +3,6 @@ use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
 use crate::plot::chart::Chart;
 
-/// A row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChartRow {
     /// Name, to the left.
@@ -20,16 +19,13 @@ pub struct ChartRow {
     pub marked: bool,
 }
 
-/// A chart of rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowChart {
     /// Tells the figures of a page apart.
     pub id: String,
-    /// Title.
     pub title: String,
     /// What it shows, for those who do not see it.
     pub description: String,
-    /// The axis.
     pub axis: Axis,
     /// Labels of ticks are per cent.
     pub percent: bool,

@@ -23,7 +23,6 @@ pub struct Spot {
 pub struct ScatterChart {
     /// Tells the figures of a page apart.
     pub id: String,
-    /// Title.
     pub title: String,
     /// What it shows, for those who do not see it.
     pub description: String,

@@ -9,7 +9,6 @@ use crate::plot::rows::WIDTH;
 pub struct SpreadChart {
     /// Tells the figures of a page apart.
     pub id: String,
-    /// Title.
     pub title: String,
     /// What it shows, for those who do not see it.
     pub description: String,

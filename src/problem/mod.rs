@@ -2,7 +2,7 @@
 pub mod make_key;
 pub mod maker;
 #[cfg(feature = "program")]
-pub mod rounding;
+pub(crate) mod rounding;
 pub mod rule;
 #[cfg(feature = "program")]
 pub mod sweep;

@@ -18,9 +18,7 @@ pub const POOR: f64 = 0.2;
 /// What the plots are made of.
 #[derive(Clone, Copy)]
 pub struct ClassCharts<'c> {
-    /// The marks.
     pub marks: &'c Marks,
-    /// What they tell.
     pub study: &'c ClassStudy,
     /// Words of the language.
     pub words: &'c Words,
@@ -73,7 +71,6 @@ impl ClassCharts<'_> {
         pieces.collect::<Vec<_>>().join(">")
     }
 
-    /// Distribution of the totals.
     pub fn totals(&self, summary: &Distribution) -> String {
         let study = self.study;
         // Credit beyond the sheet does not exist, but rounding up may pass the end.
