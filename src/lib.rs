@@ -119,6 +119,7 @@
 //! with slip. About a pin: one body. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
 //! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
 //! Gears and belts join wheels about fixed axles. What carries a whole scene moves along a straight line at a constant acceleration.
+#![cfg_attr(not(feature = "program"), allow(dead_code, reason = "a page needs less than the program"))]
 #[macro_use]
 mod worded;
 
@@ -126,7 +127,7 @@ pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]
 pub mod cli;
-pub mod csv_field;
+mod csv_field;
 pub mod draw;
 #[cfg(feature = "program")]
 pub mod export;

@@ -115,7 +115,6 @@ impl Expression {
             Name::Next(_) => f64::NAN,
         })
     }
-    /// As a formula of its own.
     pub fn formula(&self) -> &Formula<Name> {
         &self.formula
     }

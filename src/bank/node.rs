@@ -23,7 +23,6 @@ pub enum Value {
     Empty,
     /// A scalar, as it was written.
     Text(String),
-    /// A list.
     List(Vec<Node>),
     /// Fields in the order of the file; a name may stand twice. Each name is a node of its own, for its place.
     Map(Vec<(Node, Node)>),

@@ -637,13 +637,8 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
             }
         }
         let from = zero.angle_of();
-        let to = from + sense * degrees * std::f64::consts::PI / 180.0;
-        if degrees.abs() * radius < 400.0 {
-            board.arc(corner, radius, from, to, Role::Dimension);
-        } else {
-            board.curved_arrow(corner, radius, from, to, Role::Dimension);
-        }
-        let spots = on_arc(corner, radius, from, to - from, MIDDLE_FIRST);
+        let turned = board.angle(corner, radius, from, sense * degrees);
+        let spots = on_arc(corner, radius, from, turned, MIDDLE_FIRST);
         board.label(vec![view.label(num, "°")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
     }
 }
@@ -774,7 +769,7 @@ fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
         let (middle, half) = (low + wide / 2.0, (wide / 2.0 - 0.65).clamp(0.6, 1.8));
         let (from, to) = (middle - sense * half, middle + sense * half);
         board.curved_arrow(laid.origin, 24.0, from, to, Role::Force);
-        let spots = on_arc(laid.origin, 24.0, from, to - from, [0.5, 0.3, 0.7, 0.1, 1.0]);
+        let spots = on_arc(laid.origin, 24.0, from, to - from, &[0.5, 0.3, 0.7, 0.1, 1.0]);
         let label = view.size_label(couple.moment_n_m, "N·m");
         board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots);
     }

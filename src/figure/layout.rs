@@ -337,30 +337,14 @@ impl Builder<'_> {
         if mirrored { (vec2(-up.x, up.y), vec2(up.y, up.x)) } else { (up, up.left()) }
     }
 
-    fn slope_degrees(&self, slope: Slope) -> f64 {
-        match slope {
-            Slope::Level => 0.0,
-            Slope::Vertical => 90.0,
-            Slope::Degrees(n) => self.view.of(n),
-        }
-    }
-
     /// The surface of this slope, made at the origin if there is none.
     fn ground(&mut self, slope: Slope, mirrored: bool) -> usize {
         if let Some(i) = self.grounds.iter().position(|g| g.slope == slope) {
             return i;
         }
-        let (up, out) = Self::directions(self.slope_degrees(slope), mirrored);
-        self.grounds.push(Ground {
-            slope,
-            origin: Vec2::ZERO,
-            up,
-            out,
-            from: 0.0,
-            to: 0.0,
-            drop: false,
-            rail: false,
-        });
+        let (up, out) = Self::directions(self.view.degrees(slope), mirrored);
+        let origin = Vec2::ZERO;
+        self.grounds.push(Ground { slope, origin, up, out, from: 0.0, to: 0.0, drop: false, rail: false });
         self.limits.push(None);
         self.grounds.len() - 1
     }
@@ -390,7 +374,7 @@ impl Builder<'_> {
                 placed.on = Some(ground);
             }
             Some(Line { slope, forward_up, .. }) => {
-                let (up, _) = Self::directions(self.slope_degrees(slope), false);
+                let (up, _) = Self::directions(self.view.degrees(slope), false);
                 placed.forward = if forward_up { up } else { -up };
                 placed.top = placed.forward.left();
             }
@@ -791,7 +775,7 @@ impl Builder<'_> {
                 }
             }
             // Room for the angle at the foot.
-            if self.slope_degrees(g.slope) > 0.0 {
+            if self.view.degrees(g.slope) > 0.0 {
                 let steep = if rail { 96.0 } else { 84.0 };
                 low = low.min(from - steep);
             }

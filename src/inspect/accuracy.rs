@@ -7,7 +7,7 @@ use crate::inspect::table::NUMBERS_OF_TIES;
 use crate::inspect::{sentences, table};
 use crate::num::shown;
 use crate::picture::svg::escaped;
-use crate::plot::{Axis, AxisScale, DataPoint, LineChart, Series};
+use crate::plot::{Axis, AxisScale, Caption, DataPoint, LineChart, Series};
 use crate::scene::{Label, Scene};
 use crate::sheet::terminal;
 use crate::solve::ladder::{self, Force, Row, Study, Taken};
@@ -326,9 +326,11 @@ impl StudySheet<'_> {
         let label = if self.timed { "time of one solve, s" } else { "force evaluations of one solve" };
         let ys = points().map(|p| p.y).chain([NO_ERROR]);
         LineChart {
-            id: format!("error-{}", self.problem.id),
-            title: format!("{}: error against cost", self.problem.title),
-            description: self.described(),
+            caption: Caption::new(
+                format!("error-{}", self.problem.id),
+                format!("{}: error against cost", self.problem.title),
+                self.described(),
+            ),
             x: Axis::around(label, AxisScale::Log, points().map(|p| p.x)),
             y: Axis::around("greatest relative error of the asked answers", AxisScale::Log, ys),
             notes: ["filled: unbeaten", "ring: what auto takes", "bottom: no error"]
@@ -383,10 +385,11 @@ impl StudySheet<'_> {
         series[0].points = [low, high].map(|x| DataPoint { x, y: x, filled: false, ringed: false }).to_vec();
         let ys: Vec<f64> = series.iter().flat_map(|s| s.points.iter().map(|p| p.y)).collect();
         Some(LineChart {
-            id: format!("tolerance-{}", self.problem.id),
-            title: "Error of the result against tolerance of a step".to_owned(),
-            description: "Greatest relative error of the asked answers against the requested tolerance, both axes logarithmic."
-                .to_owned(),
+            caption: Caption::new(
+                format!("tolerance-{}", self.problem.id),
+                "Error of the result against tolerance of a step",
+                "Greatest relative error of the asked answers against the requested tolerance, both axes logarithmic.",
+            ),
             x: Axis::around("requested tolerance", AxisScale::Log, xs.into_iter()),
             y: Axis::around("delivered error", AxisScale::Log, ys.into_iter().chain([NO_ERROR])),
             series,

@@ -3,7 +3,7 @@ pub mod make_key;
 pub mod maker;
 #[cfg(feature = "program")]
 pub(crate) mod rounding;
-pub mod rule;
+pub(crate) mod rule;
 #[cfg(feature = "program")]
 pub mod sweep;
 pub mod variant;

@@ -8,10 +8,10 @@ use crate::simulate::truth::TrueKind;
 use crate::units::spell;
 
 /// The habits that are taken where none are given, and the example that is printed: every field, with its meaning.
-pub const EXAMPLE: &str = include_str!("habits.yaml");
+pub const EXAMPLE: &str = include_str!("../../templates/habits.yaml");
 
 /// The habits of the class of demonstrations.
-const DEMO: &str = include_str!("demo.yaml");
+const DEMO: &str = include_str!("../../templates/demo-habits.yaml");
 
 /// Things and how often each is met, as weights >= 0 of which one at least is > 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,10 +180,10 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     {
         faults.at(n, format!("expected a title, found {}", n.kind()));
     }
-    let part = |n: Option<&Node>| n.map_or(0.0, |n| share(n, faults));
-    let absent = part(fields.get("absent"));
+    let part = |n: &Node, f: &Faults| Some(share(n, f));
+    let absent = fields.read("absent", part).unwrap_or(0.0);
     let attempts = fields.get("attempts").map(|n| counts(n, "attempts", MOST_ATTEMPTS, faults));
-    let improves = part(fields.get("improves"));
+    let improves = fields.read("improves", part).unwrap_or(0.0);
     let answers = fields.need("answers", "{right: 70, wrong method: 30}");
     let answers = answers.and_then(|n| {
         mix(n, "kinds of answers", faults, &|name| {
@@ -195,8 +195,8 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
         })
     });
     let (any_method, methods) = fields.get("wrong methods").map_or((1.0, Vec::new()), |n| methods(n, faults));
-    let carries_on = part(fields.get("carries on"));
-    let follows_on = part(fields.get("follows on"));
+    let carries_on = fields.read("carries on", part).unwrap_or(0.0);
+    let follows_on = fields.read("follows on", part).unwrap_or(0.0);
     let figures = fields.get("figures").map(|n| counts(n, "figures", MOST_FIGURES, faults));
     let on_the_way = fields.get("figures on the way").map(|n| counts(n, "figures", MOST_FIGURES, faults));
     let copying = fields.get("copying").and_then(|n| copying(n, faults));
@@ -206,8 +206,8 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
             found.ok_or_else(|| "the ways are asked, other, none".to_owned())
         })
     });
-    let words = part(fields.get("direction by word"));
-    let commas = part(fields.get("decimal commas"));
+    let words = fields.read("direction by word", part).unwrap_or(0.0);
+    let commas = fields.read("decimal commas", part).unwrap_or(0.0);
     let spreadsheet = fields.get("spreadsheet").is_some_and(|n| yes(n, faults));
     let times = fields.get("handed in").and_then(|n| times(n, faults));
     fields.close();
