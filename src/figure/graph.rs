@@ -27,10 +27,10 @@ const TICKS: f64 = 13.0;
 /// A curve: its points in SI (angles in degrees), number of its look, label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    pub points: Vec<(f64, f64)>,
+    pub(crate) points: Vec<(f64, f64)>,
     /// Which line.
     pub look: u8,
-    pub label: Vec<TextRun>,
+    pub(crate) label: Vec<TextRun>,
 }
 
 impl Curve {
@@ -47,10 +47,10 @@ impl Curve {
 /// A marked place on the first axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    pub x: f64,
+    pub(crate) x: f64,
     /// On the curve.
     pub y: f64,
-    pub label: String,
+    pub(crate) label: String,
 }
 
 /// The same problem with another end, one for each value, solved.

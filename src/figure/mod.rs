@@ -7,13 +7,13 @@ use crate::picture::Picture;
 use crate::problem::maker::Variant;
 use crate::words::Words;
 
-pub(crate) mod bars;
+pub mod bars;
 pub mod forces;
-pub(crate) mod graph;
+pub mod graph;
 pub(crate) mod joined;
 pub(crate) mod lamina;
 pub(crate) mod layout;
-pub(crate) mod names;
+pub mod names;
 pub(crate) mod parts;
 pub(crate) mod pinned;
 pub(crate) mod say;
