@@ -1,7 +1,7 @@
 //! How a bank writes the draw of a datum: `25 to 50 step 1`, `one of 10, 20, 45`, `always 30`.
 use crate::bank::Draw;
 use crate::bank::decimal::{Decimal, MAX_DIGITS};
-use crate::bank::node::shorten;
+use crate::bank::node::{WHOLE, shorten};
 use crate::finding::told;
 
 /// The forms of a draw, for hints.
@@ -14,7 +14,8 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
         let d = number(rest)?;
         return Ok(Draw::Always { value: d.value, decimals: d.decimals });
     }
-    if let Some(rest) = word(text, "one of") {
+    // On a sheet nothing is left to draw, and an unknown has a range.
+    if let Some(rest) = word(text, "one of").filter(|_| WHOLE) {
         let list = rest.split(',').map(|t| number(t.trim())).collect::<Result<Vec<_>, _>>()?;
         let decimals = list.iter().map(|d| d.decimals).max().unwrap_or(0);
         let values =
@@ -41,6 +42,9 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
     let decimals = low.decimals.max(high.decimals).max(step.decimals);
     let all = |d: Decimal| d.widened(decimals).ok_or_else(too_long);
     let (min, max, size) = (all(low)?, all(high)?, all(step)?);
+    if !WHOLE {
+        return Ok(Draw::Grid { min, max, step: size, decimals });
+    }
     if size <= 0 {
         return Err((told!("the step {} is not above 0", step.text()), "a step is a positive number".into()));
     }

@@ -196,16 +196,11 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 let at = |d: Vec2| (p.centre + d * p.reach(d), d);
                 let wide = symbol::width(&runs, TEXT);
                 let within = wide + 6.0 < 2.0 * p.reach(Vec2::RIGHT) && p.reach(Vec2::UP) > 11.0;
-                if within && !view.scene.rests(index) {
-                    board.label(
-                        vec![runs],
-                        Role::Dot,
-                        (LabelTie::Near, 0.0),
-                        vec![(p.centre + Vec2::DOWN * 9.5, Vec2::UP)],
-                    );
-                } else {
-                    board.wish(runs, vec![at(side), at(-side), at(Vec2::DOWN)], Role::Dot);
-                }
+                // Within it, unless an arrow sets off from there.
+                let within = Some((p.centre + Vec2::DOWN * 14.5, Vec2::UP))
+                    .filter(|_| within && !view.scene.rests(index));
+                let spots = within.into_iter().chain([at(side), at(-side), at(Vec2::DOWN)]);
+                board.wish(runs, spots.collect(), Role::Dot);
             }
         }
         BodyLook::Wheel { outer, rings, .. } => {
