@@ -1,9 +1,7 @@
 //! What is wrong in somebody's file: where, which value, and what would be right.
-use std::fmt;
 use std::ops::{Deref, DerefMut};
 use std::path::Path;
-use std::slice;
-use std::vec;
+use std::{fmt, slice, vec};
 
 /// What a finding says, as `format!` makes it. A page tells no finding about a bank, for nothing was found in the bank that its sheet
 /// was made from: there the text is not made.

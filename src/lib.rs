@@ -121,6 +121,7 @@
 //! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
 //! Gears and belts join wheels about fixed axles. What carries a whole scene moves along a straight line at a constant acceleration.
 //! One motion follows another without a jerk: what the ties of the second do not allow of the first's speeds is refused.
+#![cfg_attr(not(feature = "program"), allow(dead_code, reason = "a page needs less than the program"))]
 #[macro_use]
 mod worded;
 
@@ -128,7 +129,7 @@ pub mod answer;
 pub mod bank;
 #[cfg(feature = "program")]
 pub mod cli;
-pub mod csv_field;
+mod csv_field;
 pub mod draw;
 #[cfg(feature = "program")]
 pub mod export;
@@ -136,7 +137,7 @@ pub mod export;
 pub mod figure;
 pub mod finding;
 #[cfg(feature = "program")]
-pub mod folder;
+mod folder;
 pub mod grade;
 #[cfg(feature = "program")]
 pub mod inspect;
@@ -151,15 +152,15 @@ pub mod page;
 #[cfg(feature = "program")]
 pub mod picture;
 #[cfg(feature = "program")]
-pub mod plot;
+mod plot;
 pub mod policy;
 pub mod problem;
 #[cfg(feature = "program")]
-pub mod regrade;
+mod regrade;
 #[cfg(feature = "program")]
 pub mod report;
 #[cfg(feature = "program")]
-pub mod review;
+mod review;
 pub mod scene;
 #[cfg(feature = "program")]
 pub mod set;

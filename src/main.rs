@@ -1,8 +1,7 @@
 //! The program: calls [`slipstick::cli::run`] and returns its exit code.
 use slipstick::cli;
 use slipstick::cli::tell::Io;
-use std::io;
-use std::io::IsTerminal as _;
+use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 #[cfg(unix)]
 use std::sync::Arc;

@@ -2,8 +2,7 @@
 use crate::finding::Finding;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
-use crate::template;
-use crate::template::{Templates, Value, View};
+use crate::template::{self, Templates, Value, View};
 use crate::words::Words;
 use std::fmt::Write as _;
 

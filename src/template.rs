@@ -20,13 +20,34 @@ macro_rules! built_in {
     };
 }
 
-/// The templates that the program brings along: name, text. Other languages put theirs over these ([`TRANSLATED`]).
-pub const BUILT_IN: &[(&str, &str)] = built_in!("":
-    "sheet.md",
-    "questions.md",
+/// Templates below a folder that hold words, of which each language has its own.
+macro_rules! in_words {
+    ($folder:literal) => {
+        built_in!($folder:
+            "sheet.md",
+            "questions.md",
+            "feedback.md",
+            "key-table.md",
+            "statement/compound-pendulum.md",
+            "statement/falling-rod.md",
+            "statement/kinetic-energy.md",
+            "statement/lifted-rod.md",
+            "statement/pulled-rolling.md",
+            "statement/pulled-slipping.md",
+            "statement/rod-and-spring.md",
+            "statement/spring-released.md",
+            "statement/thrown-ball.md",
+            "statement/wheel-set-down.md",
+        )
+    };
+}
+
+/// The templates that the program brings along: name, text. First those with words, by language.
+const WORDED: &[(&str, &[(&str, &str)])] = &[("en", in_words!("")), ("de", in_words!("de/"))];
+
+/// Those that are looks, not words, and the same in all languages.
+const LOOKS: &[(&str, &str)] = built_in!("":
     "solution/default.md",
-    "feedback.md",
-    "key-table.md",
     "style.html",
     "math-font.html",
     "sheet.html",
@@ -41,44 +62,12 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "index.html",
     "report.html",
     "report-table.html",
-    "statement/compound-pendulum.md",
-    "statement/falling-rod.md",
-    "statement/kinetic-energy.md",
-    "statement/lifted-rod.md",
-    "statement/pulled-rolling.md",
-    "statement/pulled-slipping.md",
-    "statement/rod-and-spring.md",
-    "statement/spring-released.md",
-    "statement/thrown-ball.md",
-    "statement/wheel-set-down.md",
 );
 
-/// Templates in other languages: code, name and text. What a language lacks here is the same in all (looks, not words).
-pub const TRANSLATED: &[(&str, &[(&str, &str)])] = &[(
-    "de",
-    built_in!("de/":
-        "sheet.md",
-        "feedback.md",
-        "key-table.md",
-        "questions.md",
-        "statement/compound-pendulum.md",
-        "statement/falling-rod.md",
-        "statement/kinetic-energy.md",
-        "statement/lifted-rod.md",
-        "statement/pulled-rolling.md",
-        "statement/pulled-slipping.md",
-        "statement/rod-and-spring.md",
-        "statement/spring-released.md",
-        "statement/thrown-ball.md",
-        "statement/wheel-set-down.md",
-    ),
-)];
-
-/// The built-in templates of a language: name, text.
+/// The built-in templates of a language, or else the English ones: name, text.
 pub fn built_in(language: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let own = TRANSLATED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, list)| *list);
-    let text = move |name: &str| own.iter().find(|(n, _)| *n == name).map(|(_, text)| *text);
-    BUILT_IN.iter().map(move |(name, english)| (*name, text(name).unwrap_or(english)))
+    let (_, own) = WORDED.iter().find(|(code, _)| *code == language).unwrap_or(&WORDED[0]);
+    own.iter().chain(LOOKS).copied()
 }
 
 /// How text that somebody else wrote is escaped in templates whose name ends so.
@@ -154,11 +143,7 @@ pub fn finished(text: &str) -> Value {
 
 /// A map of finished texts.
 pub fn map<'a>(pairs: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
-    let mut map = Map::new();
-    for (name, value) in pairs {
-        map.insert(name.to_owned().into(), value);
-    }
-    Value::from(map)
+    Value::from(pairs.into_iter().map(|(name, value)| (name.to_owned().into(), value)).collect::<Map>())
 }
 
 /// A list.
@@ -270,11 +255,7 @@ impl Templates {
     /// # Errors
     /// There is none of this name.
     pub fn variables(&self, name: &str) -> Result<Vec<String>, Finding> {
-        let names =
-            self.engine(name).get_template_variables(name).map_err(|e| self.fault(&e, name, false))?;
-        let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
-        names.sort_unstable();
-        Ok(names)
+        names_of(self.engine(name), name).map_err(|e| self.fault(&e, name, false))
     }
 
     /// What a template comes to.
@@ -435,8 +416,12 @@ fn add(engine: &mut Tera, name: &str, text: &str) -> Result<Option<Metered>, Fin
 pub fn variables_of(text: &str) -> Result<Vec<String>, Findings> {
     let mut engine = engine();
     add(&mut engine, "text.md", text)?;
-    let names = engine.get_template_variables("text.md").map_err(|e| finding(&e))?;
-    let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
+    Ok(names_of(&engine, "text.md").map_err(|e| finding(&e))?)
+}
+
+fn names_of(engine: &Tera, template: &str) -> Result<Vec<String>, tera::Error> {
+    let mut names: Vec<String> =
+        engine.get_template_variables(template)?.into_iter().map(str::to_owned).collect();
     names.sort_unstable();
     Ok(names)
 }

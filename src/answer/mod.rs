@@ -3,9 +3,9 @@ pub mod figures;
 mod numeral;
 mod plain;
 #[cfg(feature = "program")]
-pub mod quick;
+pub(crate) mod quick;
 #[cfg(feature = "program")]
-pub mod quiz;
+pub(crate) mod quiz;
 pub mod read;
 #[cfg(feature = "program")]
 pub mod roster;

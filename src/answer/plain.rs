@@ -4,13 +4,11 @@
 /// A cell in plain text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct PlainText {
-    /// The text.
     pub text: String,
     /// It had digits of another script.
     pub foreign: bool,
 }
 
-/// A cell in plain text.
 pub(crate) fn plain(cell: &str) -> PlainText {
     let mut written = std::borrow::Cow::Borrowed(cell);
     if written.contains(['&', '<']) {

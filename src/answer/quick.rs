@@ -13,7 +13,6 @@ const MOST: usize = 256;
 /// A unit as it was spelled.
 #[derive(Debug, Clone)]
 pub struct KnownSpelling {
-    /// The unit.
     pub unit: Arc<Unit>,
     /// Upper and lower case were forgiven.
     pub case_forgiven: bool,
@@ -62,7 +61,6 @@ impl Spellings {
         Some((value, Behind::Unit(self.spelling(rest, raised)?)))
     }
 
-    /// The unit of a spelling.
     pub fn unit(&self, spelling: u16) -> Option<&KnownSpelling> {
         self.known.get(usize::from(spelling))
     }

@@ -6,22 +6,18 @@
 use crate::answer::submissions::{Batch, Header, RecordScratch, RecordSource};
 use crate::csv_field::unguarded;
 use crate::finding::Finding;
-use std::io;
-use std::io::Read;
+use std::io::{self, Read};
 
 /// Where the quiz was taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Platform {
-    /// Moodle.
     Moodle,
-    /// Canvas.
     Canvas,
 }
 
 /// A quiz as it was taken.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Quiz {
-    /// Where.
     pub platform: Platform,
     /// In the order of the file.
     pub attempts: Vec<QuizAttempt>,
@@ -30,7 +26,6 @@ pub struct Quiz {
 /// One attempt: a record of the file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct QuizAttempt {
-    /// Its line.
     pub line: u64,
     /// What the student is known by: number, user name, e-mail address (Canvas: SIS id, login, own number); empty where the file
     /// does not say.
@@ -52,7 +47,6 @@ pub struct QuizAnswer {
     pub header: String,
     /// The text of the question, as far as the file tells it.
     pub question: String,
-    /// The answer, or answers.
     pub written: QuizText,
 }
 
@@ -67,7 +61,6 @@ pub enum QuizText {
     Whole {
         /// As it was typed.
         text: String,
-        /// As a list.
         list: Vec<String>,
     },
 }
@@ -102,7 +95,6 @@ const MOODLE: [(ColumnRole, &[&str]); 8] = [
     (ColumnRole::Submitted, &["completed", "completed on", "beendet", "beendet am", "abgeschlossen"]),
 ];
 
-/// Columns of Canvas.
 const CANVAS: [(ColumnRole, &[&str]); 5] = [
     (ColumnRole::Id(0), &["sis id", "sis user id"]),
     (ColumnRole::Id(1), &["login", "login id", "sis login id"]),
@@ -176,10 +168,8 @@ fn is_marks(header: &Header) -> bool {
     moodle.contains(&ColumnRole::Began) && header.fields.iter().any(marks)
 }
 
-/// Reads the download of a quiz; `None` where the file is none.
-///
-/// # Errors
-/// Those of the reader; or the file is of a quiz and has no answers.
+/// Reads the download of a quiz; `None` where the file is none. Errors: those of the reader; or the file is of a quiz and has no
+/// answers.
 pub fn read(inner: Box<dyn Read + Send>) -> io::Result<Result<Option<Quiz>, Finding>> {
     let (mut source, header) = RecordSource::open(inner)?;
     let Some(header) = header else { return Ok(Ok(None)) };

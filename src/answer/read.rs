@@ -23,7 +23,7 @@ pub enum ReadingNote {
 }
 
 /// A number as it was written.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Number {
     /// The number, in `unit`; finite.
     pub value: f64,
@@ -42,18 +42,6 @@ pub struct Number {
 }
 
 impl Number {
-    /// A number alone.
-    fn plain(value: f64) -> Number {
-        Number {
-            value,
-            grouped: None,
-            unit: None,
-            otherwise: None,
-            case_forgiven: false,
-            word: None,
-            notes: Vec::new(),
-        }
-    }
     /// The unit as it is meant where a quantity in `asked` is asked.
     pub fn unit_for(&self, asked: &Unit) -> Option<&Unit> {
         let unit = self.unit.as_deref()?;
@@ -224,10 +212,11 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
         (read.per_cent, ReadingNote::PerCent),
     ];
     let mut number = Number {
+        value: sign * read.value,
         grouped: read.grouped.map(|g| sign * g),
         word,
         notes: notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect(),
-        ..Number::plain(sign * read.value)
+        ..Number::default()
     };
     if let Some(spelled) = read.unit {
         number.unit = Some(spelled.unit);

@@ -3,7 +3,6 @@ use crate::units::{Unit, UnitFault};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// A unit as it was spelled.
 #[derive(Debug, Clone)]
 pub(crate) struct SpelledUnit {
     pub unit: Arc<Unit>,

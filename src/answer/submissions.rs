@@ -7,8 +7,7 @@
 //! the closing quote has as many fields as the header. Everything else is as in RFC 4180.
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use std::borrow::Cow;
-use std::io;
-use std::io::Read;
+use std::io::{self, Read};
 use std::ops::Range;
 
 /// A field longer than this cannot be read.

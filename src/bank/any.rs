@@ -14,9 +14,7 @@ use crate::scene::{
 /// A number that is written `any`.
 #[derive(Debug, Clone)]
 pub struct AnyNumber {
-    /// Where it is written.
     pub node: Node,
-    /// The number.
     pub number: Num,
 }
 

@@ -3,23 +3,18 @@
 /// A file of a bank: id, file, text.
 type OfBank = (&'static str, &'static str, &'static str);
 
+/// The banks below a folder.
+macro_rules! banks {
+    ($folder:literal) => {
+        banks![$folder: "wheels-on-inclines", "hoists-and-pulleys", "slip-and-roll", "pinned-bodies", "rods-and-linkages", "more-wheels"]
+    };
+    ($folder:literal: $($id:literal),*) => {
+        &[$(($id, concat!($folder, $id, ".yaml"), include_str!(concat!("../../", $folder, $id, ".yaml")))),*]
+    };
+}
+
 /// Banks in the program.
-pub const BUILT_IN: &[OfBank] = &[
-    (
-        "wheels-on-inclines",
-        "banks/wheels-on-inclines.yaml",
-        include_str!("../../banks/wheels-on-inclines.yaml"),
-    ),
-    (
-        "hoists-and-pulleys",
-        "banks/hoists-and-pulleys.yaml",
-        include_str!("../../banks/hoists-and-pulleys.yaml"),
-    ),
-    ("slip-and-roll", "banks/slip-and-roll.yaml", include_str!("../../banks/slip-and-roll.yaml")),
-    ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
-    ("rods-and-linkages", "banks/rods-and-linkages.yaml", include_str!("../../banks/rods-and-linkages.yaml")),
-    ("more-wheels", "banks/more-wheels.yaml", include_str!("../../banks/more-wheels.yaml")),
-];
+pub const BUILT_IN: &[OfBank] = banks!("banks/");
 
 /// Names of scenes, with their texts.
 macro_rules! scenes {
@@ -45,38 +40,4 @@ pub const SCENES: &[(&str, &str)] = scenes![
 ];
 
 /// Texts of built-in banks in other languages, by code.
-pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
-    "de",
-    &[
-        (
-            "wheels-on-inclines",
-            "templates/de/banks/wheels-on-inclines.yaml",
-            include_str!("../../templates/de/banks/wheels-on-inclines.yaml"),
-        ),
-        (
-            "hoists-and-pulleys",
-            "templates/de/banks/hoists-and-pulleys.yaml",
-            include_str!("../../templates/de/banks/hoists-and-pulleys.yaml"),
-        ),
-        (
-            "slip-and-roll",
-            "templates/de/banks/slip-and-roll.yaml",
-            include_str!("../../templates/de/banks/slip-and-roll.yaml"),
-        ),
-        (
-            "pinned-bodies",
-            "templates/de/banks/pinned-bodies.yaml",
-            include_str!("../../templates/de/banks/pinned-bodies.yaml"),
-        ),
-        (
-            "rods-and-linkages",
-            "templates/de/banks/rods-and-linkages.yaml",
-            include_str!("../../templates/de/banks/rods-and-linkages.yaml"),
-        ),
-        (
-            "more-wheels",
-            "templates/de/banks/more-wheels.yaml",
-            include_str!("../../templates/de/banks/more-wheels.yaml"),
-        ),
-    ],
-)];
+pub const TRANSLATED: &[(&str, &[OfBank])] = &[("de", banks!("templates/de/banks/"))];

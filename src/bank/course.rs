@@ -152,10 +152,7 @@ fn credit(node: &Node, policy: &mut Policy, faults: &Faults) {
 fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
     let step = |n: &Node| {
         let found = number(n).filter(|x| *x > 0.0 && *x <= 1000.0);
-        if found.is_none() {
-            faults.hint(n, format!("expected a step of totals, found {}", n.kind()), "for example 0.5");
-        }
-        found
+        found.or_else(|| faults.expected(n, "a step of totals", "for example 0.5"))
     };
     if node.text().is_some() {
         return Some(Rounding { to: step(node)?, way: RoundingWay::Nearest });
@@ -170,8 +167,7 @@ fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
 fn corrections(node: &Node, faults: &Faults) -> Vec<Correction> {
     let Value::List(items) = &node.value else {
         let hint = "`- {part: 2.v, give: full, why: part 2 was ambiguous}`";
-        faults.hint(node, format!("expected a list of corrections, found {}", node.kind()), hint);
-        return Vec::new();
+        return faults.expected(node, "a list of corrections", hint).unwrap_or_default();
     };
     items.iter().filter_map(|item| correction(item, faults)).collect()
 }
@@ -206,12 +202,8 @@ fn part(name: &str, at: &Node, faults: &Faults) -> Option<PolicyPart> {
 }
 
 fn zone(node: &Node, faults: &Faults) -> Option<Zone> {
-    let found = node.text().and_then(Zone::named);
-    if found.is_none() {
-        let hint = "a place such as `Europe/Berlin`, or an offset such as `+01:00`";
-        faults.hint(node, format!("expected a time zone, found {}", node.kind()), hint);
-    }
-    found
+    let hint = "a place such as `Europe/Berlin`, or an offset such as `+01:00`";
+    node.text().and_then(Zone::named).or_else(|| faults.expected(node, "a time zone", hint))
 }
 
 /// The zone of times that name none, and whether the day comes first in dates.
@@ -224,19 +216,11 @@ fn moment(node: &Node, (zone, day_first): &Dates, faults: &Faults) -> Option<i64
     let shown = time::parse(text).filter(|m| certain(m) && text.contains(':'));
     let Some((shown, read)) = shown.and_then(|shown| Some((shown, zone.read(text)?))) else {
         let hint = "for example `2026-03-09 23:59`, or `2026-03-09T23:59+01:00`";
-        return faults.refuse_with(
-            node,
-            format!("expected a date with the time of day, found {}", node.kind()),
-            hint,
-        );
+        return faults.expected(node, "a date with the time of day", hint);
     };
     if !shown.zoned && zone.skips(shown.micros[order]) {
-        let hint = "clocks are put forward over it";
-        return faults.refuse_with(
-            node,
-            format!("there is no such time in {}: {}", zone.name(), node.kind()),
-            hint,
-        );
+        let message = format!("there is no such time in {}: {}", zone.name(), node.kind());
+        return faults.refuse_with(node, message, "clocks are put forward over it");
     }
     let at = read.micros[order];
     // 23:59 includes its last second, unless seconds are written.
@@ -257,14 +241,11 @@ fn duration(node: &Node, faults: &Faults) -> Option<i64> {
         _ => None,
     };
     let found = number.trim().parse::<i64>().ok().filter(|n| (0..=100_000).contains(n)).zip(unit);
-    if found.is_none() && text != "0" {
-        faults.hint(
-            node,
-            format!("expected a time span, found {}", node.kind()),
-            "for example `10 min` or `2 h`",
-        );
+    match found {
+        Some((n, unit)) => Some(n * unit),
+        None if text == "0" => Some(0),
+        None => faults.expected(node, "a time span", "for example `10 min` or `2 h`"),
     }
-    found.map(|(n, unit)| n * unit).or((text == "0").then_some(0))
 }
 
 fn number(node: &Node) -> Option<f64> {
@@ -274,11 +255,7 @@ fn number(node: &Node) -> Option<f64> {
 /// `25 %` or `0.25`: 0 to 1.
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
     let found = Decimal::share(node.text().unwrap_or("")).ok().filter(|x| (0.0..=1.0).contains(x));
-    if found.is_none() {
-        let hint = "from `0 %` to `100 %`";
-        faults.hint(node, format!("expected a share of the points, found {}", node.kind()), hint);
-    }
-    found
+    found.or_else(|| faults.expected(node, "a share of the points", "from `0 %` to `100 %`"))
 }
 
 fn points(node: &Node, faults: &Faults) -> Option<f64> {

@@ -2,12 +2,10 @@
 //! `cos`. They stand where a scene has a number, and in bounds, wrong methods and relations between parts.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
-use crate::bank::Datum;
-use crate::bank::measure;
 use crate::bank::node::{Faults, Node, shorten};
+use crate::bank::{Datum, measure};
 use crate::finding::told;
-use crate::num::formula;
-use crate::num::formula::Formula;
+use crate::num::formula::{self, Formula};
 use crate::num::trig;
 use crate::scene::Label;
 
@@ -117,7 +115,6 @@ impl Expression {
             Name::Next(_) => f64::NAN,
         })
     }
-    /// As a formula of its own.
     pub fn formula(&self) -> &Formula<Name> {
         &self.formula
     }

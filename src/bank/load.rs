@@ -5,8 +5,7 @@ use crate::bank::yaml;
 use crate::bank::{Bank, Variables, schema};
 use crate::finding::Findings;
 use sha2::{Digest, Sha256};
-use std::fmt;
-use std::io;
+use std::{fmt, io};
 
 /// Reads a bank. All findings come at once; only a fault of the YAML syntax stands alone.
 ///

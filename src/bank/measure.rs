@@ -85,10 +85,7 @@ pub fn datum(data: &[Datum], name: &str) -> Option<(Name, Exponents)> {
     Some((Name::Datum(i, data[i].degrees), powers(&data[i].unit)))
 }
 
-/// A quantity as an expression takes it, with its dimension.
-///
-/// # Errors
-/// It is a word: message, and no hint.
+/// A quantity as an expression takes it, with its dimension. Errors: it is a word: message, and no hint.
 pub fn quantity(
     scene: &Scene,
     label: Label,
@@ -103,10 +100,7 @@ pub fn quantity(
     }
 }
 
-/// The same of a quantity that the solvers give.
-///
-/// # Errors
-/// Those of [`quantity`].
+/// The same of a quantity that the solvers give. Errors: those of [`quantity`].
 pub fn own_quantity(label: Label, name: &str) -> Result<(Name, Exponents), (String, Option<String>)> {
     if label.quantity.is_word() {
         return Err((told!("`{name}` is a word, not a number"), None));

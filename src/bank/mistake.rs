@@ -16,19 +16,15 @@ pub struct Context<'a> {
     pub data: &'a [Datum],
     /// Index of g.
     pub gravity: usize,
-    /// The questions, as they are written.
     pub questions: Option<&'a Node>,
     /// The datum that was measured, and where the quantity is named.
     pub measured: Option<(usize, &'a Node)>,
-    /// Its cases.
     pub cases: &'a [CaseContext<'a>],
 }
 
 /// What the reader knows of a case.
 pub struct CaseContext<'a> {
-    /// Its name.
     pub name: &'a str,
-    /// Its scene.
     pub scene: &'a Scene,
     /// The text that the scene was read from.
     pub node: &'a Node,

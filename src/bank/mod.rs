@@ -295,7 +295,7 @@ impl Relative {
 /// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
-pub mod any;
+pub(crate) mod any;
 pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;
@@ -303,18 +303,18 @@ pub mod checks;
 #[cfg(feature = "program")]
 pub mod course;
 pub mod decimal;
-pub mod draw;
-pub mod expression;
-pub mod found;
+pub(crate) mod draw;
+pub(crate) mod expression;
+pub(crate) mod found;
 pub mod load;
-pub mod measure;
-pub mod mistake;
-pub mod need;
-pub mod node;
+pub(crate) mod measure;
+pub(crate) mod mistake;
+pub(crate) mod need;
+pub(crate) mod node;
 #[cfg(feature = "program")]
 pub mod overlay;
-pub mod scene;
-pub mod schema;
+pub(crate) mod scene;
+pub(crate) mod schema;
 #[cfg(feature = "program")]
 pub mod yaml;
 

@@ -5,7 +5,6 @@ use crate::finding::told;
 /// What a number is used for: it decides unit and admissible values.
 #[derive(Debug, Clone, Copy)]
 pub struct Need {
-    /// What it is, in words.
     pub words: &'static str,
     /// SI unit (ASCII) of this use.
     pub unit: &'static str,
@@ -69,10 +68,7 @@ impl Need {
     pub fn in_degrees(self) -> bool {
         self.unit == "deg"
     }
-    /// Does a value fit this use?
-    ///
-    /// # Errors
-    /// The rule that it breaks, in words.
+    /// Does a value fit this use? Errors: the rule that it breaks, in words.
     pub fn admits(self, value: f64) -> Result<(), String> {
         let (admits, rule) = self.range;
         if admits(value) { Ok(()) } else { Err(told!("{} is {rule}", self.words)) }

@@ -23,7 +23,6 @@ pub enum Value {
     Empty,
     /// A scalar, as it was written.
     Text(String),
-    /// A list.
     List(Vec<Node>),
     /// Fields in the order of the file; a name may stand twice. Each name is a node of its own, for its place.
     Map(Vec<(Node, Node)>),
@@ -135,6 +134,10 @@ impl Faults {
     ) -> Option<T> {
         self.hint(node, message, hint);
         None
+    }
+    /// [`Faults::refuse_with`] of a node that is something else than was expected.
+    pub fn expected<T>(&self, node: &Node, what: &str, hint: impl Into<String>) -> Option<T> {
+        self.refuse_with(node, told!("expected {what}, found {}", node.kind()), hint)
     }
     #[cfg(feature = "program")]
     fn push(&self, node: &Node, finding: impl FnOnce() -> Finding) {

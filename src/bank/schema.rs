@@ -3,14 +3,13 @@ use crate::bank::asked::AskedContext;
 #[cfg(feature = "program")]
 use crate::bank::course;
 use crate::bank::decimal::Decimal;
-use crate::bank::draw;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, choice, named, shorten, text, whole};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    any, asked, checks, found, measure, mistake,
+    any, asked, checks, draw, found, measure, mistake,
 };
 use crate::finding::told;
 #[cfg(not(feature = "program"))]
@@ -18,8 +17,7 @@ use crate::policy::Hints;
 use crate::policy::Policy;
 use crate::scene::{AsIf, Label, Owner, Quantity, Scene, Span, Term};
 use crate::solve::outcome::{CheckKind, Motion};
-use crate::units::Unit;
-use crate::units::spell;
+use crate::units::{Unit, spell};
 use std::collections::BTreeMap;
 
 /// Gravity where the bank does not say it.
@@ -232,11 +230,8 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
     }
     if !matches!(node.value, Value::Map(_)) {
         if node.text().is_some_and(|t| t.trim_start().starts_with(|c: char| c.is_alphabetic())) {
-            return faults.refuse_with(
-                node,
-                told!("expected a relative tolerance, found {}", node.kind()),
-                "write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`",
-            );
+            let hint = "write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`";
+            return faults.expected(node, "a relative tolerance", hint);
         }
         return sound(node).map(Relative::Fixed);
     }
@@ -701,13 +696,8 @@ impl CaseRead<'_> {
 }
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
-    let Some(text) = node.text() else {
-        return faults.refuse_with(node, told!("expected a draw, found {}", node.kind()), draw::FORMS);
-    };
-    match draw::parse(text) {
-        Ok(draw) => Some(draw),
-        Err((message, hint)) => faults.refuse_with(node, message, hint),
-    }
+    let Some(text) = node.text() else { return faults.expected(node, "a draw", draw::FORMS) };
+    draw::parse(text).or_else(|(message, hint)| faults.refuse_with(node, message, hint).ok_or(())).ok()
 }
 
 fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {

@@ -6,7 +6,6 @@ use crate::folder::{banks, files};
 use crate::inspect::{accuracy, data};
 use std::path::{Path, PathBuf};
 
-/// Runs it.
 pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Findings> {
     let outputs = outputs(args)?;
     let loaded = banks::load(&args.of.bank)?;

@@ -1,9 +1,9 @@
 //! What was typed, nothing resolved; keeper of clap.
 use crate::bank::Bank;
+use crate::bank::built_in::BUILT_IN;
 use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::Findings;
-use crate::folder::banks;
-use crate::folder::banks::Loaded;
+use crate::folder::banks::{self, Loaded};
 use crate::folder::grading::Reports;
 use crate::manual::TOPICS;
 use crate::policy::Counts;
@@ -170,24 +170,15 @@ pub struct OwnArgs {
 }
 
 impl OwnArgs {
-    /// The texts for a bank, in English unless another language is asked.
-    ///
-    /// # Errors
-    /// All that is wrong with them.
+    /// The texts for a bank, in English unless another language is asked. Errors: all that is wrong with them.
     pub fn texts(&self, bank: &mut Bank) -> Result<Texts, Findings> {
         self.texts_or("en", bank)
     }
-    /// The same where another language is the usual one.
-    ///
-    /// # Errors
-    /// All that is wrong with them.
+    /// The same where another language is the usual one. Errors: all that is wrong with them.
     pub fn texts_or(&self, usual: &str, bank: &mut Bank) -> Result<Texts, Findings> {
         banks::texts(self.templates.as_deref(), self.language.as_deref().unwrap_or(usual), bank)
     }
-    /// A bank with its texts.
-    ///
-    /// # Errors
-    /// All that is wrong with either.
+    /// A bank with its texts. Errors: all that is wrong with either.
     pub fn load(&self, bank: &str) -> Result<(Loaded, Texts), Findings> {
         let mut loaded = banks::load(bank)?;
         let texts = self.texts(&mut loaded.bank)?;
@@ -198,8 +189,7 @@ impl OwnArgs {
 /// `generate`
 #[derive(Debug, Args)]
 pub struct GenerateArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
-    /// more-wheels
+    #[arg(help = bank())]
     pub bank: String,
     /// CSV file with a column `student` and, if you like, `name`
     #[arg(long, value_name = "ROSTER.csv")]
@@ -217,16 +207,11 @@ pub struct GenerateArgs {
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     pub problems: Option<Vec<String>>,
     /// Formats of the sheets: html, md, pdf, tex [default: html,md, and pdf where it is built in]
-    #[arg(
-        long,
-        value_name = "FORMAT,FORMAT",
-        value_parser = Format::parse,
-        value_delimiter = ','
-    )]
+    #[arg(long, value_name = "FORMAT,FORMAT", value_parser = format, value_delimiter = ',')]
     pub format: Option<Vec<Format>>,
     /// Where the program lies by which a sheet checks itself: single (in each sheet, one file that can be mailed) or site
     /// (beside the sheets, for a web server) [default: single]
-    #[arg(long, value_name = "WHERE", value_parser = Hosting::parse)]
+    #[arg(long, value_name = "WHERE", value_parser = hosting)]
     pub page: Option<Hosting>,
     /// Add late joiners to an existing set; nothing else changes
     #[arg(long, conflicts_with = "force")]
@@ -245,6 +230,12 @@ pub struct GenerateArgs {
     pub own: OwnArgs,
 }
 
+/// What a bank is given by.
+fn bank() -> String {
+    let ids: Vec<&str> = BUILT_IN.iter().map(|(id, ..)| *id).collect();
+    format!("Bank: a YAML file, or the id of a built-in one: {}", ids.join(", "))
+}
+
 /// One of some words, each with what it stands for and what that is.
 fn one_of<T: Copy + Send + Sync>(words: &'static [(&str, T, &str)]) -> impl TypedValueParser<Value = T> {
     let all = words.iter().map(|(word, _, about)| PossibleValue::new(*word).help(*about));
@@ -252,6 +243,20 @@ fn one_of<T: Copy + Send + Sync>(words: &'static [(&str, T, &str)]) -> impl Type
         let known = words.iter().find(|(name, ..)| *name == word);
         known.map(|(_, value, _)| *value).ok_or("this word is not known")
     })
+}
+
+/// A word as people type it, if it is known; else which are.
+fn typed<T>(known: fn(&str) -> Option<T>, text: &str, words: &str) -> Result<T, String> {
+    known(&text.trim().to_ascii_lowercase()).ok_or_else(|| words.to_owned())
+}
+fn format(text: &str) -> Result<Format, String> {
+    typed(Format::of_word, text, "the formats are html, md, pdf and tex")
+}
+fn export_format(text: &str) -> Result<ExportFormat, String> {
+    typed(ExportFormat::of_word, text, "the formats are moodle, canvas, qti21 and qti3")
+}
+fn hosting(text: &str) -> Result<Hosting, String> {
+    typed(Hosting::of_word, text, "a page is single or site")
 }
 
 /// Which attempt at a part counts.
@@ -434,8 +439,7 @@ fn at_least_one(text: &str) -> Result<usize, String> {
 /// `practice`
 #[derive(Debug, Args)]
 pub struct PracticeArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
-    /// more-wheels
+    #[arg(help = bank())]
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
     #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
@@ -460,8 +464,7 @@ pub struct PracticeArgs {
 /// A problem with given data.
 #[derive(Debug, Args)]
 pub struct ProblemArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
-    /// more-wheels
+    #[arg(help = bank())]
     pub bank: String,
     /// Id of the problem; a bank of one problem needs none
     pub problem: Option<String>,
@@ -521,8 +524,7 @@ pub struct AccuracyArgs {
 /// `lint`
 #[derive(Debug, Args)]
 pub struct LintArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
-    /// more-wheels
+    #[arg(help = bank())]
     pub bank: String,
     /// How many seeds to try
     #[arg(long, value_name = "N", default_value_t = 1000)]
@@ -542,8 +544,7 @@ pub struct NewArgs {
 /// `quantities`
 #[derive(Debug, Args)]
 pub struct QuantitiesArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
-    /// more-wheels
+    #[arg(help = bank())]
     pub bank: String,
     /// Id of the problem; a bank of one problem needs none
     pub problem: Option<String>,
@@ -555,8 +556,7 @@ pub struct QuantitiesArgs {
 /// `gallery`
 #[derive(Debug, Args)]
 pub struct GalleryArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies, rods-and-linkages,
-    /// more-wheels
+    #[arg(help = bank())]
     pub bank: String,
     /// File to write, such as gallery.html
     #[arg(long, value_name = "FILE")]
@@ -606,12 +606,7 @@ pub struct SolutionsArgs {
     #[arg(long, value_parser = one_of(DETAILS), default_value = "short")]
     pub detail: Detail,
     /// Formats: html, md, pdf, tex [default: html,md, and pdf where it is built in]
-    #[arg(
-        long,
-        value_name = "FORMAT,FORMAT",
-        value_parser = Format::parse,
-        value_delimiter = ','
-    )]
+    #[arg(long, value_name = "FORMAT,FORMAT", value_parser = format, value_delimiter = ',')]
     pub format: Option<Vec<Format>>,
     /// Replace solutions that were made before (and nothing else)
     #[arg(long)]
@@ -631,7 +626,7 @@ pub struct ExportArgs {
     #[arg(value_name = "SET or BANK")]
     pub source: String,
     /// Format: moodle, canvas, qti21 or qti3
-    #[arg(long, value_name = "FORMAT", value_parser = ExportFormat::parse)]
+    #[arg(long, value_name = "FORMAT", value_parser = export_format)]
     pub format: ExportFormat,
     /// File to write, such as week-5.xml for Moodle and week-5.zip for the others; not within the students' folders
     #[arg(long, value_name = "FILE")]

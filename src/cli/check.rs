@@ -25,7 +25,6 @@ fn no_sheet(given: &Path, is: &str) -> Finding {
     })
 }
 
-/// Runs it.
 pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     let file = args.sheet.display().to_string();
     if args.sheet.is_dir() {

@@ -28,7 +28,6 @@ const TRUTH: &str = "truth.csv";
 const SELF_TEST: &str = "self-test.txt";
 const SEED: u64 = 2026;
 
-/// Runs it.
 pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     let dir = &args.dir;
     let bar = io.bar();

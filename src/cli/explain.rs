@@ -4,7 +4,6 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::explain;
 
-/// Runs it.
 pub fn run(args: &args::ExplainArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.piece(&explain::explain(&args.graded, &args.student, &args.problem, args.part.as_deref())?);
     Ok(Exit::Fine)

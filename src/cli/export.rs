@@ -3,11 +3,10 @@ use crate::cli::args::ExportArgs;
 use crate::cli::tell::{Exit, Io};
 use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::{Finding, Findings};
-use crate::folder;
 use crate::folder::deal::Plan;
 use crate::folder::export::{ExportJob, set_beside};
 use crate::folder::staged::{self, Staged};
-use crate::folder::{deal, export, names, set};
+use crate::folder::{self, deal, export, names, set};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::self_check::Hosting;
@@ -17,7 +16,6 @@ use std::path::{Path, PathBuf};
 /// Variants of a pool at most.
 const MOST: u32 = 10_000;
 
-/// Runs it.
 pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let layout = match (args.format, args.layout) {
         (ExportFormat::Moodle, Some(layout)) => layout,

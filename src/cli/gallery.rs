@@ -4,8 +4,7 @@ use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::{Progress, files};
-use crate::review;
-use crate::review::page;
+use crate::review::{self, page};
 use crate::set::dealer;
 use crate::sheet::terminal;
 use std::path::Path;
@@ -17,7 +16,6 @@ const MOST: u32 = 1000;
 /// Between two looks at a file that is watched.
 const LOOK: Duration = Duration::from_millis(250);
 
-/// Runs it.
 pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
     files::may_write_file(&args.out, args.force)?;
     if args.variants == 0 || args.variants > MOST {

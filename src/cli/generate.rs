@@ -2,15 +2,13 @@
 use crate::cli::tell::{Exit, Io};
 use crate::cli::{args, tell};
 use crate::finding::Findings;
-use crate::folder;
 use crate::folder::deal::{Plan, SetMade};
-use crate::folder::{banks, deal, names, set, staged};
+use crate::folder::{self, banks, deal, names, set, staged};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::{output, terminal, texts};
 use std::path::Path;
 
-/// Runs it.
 pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
     let mut faults = Findings::default();
     // First of all: a set that a killed run had moved aside goes back.

@@ -2,11 +2,9 @@
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
-use crate::folder::grading;
-use crate::folder::grading::GradeOrder;
+use crate::folder::grading::{self, GradeOrder};
 use crate::folder::names::{ANSWERS, GRADEBOOK, INDEX};
 
-/// Runs it.
 pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let job = GradeOrder {
         set: &args.set,

@@ -1,6 +1,5 @@
 //! `slipstick help`: what a verb does, a topic of the manual, or the whole manual as one page.
-use crate::cli::args;
-use crate::cli::args::Typed;
+use crate::cli::args::{self, Typed};
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::files;
@@ -9,7 +8,6 @@ use crate::units::spell;
 use clap::CommandFactory as _;
 use std::path::Path;
 
-/// Runs it.
 pub fn run(args: &args::HelpArgs, io: &mut Io) -> Result<Exit, Findings> {
     if let Some(path) = &args.html {
         return book(path, args.force, io);

@@ -7,7 +7,6 @@ use crate::folder::{Progress, banks};
 use crate::review;
 use crate::sheet::terminal;
 
-/// Runs it.
 pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {
     if args.seeds == 0 {
         return Err(Finding::new("--seeds", "0 draws tell nothing").hint("write a number from 1 on").into());

@@ -12,7 +12,6 @@ use crate::words::Words;
 /// Pairs shown on the terminal; the others stand in the file.
 const SHOWN: usize = 20;
 
-/// Runs it.
 pub fn run(args: &args::MatchesArgs, io: &mut Io) -> Result<Exit, Findings> {
     let found = matches::find(&graded::open(&args.graded, None)?)?;
     io.piece(&told(&found));

@@ -9,7 +9,7 @@ use std::io::Write as _;
 use std::path::Path;
 
 mod accuracy;
-pub mod args;
+pub(crate) mod args;
 mod check;
 mod demo;
 mod explain;

@@ -6,7 +6,6 @@ use crate::finding::{Finding, Findings};
 use crate::sheet::terminal;
 use crate::units;
 
-/// Runs it.
 pub fn run(args: &args::NewArgs, io: &mut Io) -> Result<Exit, Findings> {
     let Some(wanted) = &args.scene else {
         let row = |(name, text): &(&str, &str)| vec![(*name).to_owned(), about(text).to_owned()];

@@ -32,7 +32,6 @@ enum Next {
     Quit,
 }
 
-/// Runs it.
 pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let (loaded, texts) = args.own.load(&args.bank)?;
     let (bank, words) = (&loaded.bank, &texts.words);

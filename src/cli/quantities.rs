@@ -5,7 +5,6 @@ use crate::finding::Findings;
 use crate::folder::banks;
 use crate::inspect::quantities;
 
-/// Runs it.
 pub fn run(args: &args::QuantitiesArgs, io: &mut Io) -> Result<Exit, Findings> {
     let loaded = banks::load(&args.bank)?;
     let problem = banks::problem(&loaded, args.problem.as_deref())?;

@@ -2,10 +2,8 @@
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
-use crate::folder::regrading;
-use crate::folder::regrading::RegradingJob;
+use crate::folder::regrading::{self, RegradingJob};
 
-/// Runs it.
 pub fn run(args: &args::RegradeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let job = RegradingJob {
         set: &args.set,

@@ -2,10 +2,8 @@
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
-use crate::folder::reports;
-use crate::folder::reports::ReportJob;
+use crate::folder::reports::{self, ReportJob};
 
-/// Runs it.
 pub fn run(args: &args::ReportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let made = reports::write(&ReportJob {
         graded: &args.graded,

@@ -2,15 +2,12 @@
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
-use crate::folder;
-use crate::folder::{banks, files};
+use crate::folder::{self, banks, files};
 use crate::sheet::terminal;
 use crate::simulate::classwork::Files;
-use crate::simulate::habits;
-use crate::simulate::habits::Habits;
+use crate::simulate::habits::{self, Habits};
 use std::path::Path;
 
-/// Runs it.
 pub fn run(args: &args::SimulateArgs, io: &mut Io) -> Result<Exit, Findings> {
     if args.example {
         io.piece(habits::EXAMPLE);

@@ -2,11 +2,9 @@
 use crate::cli::tell::{Exit, Io};
 use crate::cli::{args, tell};
 use crate::finding::Findings;
-use crate::folder::solutions;
-use crate::folder::solutions::SolutionsJob;
+use crate::folder::solutions::{self, SolutionsJob};
 use crate::sheet::{output, terminal};
 
-/// Runs it.
 pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
     let formats = output::formats(args.format.as_deref());
     let made = solutions::write(&SolutionsJob {

@@ -8,7 +8,6 @@ use crate::scene::Label;
 use crate::solve::outcome::Refusal;
 use crate::solve::{agree, ladder};
 
-/// Runs it.
 pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
     let wish = data::wish(args.by.method, args.by.rtol, args.by.step.as_deref())?;
     let loaded = banks::load(&args.of.bank)?;

@@ -18,7 +18,6 @@ const NOT_WRITTEN: [&str; 5] =
 /// What each file receives.
 const ABOUT: &str = include_str!("../../templates/README.md");
 
-/// Runs it.
 pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Findings> {
     banks::words(&args.language)?;
     let new = NewFolder {

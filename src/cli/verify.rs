@@ -9,7 +9,6 @@ use crate::report::proved;
 use crate::set::key_file;
 use crate::sheet::terminal;
 
-/// Runs it.
 pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Findings> {
     let Replayed { set, keys, not_drawn, .. } = set::replayed(&args.set)?;
     if not_drawn.is_none() {

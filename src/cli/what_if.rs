@@ -4,7 +4,6 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::tolerances;
 
-/// Runs it.
 pub fn run(args: &args::WhatIfArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.piece(&tolerances::what_if(&args.graded, &shares(&args.tolerance)?)?);
     Ok(Exit::Fine)

@@ -14,7 +14,6 @@ pub enum Piece {
     Answer(usize),
     /// The picture of this index.
     Picture(usize),
-    /// An item of a list, whole.
     ListItem(Vec<Piece>),
 }
 

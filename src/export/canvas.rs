@@ -163,7 +163,6 @@ fn processing(x: &mut Xml, part: &ItemPart, explained: bool) {
     });
 }
 
-/// The quiz.
 fn quiz(export: &Export, fragments: &[Fragment], id: &str) -> String {
     let mut x = Xml::file();
     x.element("questestinterop", &[("xmlns", "http://www.imsglobal.org/xsd/ims_qtiasiv1p2")], |x| {
@@ -215,10 +214,7 @@ fn meta(export: &Export, id: &str) -> String {
     x.done()
 }
 
-/// The archive.
-///
-/// # Errors
-/// It would be too large.
+/// The archive. Errors: it would be too large.
 pub fn file(export: &Export, fragments: Vec<Fragment>) -> Result<Vec<u8>, Finding> {
     let id = format!("quiz-{}", export.id);
     let (main, of_quiz) = (format!("{id}/{id}.xml"), format!("{id}/assessment_meta.xml"));

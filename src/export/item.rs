@@ -28,7 +28,6 @@ pub struct Item {
     pub below: Arc<Below>,
     /// Pictures of the statement, then of the solution.
     pub pictures: Vec<ItemPicture>,
-    /// Its parts.
     pub parts: Vec<ItemPart>,
     /// The worked solution, if it is wanted; its pictures come behind those of the statement, of which there are so many.
     pub solution: Option<(ItemText, usize)>,
@@ -44,7 +43,6 @@ pub struct Below {
     word: String,
 }
 
-/// A picture of an item.
 pub struct ItemPicture {
     /// Name of its file, with its ending.
     pub file: String,
@@ -54,17 +52,13 @@ pub struct ItemPicture {
     pub svg: String,
 }
 
-/// One part of an item.
 pub struct ItemPart {
     /// Its id, `omega`.
     pub id: String,
-    /// What is right.
     pub right: Right,
-    /// Points.
     pub points: f64,
 }
 
-/// What is right.
 pub enum Right {
     /// A number in the unit that is asked.
     Number {
@@ -72,10 +66,8 @@ pub enum Right {
         value: f64,
         /// How far an answer may be from it.
         tolerance: f64,
-        /// The unit.
         unit: Unit,
     },
-    /// A word.
     Word {
         /// The right one, as keys write it.
         right: &'static str,
@@ -142,10 +134,7 @@ impl<'i> ItemMaker<'i> {
         Self { bank, problems, texts, sheets, below: below.collect(), with_solutions }
     }
 
-    /// The item of a variant of the problem at this place of the sheet.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// The item of a variant of the problem at this place of the sheet. Errors: faults of the templates.
     pub fn item(
         &self,
         at: usize,

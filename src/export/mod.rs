@@ -2,17 +2,17 @@
 //!
 //! A [`item::Item`] is one variant of one problem, in the words of its set; a format makes its text and files of it ([`Fragment`]),
 //! several at a time, and at the end one file of all. [`losses`] says what a format cannot carry.
-pub mod body;
-pub mod canvas;
-pub mod item;
-pub mod losses;
+pub(crate) mod body;
+pub(crate) mod canvas;
+pub(crate) mod item;
+pub(crate) mod losses;
 pub mod moodle;
-pub mod package;
-pub mod qti;
-pub mod qti21;
-pub mod qti3;
-pub mod units;
-pub mod xml;
+pub(crate) mod package;
+pub(crate) mod qti;
+pub(crate) mod qti21;
+pub(crate) mod qti3;
+pub(crate) mod units;
+pub(crate) mod xml;
 
 use crate::bank::Problem;
 use crate::export::item::Item;
@@ -29,17 +29,6 @@ worded! {
         Qti21 "qti21",
         /// QTI 3.0 in a ZIP archive
         Qti3 "qti3",
-    }
-}
-
-impl ExportFormat {
-    /// By its name, as people type it.
-    ///
-    /// # Errors
-    /// There is none of this name.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let format = Self::of_word(&text.trim().to_ascii_lowercase());
-        format.ok_or_else(|| "the formats are moodle, canvas, qti21 and qti3".to_owned())
     }
 }
 

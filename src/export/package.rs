@@ -10,7 +10,6 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 pub struct Resource {
     /// Its identifier.
     pub id: String,
-    /// What it is.
     pub kind: String,
     /// Its files, the main one first.
     pub files: Vec<String>,
@@ -61,10 +60,7 @@ impl Manifest<'_> {
         x.done()
     }
 
-    /// The archive: the manifest, then the files in this order.
-    ///
-    /// # Errors
-    /// It would be larger than an archive can be.
+    /// The archive: the manifest, then the files in this order. Errors: it would be larger than an archive can be.
     pub fn archive(&self, files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>, Finding> {
         let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
         let options = SimpleFileOptions::default()

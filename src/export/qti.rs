@@ -265,10 +265,7 @@ fn test(dialect: &Dialect, export: &Export, fragments: &[Fragment]) -> String {
     q.xml.done()
 }
 
-/// The archive.
-///
-/// # Errors
-/// It would be too large.
+/// The archive. Errors: it would be too large.
 pub fn file(dialect: &Dialect, export: &Export, fragments: Vec<Fragment>) -> Result<Vec<u8>, Finding> {
     const TEST: &str = "test.xml";
     let text = test(dialect, export, &fragments).into_bytes();

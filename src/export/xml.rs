@@ -40,7 +40,6 @@ impl Xml {
         self.write(Event::Start(start(name, attributes)));
     }
 
-    /// Its end.
     pub fn end(&mut self, name: &str) {
         self.write(Event::End(BytesEnd::new(name)));
     }
@@ -73,7 +72,6 @@ impl Xml {
         self.raw("\n");
     }
 
-    /// What was written.
     pub fn done(self) -> String {
         String::from_utf8(self.writer.into_inner()).expect("text was written")
     }

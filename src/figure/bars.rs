@@ -31,10 +31,8 @@ const EQUAL: f64 = 1e-6;
 /// Energies in J, by kind, at the start (with what is put in) and at the end (with what has left).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Energies {
-    /// At the start.
-    pub start: [f64; 6],
-    /// At the end.
-    pub end: [f64; 6],
+    pub(crate) start: [f64; 6],
+    pub(crate) end: [f64; 6],
 }
 
 impl Energies {

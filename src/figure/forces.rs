@@ -9,7 +9,7 @@ use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
 use crate::figure::{joined, layout, names, parts, say};
 use crate::num::{shown, trig};
-use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
+use crate::picture::board::{Board, LabelTie, LabelWish, MIDDLE_FIRST, TEXT, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
@@ -75,12 +75,33 @@ impl ForceArrow {
         let (push, aside, arm, ends) = (false, Vec2::ZERO, Vec::new(), false);
         Self { at, value, towards, label, role, push, most, aside, arm, ends }
     }
+    /// The same with its symbol between bars where it is negative.
+    fn signed(at: Vec2, towards: Vec2, value: f64, symbol: Vec<TextRun>) -> Self {
+        Self::new(at, towards, value, symbol::magnitude(symbol, value < 0.0))
+    }
+    /// In the colour of something else than a force that is given or found.
+    fn of(self, role: Role) -> Self {
+        Self { role, ..self }
+    }
 }
 
 /// A couple on the body: counter-clockwise positive.
 struct Turning {
     value: f64,
     label: Vec<TextRun>,
+}
+
+impl Turning {
+    /// A couple with its symbol between bars where it is negative.
+    fn signed(value: f64, symbol: Vec<TextRun>) -> Self {
+        Self { value, label: symbol::magnitude(symbol, value < 0.0) }
+    }
+    /// `I alpha` of a body, with both symbols.
+    fn kinetic(alpha: f64, inertia: f64, clockwise: bool, [symbol, of_alpha]: [Vec<TextRun>; 2]) -> Self {
+        let sense = if clockwise { -1.0 } else { 1.0 };
+        let label = [symbol, symbol::magnitude(of_alpha, alpha < 0.0)].concat();
+        Self { value: alpha * inertia * sense, label }
+    }
 }
 
 /// What a body makes of it: `m a` in one or two components, `I alpha`.
@@ -252,14 +273,12 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         let mut label = names::mass(view, body);
         let symbol = symbol::symbol(&names::of_body(view, body, &["a", "a_G"], |b| b.line.is_some()));
         label.extend(symbol::magnitude(symbol, a < 0.0));
-        parts
-            .push(ForceArrow { role: Role::Motion, ..ForceArrow::new(p.centre, p.forward, a * mass, label) });
+        parts.push(ForceArrow::new(p.centre, p.forward, a * mass, label).of(Role::Motion));
     }
     let turn = this.turns.then(|| {
-        let mut label = symbol::symbol(&names::of_body(view, body, &["I_G", "J_G"], |_| false));
-        let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
-        label.extend(symbol::magnitude(symbol::symbol(&symbol), alpha < 0.0));
-        Turning { value: alpha * view.inertia(this) * if p.clockwise { -1.0 } else { 1.0 }, label }
+        let inertia = names::of_body(view, body, &["I_G", "J_G"], |_| false);
+        let symbols = [inertia, names::alpha(view, body)].map(|s| symbol::symbol(&s));
+        Turning::kinetic(alpha, view.inertia(this), p.clockwise, symbols)
     });
     let kinetic = Kinetic { parts, turn, round: p.reach(Vec2::RIGHT) + 10.0 };
     let centre = p.centre;
@@ -312,7 +331,7 @@ fn couples_on(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
         let (given, value) = view.load(GivenForce::Couple(i), c.moment_n_m);
         let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
         let value_left = if clockwise == c.forward { -value } else { value };
-        Turning { value: value_left, label: symbol::magnitude(symbol, value < 0.0) }
+        Turning { value: value_left, ..Turning::signed(value, symbol) }
     };
     view.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body).map(turning).collect()
 }
@@ -365,28 +384,14 @@ fn contact(
         // Found positive up the incline, drawn along the body's own forward direction.
         friction = -friction;
     }
-    forces.push(ForceArrow {
-        push: true,
-        ..ForceArrow::new(
-            at,
-            p.top,
-            normal,
-            symbol::symbol(&names::of_body(view, body, &["N", "N_s"], |b| b.line.is_some_and(|l| l.surface))),
-        )
-    });
+    let name = names::of_body(view, body, &["N", "N_s"], |b| b.line.is_some_and(|l| l.surface));
+    forces.push(ForceArrow { push: true, ..ForceArrow::new(at, p.top, normal, symbol::symbol(&name)) });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
     let arm = tie.and_then(|t| view.scene.ties[t].actions().find_map(|a| a.arm));
-    forces.push(ForceArrow {
-        role: Role::Friction,
-        arm: arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius)),
-        ..ForceArrow::new(
-            at,
-            p.forward,
-            friction,
-            symbol::magnitude(symbol::symbol(&names::friction(view, body)), negative),
-        )
-    });
+    let arm = arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
+    let label = symbol::magnitude(symbol::symbol(&names::friction(view, body)), negative);
+    forces.push(ForceArrow { arm, ..ForceArrow::new(at, p.forward, friction, label).of(Role::Friction) });
 }
 
 /// Sine and cosine of the slope of a body's line.
@@ -437,8 +442,7 @@ fn cords(
                 ),
             };
             let arm = pull.arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
-            let pull = ForceArrow::new(at, *towards, value, symbol::magnitude(label, value < 0.0));
-            forces.push(ForceArrow { arm, ..pull });
+            forces.push(ForceArrow { arm, ..ForceArrow::signed(at, *towards, value, label) });
         }
     }
 }
@@ -464,29 +468,23 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     };
     let (radial, tangential) =
         (found(view, Quantity::PinRadial, body), found(view, Quantity::PinTangential, body));
-    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
-        ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
-    };
     let weight = mass * view.of(view.scene.gravity_m_s2);
     let mut forces = vec![
-        force(g, weight, Vec2::DOWN, names::weight(view, body)),
-        force(Vec2::ZERO, radial, -d, name(&["R", "O_r"])),
-        force(Vec2::ZERO, tangential, across, name(&["S", "O_t"])),
+        ForceArrow::signed(g, Vec2::DOWN, weight, names::weight(view, body)),
+        ForceArrow::signed(Vec2::ZERO, -d, radial, name(&["R", "O_r"])),
+        ForceArrow::signed(Vec2::ZERO, across, tangential, name(&["S", "O_t"])),
     ];
     if let Some(spring) = &pin.spring {
         let held = d * (view.of(spring.at_m) * hung.scale);
         let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
         let value = found(view, Quantity::SpringForce, body);
-        let pull = force(held, value, (anchor - held).unit(), name(&["F_s", r"F_{\mathrm{s}}"]));
+        let symbol = name(&["F_s", r"F_{\mathrm{s}}"]);
+        let pull = ForceArrow::signed(held, (anchor - held).unit(), value, symbol);
         forces.push(ForceArrow { arm: name(&["p", r"p_{\mathrm{s}}"]), ..pull });
     }
     let couples = couples_on(view, body, hung.clockwise());
     let (omega, alpha) = (found(view, Quantity::Omega, body), found(view, Quantity::Alpha, body));
-    let with_mass = |symbol: Vec<TextRun>| {
-        let mut label = names::mass(view, body);
-        label.extend(symbol);
-        label
-    };
+    let with_mass = |symbol: Vec<TextRun>| [names::mass(view, body), symbol].concat();
     // Along a thin rod they stand beside it, where the tangential ones do not.
     let beside = |tangential: f64| match hung.rod {
         Some(_) => across * (if tangential < 0.0 { BESIDE } else { -BESIDE }),
@@ -496,26 +494,12 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     if into {
         forces[1].aside = beside(tangential);
     }
-    let parts = vec![
-        ForceArrow {
-            role: Role::Motion,
-            aside: beside(alpha),
-            ..ForceArrow::new(g, -d, mass * metres * omega * omega, with_mass(symbol::symbol("a_n")))
-        },
-        ForceArrow {
-            role: Role::Motion,
-            ..ForceArrow::new(
-                g,
-                across,
-                mass * metres * alpha,
-                with_mass(symbol::magnitude(symbol::symbol("a_t"), alpha < 0.0)),
-            )
-        },
-    ];
-    let mut label = name(&["I_G", "J_G"]);
-    label.extend(symbol::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
-    let sense = if hung.clockwise() { -1.0 } else { 1.0 };
-    let turn = Some(Turning { value: alpha * view.inertia(this) * sense, label });
+    let normal = ForceArrow::new(g, -d, mass * metres * omega * omega, with_mass(symbol::symbol("a_n")));
+    let tangential = with_mass(symbol::magnitude(symbol::symbol("a_t"), alpha < 0.0));
+    let tangential = ForceArrow::new(g, across, mass * metres * alpha, tangential).of(Role::Motion);
+    let parts = vec![ForceArrow { aside: beside(alpha), ..normal.of(Role::Motion) }, tangential];
+    let symbols = [name(&["I_G", "J_G"]), name(&[r"\alpha", r"\alpha_1"])];
+    let turn = Some(Turning::kinetic(alpha, view.inertia(this), hung.clockwise(), symbols));
     let draw = move |board: &mut Board| {
         let zero = hung.direction(0.0);
         board.line(Vec2::ZERO, zero * 62.0, Role::Ghost);
@@ -553,15 +537,13 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         let whole = names::tagged(symbol, &names::joint(view.scene, joint));
         symbol::symbol(&names::free(view.problem, &[whole]))
     };
-    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
-        ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
-    };
+    let force = |at: Vec2, value: f64, towards: Vec2, label| ForceArrow::signed(at, towards, value, label);
     // Of the contact that ends here the equations have the force still, as 0.
     let pressing = |joint: usize, at: Vec2, value: f64, towards: Vec2, mut label: Vec<TextRun>| {
         let ends = view.scene.end == End::Leaves(joint);
         if ends {
             label.extend(symbol::upright("\u{a0}=\u{a0}0"));
-            return ForceArrow { ends, role: Role::Ghost, ..ForceArrow::new(at, towards, 0.0, label) };
+            return ForceArrow { ends, ..ForceArrow::new(at, towards, 0.0, label).of(Role::Ghost) };
         }
         force(at, value, towards, label)
     };
@@ -591,8 +573,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                     if mu_k.is_some() {
                         let up = pose::upward([direction.x, direction.y]);
                         let rubs = found(Quantity::Friction);
-                        let friction = force(at, rubs, direction * up, name(j, "F"));
-                        forces.push(ForceArrow { role: Role::Friction, ..friction });
+                        forces.push(force(at, rubs, direction * up, name(j, "F")).of(Role::Friction));
                     }
                 }
                 JointKind::Contact { radius_m, surface, rolls, .. } => {
@@ -601,8 +582,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                     forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
                         let rubs = found(Quantity::Friction);
-                        let friction = force(foot, rubs, normal.right(), name(j, "F"));
-                        forces.push(ForceArrow { role: Role::Friction, ..friction });
+                        forces.push(force(foot, rubs, normal.right(), name(j, "F")).of(Role::Friction));
                     }
                 }
                 JointKind::Cord { place_m, .. } => {
@@ -630,14 +610,11 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
     }
     let planar = this.planar.as_ref()?;
-    let with_mass = |symbol: &str, value: f64| {
-        let mut label = names::mass(view, body);
-        label.extend(symbol::magnitude(symbol::symbol(symbol), value < 0.0));
-        label
-    };
     let part = |quantity: Quantity, towards: Vec2, symbol: &str| {
         let a = found(view, quantity, body);
-        ForceArrow { role: Role::Motion, ..ForceArrow::new(g, towards, mass * a, with_mass(symbol, a)) }
+        let symbol = symbol::magnitude(symbol::symbol(symbol), a < 0.0);
+        let label = [names::mass(view, body), symbol].concat();
+        ForceArrow::new(g, towards, mass * a, label).of(Role::Motion)
     };
     let tag = if view.scene.bodies.len() > 1 {
         names::tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
@@ -649,19 +626,16 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         vec![part(Quantity::AX, Vec2::RIGHT, &along("x")), part(Quantity::AY, Vec2::UP, &along("y"))];
     let alpha = found(view, Quantity::Alpha, body);
     let turn = this.turns.then(|| {
-        let mut label = symbol::symbol(&names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]));
-        let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
-        label.extend(symbol::magnitude(symbol::symbol(&symbol), alpha < 0.0));
-        let sense = if planar.clockwise { -1.0 } else { 1.0 };
-        Turning { value: alpha * view.inertia(this) * sense, label }
+        let inertia = names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]);
+        let symbols = [inertia, names::alpha(view, body)].map(|s| symbol::symbol(&s));
+        Turning::kinetic(alpha, view.inertia(this), planar.clockwise, symbols)
     });
     let mut couples = couples_on(view, body, planar.clockwise);
     // The couples of welds, of torsion springs and of the drive.
     for j in 0..view.scene.joints.len() {
         let Some(moment) = view.solved(Quantity::Moment, Owner::Joint(j)) else { continue };
         for (i, _) in view.scene.joints[j].kind.spots().enumerate().filter(|(_, s)| s.body == body) {
-            let value = if i == 0 { moment } else { -moment };
-            couples.push(Turning { value, label: symbol::magnitude(name(j, "M"), value < 0.0) });
+            couples.push(Turning::signed(if i == 0 { moment } else { -moment }, name(j, "M")));
         }
     }
     let twisting = view.scene.struts.iter().enumerate().filter(|(_, strut)| strut.at.body == body);
@@ -671,7 +645,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     for (of, moment) in springs.chain(drive) {
         let value = if planar.clockwise { -moment } else { moment };
         let letter = if matches!(of, Owner::Strut(_)) { r"M_{\mathrm{s}}" } else { "M" };
-        couples.push(Turning { value, label: symbol::magnitude(symbol::symbol(letter), value < 0.0) });
+        couples.push(Turning::signed(value, symbol::symbol(letter)));
     }
     // The mass centre stands at the origin, level with the sign between the diagrams.
     let close = plane.close_up(view, body, LONG_BODY);
@@ -764,11 +738,8 @@ fn angle_of(board: &mut Board, view: &SceneView, laid: &[joined::Laid], body: us
     let radius = if view.scene.bodies[body].turns { ANGLE } else { ANGLE + SHORTEST };
     board.line(corner, corner + zero * (radius + 14.0), Role::Ghost);
     board.arc(corner, radius, from, from + turned, Role::Dimension);
-    let spots = [0.5, 0.35, 0.65, 0.2, 0.8].map(|share| {
-        let d = Vec2::at_angle(from + turned * share);
-        (corner + d * radius, d)
-    });
-    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 4.0), spots.to_vec());
+    let spots = on_arc(corner, radius, from, turned, MIDDLE_FIRST);
+    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 4.0), spots);
 }
 
 /// Both diagrams with the sign between them.

@@ -11,8 +11,7 @@ use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, RunStyle, TextRun, symbol};
 use crate::plot::{Axis, AxisScale};
-use crate::problem::maker;
-use crate::problem::maker::Variant;
+use crate::problem::maker::{self, Variant};
 use crate::scene::{Coordinate, Degree, End, Num, Owner, Quantity, Slope, Span, Tie};
 use crate::words::Words;
 
@@ -28,12 +27,10 @@ const TICKS: f64 = 13.0;
 /// A curve: its points in SI (angles in degrees), number of its look, label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Points.
-    pub points: Vec<(f64, f64)>,
+    pub(crate) points: Vec<(f64, f64)>,
     /// Which line.
     pub look: u8,
-    /// What it is.
-    pub label: Vec<TextRun>,
+    pub(crate) label: Vec<TextRun>,
 }
 
 impl Curve {
@@ -50,12 +47,10 @@ impl Curve {
 /// A marked place on the first axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Where.
-    pub x: f64,
+    pub(crate) x: f64,
     /// On the curve.
     pub y: f64,
-    /// What it is.
-    pub label: String,
+    pub(crate) label: String,
 }
 
 /// The same problem with another end, one for each value, solved.
@@ -78,7 +73,6 @@ fn sampled(
     solved
 }
 
-/// A quantity of solved variants.
 fn curve(solved: &[(f64, Variant)], quantity: Quantity, body: usize) -> Vec<(f64, f64)> {
     let of = |(x, v): &(f64, Variant)| Some((*x, value(v, quantity, body).filter(|y| y.is_finite())?));
     solved.iter().filter_map(of).collect()

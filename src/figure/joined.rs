@@ -3,7 +3,7 @@ use crate::figure::pinned::dimension;
 use crate::figure::view::SceneView;
 use crate::figure::{names, say};
 use crate::num::half::Half;
-use crate::picture::board::{Board, LabelTie};
+use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
 use crate::scene::{
@@ -201,7 +201,6 @@ impl Plane {
         laid[body].origin + laid[body].axis * (along * self.scale)
     }
 
-    /// The outline of a body.
     pub fn outline(&self, board: &mut Board, view: &SceneView, laid: &[Laid], body: usize, role: Role) {
         let this = &view.scene.bodies[body];
         let Some(planar) = &this.planar else { return };
@@ -306,7 +305,6 @@ fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
     vec2(view.of(place[0]), view.of(place[1]))
 }
 
-/// The fixed place of a joint.
 fn fixed_place(joint: &Joint) -> Option<[Num; 2]> {
     match joint.kind {
         JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => Some(place_m),
@@ -639,17 +637,8 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
             }
         }
         let from = zero.angle_of();
-        let to = from + sense * degrees * std::f64::consts::PI / 180.0;
-        if degrees.abs() * radius < 400.0 {
-            board.arc(corner, radius, from, to, Role::Dimension);
-        } else {
-            board.curved_arrow(corner, radius, from, to, Role::Dimension);
-        }
-        let at = |share: f64| {
-            let d = Vec2::at_angle(from + (to - from) * share);
-            (corner + d * radius, d)
-        };
-        let spots = [0.5, 0.35, 0.65, 0.2, 0.8].map(at).to_vec();
+        let turned = board.angle(corner, radius, from, sense * degrees);
+        let spots = on_arc(corner, radius, from, turned, MIDDLE_FIRST);
         board.label(vec![view.label(num, "°")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
     }
 }
@@ -780,12 +769,9 @@ fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
         let (middle, half) = (low + wide / 2.0, (wide / 2.0 - 0.65).clamp(0.6, 1.8));
         let (from, to) = (middle - sense * half, middle + sense * half);
         board.curved_arrow(laid.origin, 24.0, from, to, Role::Force);
-        let spots = [0.5, 0.3, 0.7, 0.1, 1.0].map(|share| {
-            let d = Vec2::at_angle(from + (to - from) * share);
-            (laid.origin + d * 24.0, d)
-        });
+        let spots = on_arc(laid.origin, 24.0, from, to - from, &[0.5, 0.3, 0.7, 0.1, 1.0]);
         let label = view.size_label(couple.moment_n_m, "N·m");
-        board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots.to_vec());
+        board.label(vec![label], Role::Force, (LabelTie::Clear, 5.0), spots);
     }
     for (b, laid) in plane.start.iter().enumerate() {
         for (_, num) in view.started(b).filter(|(degree, _)| *degree == Degree::Turn) {

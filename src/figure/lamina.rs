@@ -212,12 +212,5 @@ fn axes(board: &mut Board, view: &SceneView, low: Vec2, high: Vec2, scale: f64) 
             }
         }
     }
-    board.wish_for(LabelWish {
-        rows: vec![symbol::upright("m")],
-        size: TICKS,
-        role: Role::Dot,
-        spots: vec![(vec2(east, -6.0), Vec2::DOWN)],
-        gap: 4.0,
-        tie: LabelTie::Near,
-    });
+    board.wish_for(near(symbol::upright("m"), vec2(east, -6.0), Vec2::DOWN, TICKS));
 }

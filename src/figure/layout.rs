@@ -30,12 +30,7 @@ pub enum BodyLook {
         open: bool,
     },
     /// Only moves: half its length along its line, half its width.
-    Block {
-        /// Along.
-        along: f64,
-        /// Across.
-        across: f64,
-    },
+    Block { along: f64, across: f64 },
 }
 
 /// A body on the board.
@@ -109,10 +104,8 @@ pub struct Ground {
     pub rail: bool,
 }
 
-/// A piece of a cord.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CordPiece {
-    /// Straight.
     Straight(Vec2, Vec2),
     /// Round a body or pulley: centre, radius, angles.
     Round(Vec2, f64, f64, f64),
@@ -138,7 +131,6 @@ pub enum CordStop {
 pub struct CordRun {
     /// Index of its tie.
     pub tie: usize,
-    /// Its pieces.
     pub pieces: Vec<CordPiece>,
     /// What it ends at.
     pub stop: CordStop,
@@ -159,7 +151,6 @@ pub struct SceneLayout {
     pub bodies: Vec<Option<Placed>>,
     /// Surfaces.
     pub grounds: Vec<Ground>,
-    /// Cords.
     pub cords: Vec<CordRun>,
 }
 
@@ -346,30 +337,14 @@ impl Builder<'_> {
         if mirrored { (vec2(-up.x, up.y), vec2(up.y, up.x)) } else { (up, up.left()) }
     }
 
-    fn slope_degrees(&self, slope: Slope) -> f64 {
-        match slope {
-            Slope::Level => 0.0,
-            Slope::Vertical => 90.0,
-            Slope::Degrees(n) => self.view.of(n),
-        }
-    }
-
     /// The surface of this slope, made at the origin if there is none.
     fn ground(&mut self, slope: Slope, mirrored: bool) -> usize {
         if let Some(i) = self.grounds.iter().position(|g| g.slope == slope) {
             return i;
         }
-        let (up, out) = Self::directions(self.slope_degrees(slope), mirrored);
-        self.grounds.push(Ground {
-            slope,
-            origin: Vec2::ZERO,
-            up,
-            out,
-            from: 0.0,
-            to: 0.0,
-            drop: false,
-            rail: false,
-        });
+        let (up, out) = Self::directions(self.view.degrees(slope), mirrored);
+        let origin = Vec2::ZERO;
+        self.grounds.push(Ground { slope, origin, up, out, from: 0.0, to: 0.0, drop: false, rail: false });
         self.limits.push(None);
         self.grounds.len() - 1
     }
@@ -399,7 +374,7 @@ impl Builder<'_> {
                 placed.on = Some(ground);
             }
             Some(Line { slope, forward_up, .. }) => {
-                let (up, _) = Self::directions(self.slope_degrees(slope), false);
+                let (up, _) = Self::directions(self.view.degrees(slope), false);
                 placed.forward = if forward_up { up } else { -up };
                 placed.top = placed.forward.left();
             }
@@ -800,7 +775,7 @@ impl Builder<'_> {
                 }
             }
             // Room for the angle at the foot.
-            if self.slope_degrees(g.slope) > 0.0 {
+            if self.view.degrees(g.slope) > 0.0 {
                 let steep = if rail { 96.0 } else { 84.0 };
                 low = low.min(from - steep);
             }

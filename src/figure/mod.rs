@@ -10,15 +10,15 @@ use crate::words::Words;
 pub mod bars;
 pub mod forces;
 pub mod graph;
-pub mod joined;
-pub mod lamina;
-pub mod layout;
+pub(crate) mod joined;
+pub(crate) mod lamina;
+pub(crate) mod layout;
 pub mod names;
-pub mod parts;
-pub mod pinned;
-pub mod say;
+pub(crate) mod parts;
+pub(crate) mod pinned;
+pub(crate) mod say;
 pub mod scene;
-pub mod view;
+pub(crate) mod view;
 
 /// All pictures for a worked solution, by name: `scene`, `forces-BODY` for each body, `graph-...`, `energy`.
 pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, Picture)> {

@@ -161,8 +161,11 @@ pub fn of_body(view: &SceneView, body: usize, candidates: &[&str], has: impl Fn(
     free(view.problem, &names)
 }
 
-/// Friction on a body.
-pub fn friction(view: &SceneView, body: usize) -> String {
+pub(crate) fn alpha(view: &SceneView, body: usize) -> String {
+    of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns)
+}
+
+pub(crate) fn friction(view: &SceneView, body: usize) -> String {
     let contacts = view.scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
     let tag = if contacts > 1 {
         tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
@@ -181,8 +184,7 @@ pub fn tension(view: &SceneView, tie: usize) -> String {
     free(view.problem, &[tagged("T", &tag), tagged("S", &tag)])
 }
 
-/// Mass of a body.
-pub fn mass(view: &SceneView, body: usize) -> Vec<TextRun> {
+pub(crate) fn mass(view: &SceneView, body: usize) -> Vec<TextRun> {
     let this = &view.scene.bodies[body];
     let given = match &this.mass {
         Mass::Kilograms(n) => view.symbol(*n),

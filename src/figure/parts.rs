@@ -1,6 +1,5 @@
 //! What the pictures of a scene are made of: the outline of a body, surfaces, supports, cords and springs.
-use crate::figure::layout;
-use crate::figure::layout::{BodyLook, CordPiece, CordStop, Ground, Placed, SceneLayout};
+use crate::figure::layout::{self, BodyLook, CordPiece, CordStop, Ground, Placed, SceneLayout};
 use crate::figure::view::SceneView;
 use crate::picture::board::{Board, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};

@@ -1,7 +1,7 @@
 //! The picture of a pinned body: at its start, with the position considered as a ghost.
 use crate::figure::parts;
 use crate::figure::view::SceneView;
-use crate::picture::board::{Board, LabelTie};
+use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
 use crate::scene::{Arm, Body, Degree, End, Num, Pin, PinSpring, Rest, RotaryInertia, Shape, Zero};
@@ -275,25 +275,14 @@ fn arc(board: &mut Board, view: &SceneView, hung: &Hung, num: Num, degrees: f64,
     }
     let zero = hung.direction(0.0).angle_of();
     let sense = if hung.clockwise() { -1.0 } else { 1.0 };
-    let to = zero + sense * degrees * std::f64::consts::PI / 180.0;
-    let label = view.label(num, "°");
-    if degrees.abs() * radius < 400.0 {
-        // Too small for a head: it points from outside.
-        board.arc(Vec2::ZERO, radius, zero, to, Role::Dimension);
-    } else {
-        board.curved_arrow(Vec2::ZERO, radius, zero, to, Role::Dimension);
-    }
-    let at = |share: f64| {
-        let d = Vec2::at_angle(zero + (to - zero) * share);
-        (d * radius, d)
-    };
-    let mut spots = vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8), at(1.0)];
+    let turned = board.angle(Vec2::ZERO, radius, zero, sense * degrees);
+    let mut spots = on_arc(Vec2::ZERO, radius, zero, turned, &[MIDDLE_FIRST, &[1.0]].concat());
     if degrees.abs() < 25.0 {
         // No room between the lines: before them.
-        let d = Vec2::at_angle(zero - (to - zero).signum() * 0.12);
+        let d = Vec2::at_angle(zero - turned.signum() * 0.12);
         spots.insert(0, (d * radius, hung.across(0.0) * (if degrees < 0.0 { 1.0 } else { -1.0 })));
     }
-    board.wish(label, spots, Role::Dimension);
+    board.wish(view.label(num, "°"), spots, Role::Dimension);
 }
 
 /// Lengths along the body, its mass and radius of gyration.

@@ -99,11 +99,7 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 /// What carries the scene: its speed at the start and its acceleration as arrows below, and in words.
 fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
     let (Some(carrier), Some(frame)) = (view.scene.carried, board.frame()) else { return };
-    let up = Vec2::at_degrees(match carrier.slope {
-        Slope::Level => 0.0,
-        Slope::Vertical => 90.0,
-        Slope::Degrees(n) => view.of(n),
-    });
+    let up = Vec2::at_degrees(view.degrees(carrier.slope));
     let numbers = [(carrier.speed_m_s, "m/s"), (carrier.acceleration_m_s2, "m/s<sup>2</sup>")];
     let moving = numbers.into_iter().filter(|(n, _)| view.of(*n) != 0.0);
     let mut list = Vec::new();

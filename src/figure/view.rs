@@ -1,22 +1,19 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
-use crate::bank::expression;
-use crate::bank::{FigureLabels, Problem};
+use crate::bank::{FigureLabels, Problem, expression};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Body, Degree, GivenForce, Grows, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start,
-    Tie,
+    Body, Degree, GivenForce, Grows, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Slope,
+    Start, Tie,
 };
 use crate::words::Words;
 
 /// A variant with what is needed to label its picture.
 #[derive(Clone, Copy)]
 pub struct SceneView<'a> {
-    /// The problem.
     pub problem: &'a Problem,
     /// One draw of it.
     pub variant: &'a Variant,
-    /// Its scene.
     pub scene: &'a Scene,
     /// Phrases.
     pub words: &'a Words,
@@ -43,6 +40,15 @@ impl<'a> SceneView<'a> {
         match self.scene.value(num, &self.variant.data) {
             x if x.is_finite() => x,
             _ => 0.0,
+        }
+    }
+
+    /// A slope in degrees.
+    pub fn degrees(&self, slope: Slope) -> f64 {
+        match slope {
+            Slope::Level => 0.0,
+            Slope::Vertical => 90.0,
+            Slope::Degrees(n) => self.of(n),
         }
     }
 

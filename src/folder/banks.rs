@@ -5,9 +5,7 @@ use crate::finding::{Finding, Findings};
 use crate::folder::files;
 use crate::sheet::statement;
 use crate::sheet::texts::Texts;
-use crate::template;
-use crate::template::Templates;
-use crate::units;
+use crate::template::{self, Templates};
 use crate::units::spell;
 use crate::words::Words;
 use std::fs;
@@ -18,18 +16,13 @@ pub const README: &str = "README.md";
 
 /// A bank with the text that it was read from.
 pub struct Loaded {
-    /// The bank.
     pub bank: Bank,
-    /// Its text.
     pub text: String,
     /// Its name for messages.
     pub file: String,
 }
 
-/// Reads the bank of this path or built-in id.
-///
-/// # Errors
-/// All that is wrong with it.
+/// Reads the bank of this path or built-in id. Errors: all that is wrong with it.
 pub fn load(name: &str) -> Result<Loaded, Findings> {
     let path = Path::new(name);
     let (file, text) = if path.is_file() {
@@ -48,18 +41,12 @@ pub fn load(name: &str) -> Result<Loaded, Findings> {
     Ok(Loaded { bank, text, file })
 }
 
-/// Reads the text of a bank.
-///
-/// # Errors
-/// All that is wrong with it.
+/// Reads the text of a bank. Errors: all that is wrong with it.
 pub fn parse(text: &str, file: &str) -> Result<Bank, Findings> {
     load::bank(text, file, &template::variables_of)
 }
 
-/// The phrases of a language.
-///
-/// # Errors
-/// There is none of this code.
+/// The phrases of a language. Errors: there is none of this code.
 pub fn words(language: &str) -> Result<Words, Findings> {
     Words::of(language).ok_or_else(|| {
         let known: Vec<&str> = Words::languages().collect();
@@ -69,10 +56,7 @@ pub fn words(language: &str) -> Result<Words, Findings> {
 }
 
 /// The texts for a bank in a language: built-in ones, those of a folder of one's own, those in the bank. The bank's titles,
-/// questions and statements become those of the language.
-///
-/// # Errors
-/// All that is wrong with them.
+/// questions and statements become those of the language. Errors: all that is wrong with them.
 pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Texts, Findings> {
     let mut words = words(language)?;
     let mut files = Vec::new();
@@ -187,10 +171,8 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
     Ok(())
 }
 
-/// The problem of this id; without one that of a bank that has no other.
-///
-/// # Errors
-/// There is none, or which one is meant is not said.
+/// The problem of this id; without one that of a bank that has no other. Errors: there is none, or which one is meant is not
+/// said.
 pub fn problem<'l>(loaded: &'l Loaded, id: Option<&str>) -> Result<&'l Problem, Finding> {
     let Some(id) = id else {
         if let [only] = &loaded.bank.problems[..] {
@@ -203,6 +185,6 @@ pub fn problem<'l>(loaded: &'l Loaded, id: Option<&str>) -> Result<&'l Problem, 
     loaded.bank.problems.iter().find(|p| p.id == id).ok_or_else(|| {
         let known = loaded.bank.problems.iter().map(|p| p.id.as_str());
         let fault = Finding::new("problems", format!("there is no problem `{id}`")).in_file(&loaded.file);
-        fault.hint(units::spell::hint(id, "its problems", known))
+        fault.hint(spell::hint(id, "its problems", known))
     })
 }

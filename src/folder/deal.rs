@@ -4,10 +4,9 @@ use crate::bank::{Bank, Problem};
 use crate::csv_field::push_line;
 use crate::draw::stream;
 use crate::finding::{Finding, Findings};
-use crate::folder;
 use crate::folder::files::names_in;
 use crate::folder::staged::Staged;
-use crate::folder::{Progress, files, index, names, set};
+use crate::folder::{self, Progress, files, index, names, set};
 use crate::inspect::table::unsatisfiable;
 use crate::key::SheetKey;
 use crate::set::coincide::StudentVariant;
@@ -27,9 +26,7 @@ use std::path::{Path, PathBuf};
 
 /// All that decides what is in a set.
 pub struct Plan<'p> {
-    /// The bank.
     pub bank: &'p Bank,
-    /// Its text.
     pub text: &'p str,
     /// Templates and phrases.
     pub texts: &'p Texts,
@@ -39,7 +36,6 @@ pub struct Plan<'p> {
     pub hosting: Hosting,
     /// Problems, as indices.
     pub problems: &'p [usize],
-    /// Seed.
     pub seed: u64,
     /// Name of the set.
     pub name: &'p str,
@@ -58,10 +54,7 @@ impl<'p> Plan<'p> {
     }
 }
 
-/// May a set have this name?
-///
-/// # Errors
-/// It is no line of text.
+/// May a set have this name? Errors: it is no line of text.
 pub fn may_be_named(name: &str) -> Result<(), Finding> {
     match name.trim().is_empty() || name.chars().any(char::is_control) {
         true => Err(Finding::new("--name", "the name of a set is a line of text")),
@@ -69,10 +62,7 @@ pub fn may_be_named(name: &str) -> Result<(), Finding> {
     }
 }
 
-/// The students of a roster file; nothing is drawn for them yet.
-///
-/// # Errors
-/// All that is wrong with it.
+/// The students of a roster file; nothing is drawn for them yet. Errors: all that is wrong with it.
 pub fn members(path: &Path) -> Result<Vec<StoredStudent>, Findings> {
     let students = roster::roster(&files::read(path)?).map_err(|f| f.in_file(path.display().to_string()))?;
     let member = |(student, name): (String, String)| StoredStudent {
@@ -121,10 +111,7 @@ impl SetMade {
     }
 }
 
-/// The folder of a new set, whole or not at all.
-///
-/// # Errors
-/// What the bank or its texts refuse, or writing that fails.
+/// The folder of a new set, whole or not at all. Errors: what the bank or its texts refuse, or writing that fails.
 pub fn whole(
     plan: &Plan,
     members: &[StoredStudent],
@@ -189,10 +176,8 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
 /// Late joiners into a set that is there. All is written beside the set and then moved in: sheets, key.csv, set.json,
 /// the form, booklets and the key for people. A run that is killed before set.json leaves the old set, with sheets of
 /// students whom it does not know and rows of theirs in key.csv, which grading passes over; killed after it, the new set
-/// with an old form or booklet. The next `--add` [`repair`]s either, and `--force` replaces it.
-///
-/// # Errors
-/// What the bank or its texts refuse, or writing that fails.
+/// with an old form or booklet. The next `--add` [`repair`]s either, and `--force` replaces it. Errors: what the bank or its
+/// texts refuse, or writing that fails.
 pub fn add(
     plan: &Plan,
     members: &[StoredStudent],
@@ -229,10 +214,8 @@ pub fn add(
 }
 
 /// Makes good what an `--add` that was killed left in a set: sheets and rows of the key of students whom the set does
-/// not know, and a form and booklets that lack the last ones. Booklets only where no others come (`last`).
-///
-/// # Errors
-/// The set cannot be replayed, or writing that fails.
+/// not know, and a form and booklets that lack the last ones. Booklets only where no others come (`last`). Errors: the set cannot
+/// be replayed, or writing that fails.
 pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Findings> {
     let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
     let students = out.join(names::STUDENTS);

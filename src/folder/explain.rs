@@ -3,18 +3,15 @@ use crate::csv_field::unguarded;
 use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
 use crate::folder::{files, graded, names, set};
-use crate::policy::time;
-use crate::policy::time::Evidence;
+use crate::policy::time::{self, Evidence};
 use crate::regrade::changes::ChangeRow;
 use crate::report::explain::ExplainedMarks;
 use crate::set::store::StoredSet;
 use crate::units::spell;
 use std::path::Path;
 
-/// Explains the marks of a student for a problem, or a part of it, as they are typed.
-///
-/// # Errors
-/// Nobody or nothing is meant, or the folder is no grading.
+/// Explains the marks of a student for a problem, or a part of it, as they are typed. Errors: nobody or nothing is meant, or the
+/// folder is no grading.
 pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) -> Result<String, Findings> {
     let name = folder.display().to_string();
     let here = |f: Finding| f.in_file(&name);
@@ -100,10 +97,8 @@ fn loose(text: &str) -> String {
     text.trim_start_matches('0').to_owned()
 }
 
-/// The student that is meant: by id, by an id that is alike but for blanks, case and zeros in front, or by name.
-///
-/// # Errors
-/// Nobody, or several.
+/// The student that is meant: by id, by an id that is alike but for blanks, case and zeros in front, or by name. Errors: nobody,
+/// or several.
 fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
     let students = &set.students;
     if let Some(i) = students.iter().position(|s| s.student == typed) {
@@ -133,10 +128,8 @@ fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
     }
 }
 
-/// The problem that is meant, by number or id, and the part of it if one is named behind a point (`1.omega`).
-///
-/// # Errors
-/// There is none.
+/// The problem that is meant, by number or id, and the part of it if one is named behind a point (`1.omega`). Errors: there is
+/// none.
 fn problem(set: &StoredSet, typed: &str) -> Result<(usize, Option<String>), Finding> {
     let find = |text: &str| {
         let number = text.parse::<usize>().ok().and_then(|n| n.checked_sub(1));

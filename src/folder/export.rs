@@ -10,7 +10,6 @@ use crate::sheet::sheets::Sheets;
 use crate::sheet::texts::Texts;
 use std::path::{Path, PathBuf};
 
-/// What is to be written.
 pub struct ExportJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
@@ -18,7 +17,6 @@ pub struct ExportJob<'j> {
     pub bank: Option<&'j str>,
     /// File to make.
     pub out: &'j Path,
-    /// For which platform.
     pub platform: ExportFormat,
     /// How a problem becomes questions.
     pub layout: QuestionLayout,
@@ -34,13 +32,11 @@ pub struct ExportJob<'j> {
     pub progress: &'j dyn Progress,
 }
 
-/// What was written.
 pub struct Exported {
     /// Problems in the file.
     pub problems: usize,
     /// Variants, of all problems.
     pub variants: usize,
-    /// Questions.
     pub questions: usize,
     /// Bytes of the file.
     pub bytes: usize,
@@ -48,10 +44,7 @@ pub struct Exported {
     pub losses: Vec<String>,
 }
 
-/// May the file be written here? It holds the key, so never among what students get.
-///
-/// # Errors
-/// What is in the way.
+/// May the file be written here? It holds the key, so never among what students get. Errors: what is in the way.
 pub fn may_write(out: &Path, force: bool) -> Result<(), Finding> {
     files::not_among_students(out).map_err(|fault| {
         fault.hint("an export holds the key, and students never get it: give another --out")
@@ -65,10 +58,8 @@ pub fn set_beside(out: &Path) -> PathBuf {
     out.with_file_name(format!("{stem}-set"))
 }
 
-/// Makes the set of a pool: so many variants of each problem, as if for students `v0001` and so on.
-///
-/// # Errors
-/// What the bank or its texts refuse, or writing that fails.
+/// Makes the set of a pool: so many variants of each problem, as if for students `v0001` and so on. Errors: what the bank or its
+/// texts refuse, or writing that fails.
 pub fn pool(plan: &Plan, variants: u32, folder: &Path, progress: &dyn Progress) -> Result<SetMade, Findings> {
     let member = |i: u32| {
         let id = format!("v{i:04}");
@@ -78,10 +69,8 @@ pub fn pool(plan: &Plan, variants: u32, folder: &Path, progress: &dyn Progress) 
     deal::whole(plan, &members, folder, progress)
 }
 
-/// Writes the file, whole or not at all.
-///
-/// # Errors
-/// The set is not what it was, a template is faulty, the platform cannot hold an answer, or the file may not be written.
+/// Writes the file, whole or not at all. Errors: the set is not what it was, a template is faulty, the platform cannot hold an
+/// answer, or the file may not be written.
 pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
     let replayed = set::replayed(job.set)?;
     let (set, mut bank) = (replayed.set, replayed.bank);

@@ -1,10 +1,9 @@
 //! Reading files, and writing some of them whole or not at all.
 use crate::finding::{Finding, Findings};
 use crate::folder::names;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
+use std::{fs, io};
 
 /// A fault of the machine as a finding about a path.
 pub fn trouble(path: &Path, what: &str, error: &io::Error) -> Finding {
@@ -33,18 +32,13 @@ pub fn stamp(path: &Path) -> Option<(u64, SystemTime)> {
     Some((about.len(), about.modified().ok()?))
 }
 
-/// Bytes of a file.
-///
-/// # Errors
-/// A finding that names the file.
+/// Bytes of a file. Errors: a finding that names the file.
 pub fn read(path: &Path) -> Result<Vec<u8>, Finding> {
     fs::read(path).map_err(|e| trouble(path, "cannot be read", &e))
 }
 
-/// Text of a UTF-8 file; a byte order mark is dropped.
-///
-/// # Errors
-/// A finding that names the file, and the place of the first byte that is no UTF-8.
+/// Text of a UTF-8 file; a byte order mark is dropped. Errors: a finding that names the file, and the place of the first byte
+/// that is no UTF-8.
 pub fn read_text(path: &Path) -> Result<String, Finding> {
     let bytes = read(path)?;
     match String::from_utf8(bytes) {
@@ -65,10 +59,7 @@ pub fn read_text(path: &Path) -> Result<String, Finding> {
 /// One line of a CSV file.
 pub type CsvRecord = csv::StringRecord;
 
-/// The records of a CSV file, its header among them.
-///
-/// # Errors
-/// It cannot be read.
+/// The records of a CSV file, its header among them. Errors: it cannot be read.
 pub fn records(path: &Path) -> Result<Vec<CsvRecord>, Finding> {
     let bytes = read(path)?;
     let mut reader =
@@ -86,9 +77,7 @@ pub fn parent(path: &Path) -> PathBuf {
 }
 
 /// Writes several files, all or none: each is made beside its place first, then all are moved there. Folders above are made.
-///
-/// # Errors
-/// A finding that names the file.
+/// Errors: a finding that names the file.
 pub fn put_all<T: AsRef<[u8]>>(files: &[(PathBuf, T)]) -> Result<(), Finding> {
     use std::io::Write as _;
     let mut made = Vec::with_capacity(files.len());
@@ -123,10 +112,8 @@ fn readable(_: &Path) -> io::Result<()> {
 /// Folders of runs that are at work, or were killed.
 pub const UNFINISHED: &str = ".slipstick-unfinished-";
 
-/// A set or a grading goes into a folder of its own: not the one that people stand in, nor one above it.
-///
-/// # Errors
-/// A finding that says what to write instead.
+/// A set or a grading goes into a folder of its own: not the one that people stand in, nor one above it. Errors: a finding that
+/// says what to write instead.
 pub fn has_a_name(place: &Path, example: &str) -> Result<(), Finding> {
     let stood_in = || {
         let here = std::env::current_dir().and_then(fs::canonicalize).ok()?;
@@ -139,10 +126,8 @@ pub fn has_a_name(place: &Path, example: &str) -> Result<(), Finding> {
     Err(fault.hint(format!("write into a new folder, such as {example}")))
 }
 
-/// Nothing goes among what the students of a set get: into a folder `students` beside a `set.json`, or below one.
-///
-/// # Errors
-/// A finding about the place.
+/// Nothing goes among what the students of a set get: into a folder `students` beside a `set.json`, or below one. Errors: a
+/// finding about the place.
 pub fn not_among_students(place: &Path) -> Result<(), Finding> {
     // The folder may not be there yet: those above it are asked, and what is missing is put behind them.
     let here = Path::new(".");
@@ -162,10 +147,8 @@ pub fn not_among_students(place: &Path) -> Result<(), Finding> {
     Err(fault.hint("give another --out"))
 }
 
-/// May a file be written here that students of a set do not get? Yes if nothing is there, or with `force` a file.
-///
-/// # Errors
-/// What is in the way.
+/// May a file be written here that students of a set do not get? Yes if nothing is there, or with `force` a file. Errors: what is
+/// in the way.
 pub fn may_write_file(path: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::of_file(path, what);
     not_among_students(path)?;
@@ -191,10 +174,8 @@ pub struct NewFolder<'n> {
 }
 
 /// May a folder be made here that students of a set do not get? Yes if nothing or an empty folder is there, and with `force` if all
-/// that is there was made by the same command: `foreign` lists what was not, and is `None` where nothing was.
-///
-/// # Errors
-/// What is in the way.
+/// that is there was made by the same command: `foreign` lists what was not, and is `None` where nothing was. Errors: what is in
+/// the way.
 pub fn may_write_folder(
     out: &Path,
     force: bool,

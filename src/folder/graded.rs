@@ -1,6 +1,5 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
-use crate::bank;
-use crate::bank::{Bank, load};
+use crate::bank::{self, Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder::{files, names, set};
 use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
@@ -15,9 +14,7 @@ use crate::set::{given, key_file};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-/// A grading.
 pub struct OpenGrading {
-    /// Its folder.
     pub folder: PathBuf,
     /// The set, as it was drawn.
     pub set: StoredSet,
@@ -31,10 +28,8 @@ pub struct OpenGrading {
     pub grading: StoredGrading,
 }
 
-/// Opens a grading and solves its key anew, that of one student (an id) if only that is needed.
-///
-/// # Errors
-/// The folder is no grading, or its parts do not fit each other.
+/// Opens a grading and solves its key anew, that of one student (an id) if only that is needed. Errors: the folder is no grading,
+/// or its parts do not fit each other.
 pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> {
     if !folder.is_dir() {
         let what =
@@ -83,10 +78,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> 
     Ok(OpenGrading { folder: folder.to_owned(), set, bank, policy, given, grading })
 }
 
-/// Are the files there that every grading has?
-///
-/// # Errors
-/// A finding that names those that are missing.
+/// Are the files there that every grading has? Errors: a finding that names those that are missing.
 fn has_all(folder: &Path) -> Result<(), Finding> {
     let missing: Vec<&str> =
         names::OF_GRADING.into_iter().filter(|name| !folder.join(name).is_file()).collect();
@@ -97,10 +89,8 @@ fn has_all(folder: &Path) -> Result<(), Finding> {
     Err(fault.hint("give the folder that `slipstick grade` made; if an earlier version did, grade again"))
 }
 
-/// Are the marks those that were written? Large gradings are not hashed.
-///
-/// # Errors
-/// A finding for each file that was cut short or edited.
+/// Are the marks those that were written? Large gradings are not hashed. Errors: a finding for each file that was cut short or
+/// edited.
 fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for (name, told) in
@@ -120,29 +110,20 @@ fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
     faults.into_result(())
 }
 
-/// SHA-256 of a file, hex.
-///
-/// # Errors
-/// It cannot be read.
+/// SHA-256 of a file, hex. Errors: it cannot be read.
 pub fn hash(path: &Path) -> Result<String, Finding> {
     let hashed = File::open(path).and_then(load::hash_of);
     hashed.map_err(|e| files::trouble(path, "cannot be read", &e))
 }
 
 impl OpenGrading {
-    /// Walks over the rows of answers.csv.
-    ///
-    /// # Errors
-    /// It cannot be read.
+    /// Walks over the rows of answers.csv. Errors: it cannot be read.
     pub fn each_row(&self, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
         each_row(&self.folder.join(names::ANSWERS), see)
     }
 }
 
-/// Walks over the rows of a file of answers.
-///
-/// # Errors
-/// It cannot be read.
+/// Walks over the rows of a file of answers. Errors: it cannot be read.
 pub fn each_row(path: &Path, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
     let in_words = |fault: Unreadable| fault.in_file(path);
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
@@ -201,20 +182,14 @@ pub fn courses(graded: &Path) -> Vec<PathBuf> {
     files.take_while(|path| path.is_file()).collect()
 }
 
-/// Course files: name and text.
-///
-/// # Errors
-/// One cannot be read.
+/// Course files: name and text. Errors: one cannot be read.
 pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Findings> {
     let read = |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path)?));
     paths.iter().map(read).collect()
 }
 
 /// The settings that bear on marks: those of the bank, over them those of courses (name and text of each file), over them
-/// what the command says.
-///
-/// # Errors
-/// All that is wrong with the course file.
+/// what the command says. Errors: all that is wrong with the course file.
 pub fn policy(
     bank: &Policy,
     courses: &[(String, String)],

@@ -1,16 +1,14 @@
 //! Grading a file of submissions by a set: a folder with every answer's verdict, and with copies of all that it was made from.
-use crate::answer::quiz;
-use crate::answer::quiz::Quiz;
+use crate::answer::quiz::{self, Quiz};
 use crate::bank::{Bank, load};
 use crate::finding::{Finding, Findings};
-use crate::folder;
 use crate::folder::files::NewFolder;
 use crate::folder::handed_in::JoinedFiles;
 use crate::folder::quiz::{MatchedQuiz, StudentPart};
 use crate::folder::reports::ReportMade;
 use crate::folder::set::Replayed;
 use crate::folder::staged::Staged;
-use crate::folder::{Progress, banks, files, graded, handed_in, names, reports, set};
+use crate::folder::{self, Progress, banks, files, graded, handed_in, names, reports, set};
 use crate::grade::feedback::Feedback;
 use crate::grade::rules::Rules;
 use crate::grade::run::{GradeFault, Options};
@@ -20,16 +18,14 @@ use crate::grade::{row, run};
 use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
 use crate::report::{gradebook, summary};
-use crate::set::grading;
-use crate::set::grading::StoredGrading;
+use crate::set::grading::{self, StoredGrading};
 use crate::set::key_file;
 use crate::set::store::StoredSet;
 use crate::words::Words;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::io;
 use std::io::{BufRead, Read, Write};
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 use tempfile::NamedTempFile;
 
 /// Are reports made with the grades?
@@ -43,7 +39,6 @@ pub enum Reports {
     No,
 }
 
-/// What is to be graded.
 pub struct GradeOrder<'j> {
     /// Folder of the set.
     pub set: &'j Path,
@@ -67,10 +62,8 @@ pub struct GradeOrder<'j> {
     pub progress: &'j dyn Progress,
 }
 
-/// Grades: what came out, in words.
-///
-/// # Errors
-/// The set was changed, the file of submissions cannot be read, or the folder may not be written.
+/// Grades: what came out, in words. Errors: the set was changed, the file of submissions cannot be read, or the folder may not be
+/// written.
 pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findings> {
     let mut faults = Findings::default();
     columns(order.columns).map_err(|f| faults.extend(f)).ok();
@@ -124,9 +117,7 @@ pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Find
 pub struct Basis {
     /// What was drawn.
     pub set: StoredSet,
-    /// The bank.
     pub bank: Bank,
-    /// The keys.
     pub keys: Vec<SheetKey>,
     /// Was the set drawn again?
     pub replayed: bool,
@@ -166,10 +157,7 @@ impl StagedGrading {
     pub fn grading(&self) -> &StoredGrading {
         &self.grading
     }
-    /// Makes the reports, if there are to be any: what stands out.
-    ///
-    /// # Errors
-    /// A file cannot be written.
+    /// Makes the reports, if there are to be any: what stands out. Errors: a file cannot be written.
     pub fn reports(&self) -> Result<Option<ReportMade>, Findings> {
         let made = match self.reports {
             Reports::Yes => true,
@@ -187,10 +175,7 @@ impl StagedGrading {
     fn without_reports(&self) -> bool {
         !self.staged.path().join(names::REPORT).exists()
     }
-    /// Puts it in its place.
-    ///
-    /// # Errors
-    /// A file cannot be put there.
+    /// Puts it in its place. Errors: a file cannot be put there.
     pub fn finish(self) -> Result<(), Findings> {
         // Once more: it may have come while answers were graded.
         let foreign = foreign(&self.out);
@@ -204,10 +189,8 @@ impl StagedGrading {
 /// Up to so many answers, reports are made with the grades, and what was written is hashed.
 const REPORTED: u64 = 300_000;
 
-/// Grades by a basis, beside the place where the grading is to be.
-///
-/// # Errors
-/// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
+/// Grades by a basis, beside the place where the grading is to be. Errors: the file of submissions cannot be read, the course is
+/// faulty, or the folder cannot be written.
 pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
     let columns = columns(order.columns)?;
     let language = order.language.unwrap_or(&basis.set.language);

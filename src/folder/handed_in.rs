@@ -1,8 +1,7 @@
 //! The files of answers of a whole class at once: a folder of them, or the archive that a learning platform gives of an
 //! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
 use crate::answer::submissions;
-use crate::csv_field;
-use crate::csv_field::unguarded;
+use crate::csv_field::{self, unguarded};
 use crate::finding::Finding;
 use crate::folder::{files, names};
 use crate::sheet::terminal;
@@ -24,7 +23,6 @@ const SAVED: &str = "saved_at";
 const SET: &str = "set";
 /// Which file an answer is from, in what is kept.
 const FILE: &str = "file";
-/// What to give.
 const HINT: &str = "give what students handed in: a CSV file, or a folder or ZIP archive of the files answers-ID.csv that their pages saved";
 
 /// Files of answers, joined.
@@ -34,7 +32,6 @@ pub struct JoinedFiles {
     pub text: Vec<u8>,
     /// The same lines to look at: each with the file that it is from, and nothing that a spreadsheet would run.
     pub kept: Vec<u8>,
-    /// How many files it is from.
     pub files: usize,
     /// Files that are none, and why.
     pub passed_over: Vec<(String, &'static str)>,
@@ -79,10 +76,7 @@ pub fn is_many(path: &Path) -> bool {
 /// Joins the files of answers in a folder or an archive: by the time at which each was saved, then by name, so that of two files
 /// of a student the later one is the later attempt.
 ///
-/// A file that says it is of another set is passed over.
-///
-/// # Errors
-/// It cannot be read, or no file of answers is in it.
+/// A file that says it is of another set is passed over. Errors: it cannot be read, or no file of answers is in it.
 pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
     let mut found = Vec::new();
     if path.is_dir() {

@@ -4,8 +4,7 @@ use crate::folder::deal::Plan;
 use crate::folder::names;
 use crate::sheet::document::Head;
 use crate::sheet::texts::Texts;
-use crate::template;
-use crate::template::{Value, View};
+use crate::template::{self, Value, View};
 
 /// Something to look at: its address from the page, and what it is.
 struct IndexLink {
@@ -34,10 +33,8 @@ fn address(folder: &str, name: &str) -> String {
     out
 }
 
-/// The page of a set: its booklets and key tables have these names, its sheets these heads and folders.
-///
-/// # Errors
-/// Faults of the template.
+/// The page of a set: its booklets and key tables have these names, its sheets these heads and folders. Errors: faults of the
+/// template.
 pub fn of_set<'s>(
     plan: &Plan,
     students: impl Iterator<Item = (&'s Head, String)>,
@@ -78,10 +75,8 @@ pub fn of_set<'s>(
     page(plan.texts, ("set", about), plan.name, &entries, people)
 }
 
-/// The page of the reports: students with the names of their files; beside it lie the grades, or not.
-///
-/// # Errors
-/// Faults of the template.
+/// The page of the reports: students with the names of their files; beside it lie the grades, or not. Errors: faults of the
+/// template.
 pub fn of_grades<'s>(
     texts: &Texts,
     set: &str,

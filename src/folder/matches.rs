@@ -9,8 +9,7 @@ use crate::grade::row::AnswerRow;
 use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
-use crate::matches;
-use crate::matches::{AnswerColumn, WrongAnswer};
+use crate::matches::{self, AnswerColumn, WrongAnswer};
 use crate::report::matches::{ClassMatches, MatchedPair};
 use crate::set::dealer::{Dealer, indices};
 use rayon::prelude::*;
@@ -18,10 +17,8 @@ use rayon::prelude::*;
 /// With the draws of the class so many keys of each question are known: what a class is too small for, further draws show.
 const KEYS: usize = 300;
 
-/// Holds the wrong answers of a grading against the keys of classmates.
-///
-/// # Errors
-/// answers.csv cannot be read, or the bank cannot be drawn from.
+/// Holds the wrong answers of a grading against the keys of classmates. Errors: answers.csv cannot be read, or the bank cannot be
+/// drawn from.
 pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
     let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
     let table = KeyTable::new(keys, &[]);

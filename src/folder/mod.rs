@@ -36,10 +36,7 @@ impl Progress for () {
     fn advance(&self, _: &str, _: u64, _: u64) {}
 }
 
-/// The threads on which sheets are made, as many as cores where no number is given.
-///
-/// # Errors
-/// They cannot be started.
+/// The threads on which sheets are made, as many as cores where no number is given. Errors: they cannot be started.
 pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Finding> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))

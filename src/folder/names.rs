@@ -29,7 +29,6 @@ pub const KEY_TABLES: [&str; 3] = ["key-table.html", "key-table.md", "key-table.
 pub const ANSWERS: &str = "answers.csv";
 /// A row for each student.
 pub const GRADEBOOK: &str = "gradebook.csv";
-/// What the grading was made from.
 pub const GRADING: &str = "grading.json";
 /// What a regrading changed.
 pub const CHANGES: &str = "changes.csv";

@@ -24,24 +24,19 @@ pub struct PracticePlan<'p> {
     pub texts: &'p Texts,
     /// Problems, as indices.
     pub problems: &'p [usize],
-    /// Seed.
     pub seed: u64,
     /// How many variants of each problem.
     pub variants: u32,
 }
 
-/// The variant of each problem in one round of practice, the same on the page and in a terminal.
-///
-/// # Errors
-/// No draw holds the rules of the problem.
+/// The variant of each problem in one round of practice, the same on the page and in a terminal. Errors: no draw holds the rules
+/// of the problem.
 pub fn drawn(loaded: &Loaded, maker: &Maker, round: usize) -> Result<Variant, Finding> {
     maker.variant(&format!("round {round}")).map_err(|none| unsatisfiable(&loaded.bank, &none))
 }
 
-/// The page. The problems follow each other round by round.
-///
-/// # Errors
-/// The bank leaves no scene in a page, a problem cannot be drawn, or a template is faulty.
+/// The page. The problems follow each other round by round. Errors: the bank leaves no scene in a page, a problem cannot be
+/// drawn, or a template is faulty.
 pub fn page(plan: &PracticePlan) -> Result<Vec<u8>, Findings> {
     let PracticePlan { loaded, texts, problems, seed, variants } = *plan;
     let (bank, templates, words) = (&loaded.bank, &texts.templates, &texts.words);

@@ -42,10 +42,7 @@ struct QuizRow {
 }
 
 impl Variants {
-    /// Of a set and its keys.
-    ///
-    /// # Errors
-    /// Two variants have the same code, which one in a million sets may have.
+    /// Of a set and its keys. Errors: two variants have the same code, which one in a million sets may have.
     fn new(set: &StoredSet, keys: &[SheetKey]) -> Result<Self, Finding> {
         let mut by_code: HashMap<String, (usize, usize)> = HashMap::new();
         for (s, student) in set.students.iter().enumerate() {
@@ -154,7 +151,6 @@ impl Variants {
     }
 }
 
-/// An answer as one text.
 fn text(asked: &QuizAnswer) -> String {
     match &asked.written {
         QuizText::Nothing => String::new(),
@@ -275,7 +271,6 @@ pub struct MatchedQuiz {
     asked: Asked,
     /// The problems that were asked: indices of the set.
     problems: Vec<usize>,
-    /// Who they are on Canvas.
     pub canvas: BTreeMap<String, [String; 3]>,
     /// What stands in the first column of the gradebook for Moodle, where it is neither ID number nor e-mail address.
     pub moodle: Option<String>,
@@ -283,10 +278,8 @@ pub struct MatchedQuiz {
 
 impl MatchedQuiz {
     /// Finds the variants and who answered them. `set` says whose codes they are and `keys` their parts; `before` is the
-    /// set of the earlier grading, if a quiz is graded again: its students and problems stay.
-    ///
-    /// # Errors
-    /// No question shows a code of the set.
+    /// set of the earlier grading, if a quiz is graded again: its students and problems stay. Errors: no question shows a code of
+    /// the set.
     pub fn new(
         quiz: &Quiz,
         (set, keys): (&StoredSet, &[SheetKey]),

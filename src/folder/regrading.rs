@@ -31,7 +31,6 @@ pub struct RegradingJob<'j> {
     pub bank: Option<&'j Path>,
     /// Settings over those of the old grading.
     pub course: Option<&'j Path>,
-    /// Which attempt counts.
     pub attempts: Option<Counts>,
     /// `field=header`; those of the old grading if empty.
     pub columns: &'j [String],
@@ -55,10 +54,7 @@ pub struct Regrading {
 }
 
 impl Regrading {
-    /// Puts it in its place: where it is, in words.
-    ///
-    /// # Errors
-    /// A file cannot be written.
+    /// Puts it in its place: where it is, in words. Errors: a file cannot be written.
     pub fn write(self) -> Result<String, Findings> {
         let Some(out) = self.out else { return Ok("Nothing was written (--dry-run).\n".to_owned()) };
         self.made.reports()?;
@@ -68,10 +64,8 @@ impl Regrading {
     }
 }
 
-/// Grades again, beside the place where the new grading is to be.
-///
-/// # Errors
-/// The folders do not belong together, the bank or the course is faulty, or what is on the sheets has no key any more.
+/// Grades again, beside the place where the new grading is to be. Errors: the folders do not belong together, the bank or the
+/// course is faulty, or what is on the sheets has no key any more.
 pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading, Findings> {
     if let Some(out) = job.out {
         may_write(out, job)?;

@@ -1,10 +1,9 @@
 //! The reports of a folder of grades: class report, feedback for each student, gradebooks, matches.
 use crate::bank::Bank;
 use crate::finding::{Finding, Findings};
-use crate::folder;
 use crate::folder::graded::OpenGrading;
 use crate::folder::staged::Staged;
-use crate::folder::{banks, class, files, graded, index, matches, names, staged};
+use crate::folder::{self, banks, class, files, graded, index, matches, names, staged};
 use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
@@ -22,9 +21,8 @@ use crate::sheet::{html, terminal};
 use crate::words::Words;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::fs;
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
 /// Names of the students' files in a folder of grades, by its basis; none where there is no basis.
 pub fn folders(graded: &Path) -> BTreeSet<String> {
@@ -40,9 +38,7 @@ pub struct ReportMade {
     pub students: usize,
     /// Students who handed in.
     pub took_part: usize,
-    /// Tables.
     pub tables: usize,
-    /// What stands out.
     pub lines: Vec<String>,
     /// Whose answers the wrong ones are, in a sentence.
     pub matches: String,
@@ -64,7 +60,6 @@ impl ReportMade {
     }
 }
 
-/// What is to be reported.
 pub struct ReportJob<'j> {
     /// Folder of a grading.
     pub graded: &'j Path,
@@ -76,14 +71,11 @@ pub struct ReportJob<'j> {
     pub language: Option<&'j str>,
     /// Replace an earlier report.
     pub force: bool,
-    /// Threads.
     pub threads: Option<usize>,
 }
 
-/// Writes the reports of a grading beside it or into a folder of their own, whole or not at all.
-///
-/// # Errors
-/// What is missing or faulty in the folder of the grades, what is in the way, or writing that fails.
+/// Writes the reports of a grading beside it or into a folder of their own, whole or not at all. Errors: what is missing or
+/// faulty in the folder of the grades, what is in the way, or writing that fails.
 pub fn write(job: &ReportJob) -> Result<ReportMade, Findings> {
     let place = job.out.unwrap_or(job.graded);
     files::not_among_students(place)?;
@@ -158,10 +150,7 @@ fn may_write(job: &ReportJob, place: &Path) -> Result<(), Finding> {
 }
 
 /// Makes the reports of a folder of grades into a folder that is there, and replaces nothing in it. They will lie `beside` the grades,
-/// or not.
-///
-/// # Errors
-/// What is missing or faulty in the folder of the grades, a language that is not there, or writing that fails.
+/// or not. Errors: what is missing or faulty in the folder of the grades, a language that is not there, or writing that fails.
 pub fn make(
     graded: &Path,
     out: &Path,

@@ -25,10 +25,7 @@ pub struct Replayed {
     pub not_drawn: Option<String>,
 }
 
-/// The set in a folder and the copy of the bank beside it.
-///
-/// # Errors
-/// There is none, or a file of it cannot be read.
+/// The set in a folder and the copy of the bank beside it. Errors: there is none, or a file of it cannot be read.
 pub fn with_bank(folder: &Path) -> Result<(StoredSet, Bank), Findings> {
     let set = open(folder)?;
     let path = folder.join(&set.bank.file);
@@ -43,10 +40,8 @@ pub fn of_set(folder: &Path, faults: Findings) -> Findings {
 }
 
 /// The set in a folder and its key, made anew and compared with what is stored. A set of an earlier version of the drawing is not
-/// drawn again: its key is the stored one, which must have the hash that was stored with it.
-///
-/// # Errors
-/// The set is not what it was made as.
+/// drawn again: its key is the stored one, which must have the hash that was stored with it. Errors: the set is not what it was
+/// made as.
 pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let (set, bank) = with_bank(folder)?;
     let name = folder.join(&set.bank.file).display().to_string();
@@ -115,10 +110,7 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     Ok(Replayed { set, bank, keys, not_drawn })
 }
 
-/// The set that stands in a folder.
-///
-/// # Errors
-/// There is none, or its file cannot be read.
+/// The set that stands in a folder. Errors: there is none, or its file cannot be read.
 pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
     let path = folder.join(names::SET);
     if folder.is_file() {
@@ -135,10 +127,7 @@ pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
     Ok(StoredSet::parse(&text).map_err(|f| f.in_file(path.display().to_string()))?)
 }
 
-/// May a set be written here? Nothing, an empty folder, or with `--force` a set and nothing else.
-///
-/// # Errors
-/// What is in the way.
+/// May a set be written here? Nothing, an empty folder, or with `--force` a set and nothing else. Errors: what is in the way.
 pub fn may_write(out: &Path, force: bool, example: &str, taken: &str) -> Result<(), Findings> {
     let new = NewFolder { verb: "generate", makes: "set", example, taken };
     files::may_write_folder(out, force, &new, || match out.join(names::SET).is_file() {
@@ -193,10 +182,7 @@ fn is_filled(form: &[u8]) -> bool {
     String::from_utf8_lossy(form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty())
 }
 
-/// `--add` to a set made otherwise would give sheets that do not belong together.
-///
-/// # Errors
-/// What differs.
+/// `--add` to a set made otherwise would give sheets that do not belong together. Errors: what differs.
 pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings> {
     let ids: Vec<&str> = plan.chosen().map(|p| p.id.as_str()).collect();
     let mut faults = Findings::default();

@@ -2,18 +2,15 @@
 use crate::finding::{Finding, Findings};
 use crate::folder::{banks, set};
 use crate::set::{dealer, replay};
-use crate::simulate::classwork;
-use crate::simulate::classwork::{Files, Work};
+use crate::simulate::classwork::{self, Files, Work};
 use crate::simulate::habits::Habits;
 use crate::simulate::student::SimulatedStudent;
 use crate::words::Words;
 use std::path::Path;
 
 /// What the class hands in, and the truth about it. `file` holds the habits, where they are not built in; the words are those of
-/// the set if no language is given.
-///
-/// # Errors
-/// The set is not what it was, the habits name a wrong method that no problem lists, or the language is not there.
+/// the set if no language is given. Errors: the set is not what it was, the habits name a wrong method that no problem lists, or
+/// the language is not there.
 pub fn simulated(
     folder: &Path,
     (habits, file): (&Habits, Option<&Path>),

@@ -1,9 +1,8 @@
 //! Worked solutions of a stored set, drawn and solved again: a folder for each student, and booklets.
 use crate::finding::{Finding, Findings};
-use crate::folder;
 use crate::folder::files::NewFolder;
 use crate::folder::staged::Staged;
-use crate::folder::{Progress, banks, files, names, set, staged};
+use crate::folder::{self, Progress, banks, files, names, set, staged};
 use crate::review::tried_texts::short_page;
 use crate::set::dealer::Dealt;
 use crate::set::store::StoredStudent;
@@ -12,8 +11,7 @@ use crate::sheet::document::{Document, Head};
 use crate::sheet::html::Converter;
 use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
 use crate::sheet::sheets::Sheets;
-use crate::solution;
-use crate::solution::draft::Detail;
+use crate::solution::{self, draft::Detail};
 use crate::template;
 use crate::words::Words;
 use std::collections::BTreeMap;
@@ -23,7 +21,6 @@ use std::path::Path;
 /// A folder with this file was made here, whole.
 const MARKER: &str = ".slipstick-solutions";
 
-/// What is to be written.
 pub struct SolutionsJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
@@ -35,19 +32,15 @@ pub struct SolutionsJob<'j> {
     pub language: Option<&'j str>,
     /// How much they tell.
     pub detail: Detail,
-    /// Formats.
     pub formats: &'j [Format],
     /// Replace solutions that were made before.
     pub force: bool,
-    /// Threads.
     pub threads: Option<usize>,
     /// Is told how far it is.
     pub progress: &'j dyn Progress,
 }
 
-/// What was written.
 pub struct SolutionsMade {
-    /// For so many students.
     pub students: usize,
     /// Problems of each.
     pub problems: usize,
@@ -55,10 +48,8 @@ pub struct SolutionsMade {
     pub short: BTreeMap<String, usize>,
 }
 
-/// Writes worked solutions for everybody, whole or not at all.
-///
-/// # Errors
-/// The set is not what it was, a template is faulty, or the folder may not be written.
+/// Writes worked solutions for everybody, whole or not at all. Errors: the set is not what it was, a template is faulty, or the
+/// folder may not be written.
 pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
     let out = job.out;
     staged::sweep_beside(out);

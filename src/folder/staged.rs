@@ -1,10 +1,9 @@
 //! A folder that is made beside its place and put there whole; what killed runs left is repaired.
 use crate::finding::{Finding, Findings};
 use crate::folder::files::{UNFINISHED, names_in, parent, trouble};
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use std::{fs, io};
 use tempfile::TempDir;
 
 /// The file in such a folder that says whose it is; without it we leave a folder alone.
@@ -24,10 +23,8 @@ pub struct Staged {
 }
 
 impl Staged {
-    /// Begins a folder; folders above it are made, and what killed runs left there goes away.
-    ///
-    /// # Errors
-    /// A finding that names the folder.
+    /// Begins a folder; folders above it are made, and what killed runs left there goes away. Errors: a finding that names the
+    /// folder.
     pub fn new(place: &Path) -> Result<Self, Finding> {
         let fault = |e: &io::Error| trouble(place, "cannot be made", e);
         let above = parent(place);
@@ -59,27 +56,18 @@ impl Staged {
         }
         told
     }
-    /// Writes a file of it, and the folders above that file.
-    ///
-    /// # Errors
-    /// A finding that names the file in its place.
+    /// Writes a file of it, and the folders above that file. Errors: a finding that names the file in its place.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Finding> {
         let fault = |e: io::Error| trouble(&self.place.join(name), "cannot be written", &e);
         let path = self.new.join(name);
         fs::create_dir_all(parent(&path)).and_then(|()| fs::write(path, bytes)).map_err(fault)
     }
-    /// Moves one file or folder to the same name in the place, which is there already.
-    ///
-    /// # Errors
-    /// A finding that names it.
+    /// Moves one file or folder to the same name in the place, which is there already. Errors: a finding that names it.
     pub fn place_one(&self, name: &Path) -> Result<(), Finding> {
         let to = self.place.join(name);
         fs::rename(self.new.join(name), &to).map_err(|e| trouble(&to, "cannot be put in its place", &e))
     }
-    /// Puts it in its place; what stood there goes away only then.
-    ///
-    /// # Errors
-    /// A finding that names the folder.
+    /// Puts it in its place; what stood there goes away only then. Errors: a finding that names the folder.
     pub fn finish(self) -> Result<(), Finding> {
         let Self { folder, new, place } = self;
         let fault = |e: &io::Error| trouble(&place, "cannot be put in its place", e);

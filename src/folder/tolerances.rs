@@ -16,8 +16,7 @@ use crate::regrade::tolerance::{AnswerUnder, WhatIf};
 use crate::report::tolerances::Trial;
 use crate::report::{gradebook, tolerances};
 use crate::set::dealer::Dealt;
-use std::io;
-use std::io::Write as _;
+use std::io::{self, Write as _};
 use std::path::Path;
 use tempfile::NamedTempFile;
 
@@ -31,10 +30,8 @@ struct GradedAnew {
     answers: u64,
 }
 
-/// How many verdicts of a grading would change with each of these relative tolerances, in words.
-///
-/// # Errors
-/// The folder is no grading, or cannot be read.
+/// How many verdicts of a grading would change with each of these relative tolerances, in words. Errors: the folder is no
+/// grading, or cannot be read.
 pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
     let graded = graded::open(folder, None)?;
     let table = |share: Option<f64>| {

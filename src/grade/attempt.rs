@@ -11,7 +11,6 @@ pub(crate) fn place(line: u64, column: usize) -> u64 {
     (line << COLUMN_BITS) | column.min((1 << COLUMN_BITS) - 1) as u64
 }
 
-/// The line of a place.
 pub(crate) fn line_of(place: u64) -> u64 {
     place >> COLUMN_BITS
 }

@@ -6,9 +6,8 @@ use crate::grade::diagnose::{AnswerSlip, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::{Judgement, Verdict};
-use crate::policy;
-use crate::policy::Unread;
 use crate::policy::time::Doubt;
+use crate::policy::{self, Unread};
 use std::borrow::Cow;
 
 /// What a wrong answer fits, as words for machines: ids of wrong methods, and a slip.

@@ -30,7 +30,6 @@ pub(crate) struct AnswerCell<'a> {
 }
 
 impl AnswerCell<'_> {
-    /// Where it stands.
     #[inline]
     pub fn place(&self) -> u64 {
         place(self.line, self.wide.map_or(0, |(i, _)| i))

@@ -12,7 +12,6 @@ use crate::key::{Answer, Given};
 pub(crate) struct EarnedShare {
     /// 0 to 1.
     pub share: f64,
-    /// What for.
     pub why: CreditFor,
 }
 

@@ -1,7 +1,6 @@
 //! What a wrong number has in common with numbers that are known: wrong methods, powers of ten, units, other parts. It says
 //! only what the match proves, and never makes a wrong answer right.
-use crate::answer::figures;
-use crate::answer::figures::Figures;
+use crate::answer::figures::{self, Figures};
 use crate::answer::read::{Reading, UnitCache, read};
 use crate::key::{Answer, KeyEntry, WrongValue};
 use crate::num::shown;

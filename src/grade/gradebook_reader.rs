@@ -12,18 +12,14 @@ pub struct BookRow {
     pub student: String,
     /// Points of the parts that were asked for; `None` where nothing was given or there is no such part.
     pub points: Vec<Option<f64>>,
-    /// The total.
     pub total: Option<f64>,
-    /// Of how many.
     pub of: Option<f64>,
     /// Numbers of the problems that do not count.
     pub dropped: Vec<usize>,
 }
 
-/// Reads the points of parts (`1.omega`), row after row. May a part be missing?
-///
-/// # Errors
-/// It is no gradebook, or `see` finds a fault.
+/// Reads the points of parts (`1.omega`), row after row. May a part be missing? Errors: it is no gradebook, or `see` finds a
+/// fault.
 pub fn each_row(
     source: impl Read,
     parts: &[String],

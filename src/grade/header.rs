@@ -52,10 +52,7 @@ fn best_of_each_part(wide: Vec<WideColumn>) -> Vec<WideColumn> {
 /// Columns with a name of their own; any other that is told stands for a part.
 const ROLES: [&str; 5] = ["student", "problem", "part", "answer", "submitted_at"];
 
-/// What stands where, by the header and what the command says of columns (role and header).
-///
-/// # Errors
-/// All that is wrong with both.
+/// What stands where, by the header and what the command says of columns (role and header). Errors: all that is wrong with both.
 pub(crate) fn layout(
     header: Option<Header>,
     table: &KeyTable,

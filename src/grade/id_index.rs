@@ -22,7 +22,6 @@ fn short(text: &[u8]) -> Option<ShortText> {
 }
 
 impl Ids {
-    /// Puts a text in.
     pub fn put(&mut self, text: &[u8], number: u32) {
         match short(text) {
             Some(short) => self.short.insert(short, number),

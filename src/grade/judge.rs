@@ -89,7 +89,7 @@ impl<'w> Judge<'w> {
             part,
             answer: lossy(cell.answer),
             submitted_at: lossy(submitted),
-            ..AnswerRow::EMPTY
+            ..AnswerRow::default()
         };
         let (Some(who), Some(what)) = (who, what) else {
             (row.verdict, row.reason) = match who {

@@ -7,7 +7,6 @@ use std::borrow::Cow;
 pub(crate) struct WideColumn {
     /// Index of the field.
     pub field: usize,
-    /// Its header.
     pub header: String,
     /// Problem and part as written in it.
     pub problem: String,
@@ -24,7 +23,6 @@ pub(crate) enum FileForm {
     Wide(Vec<WideColumn>),
 }
 
-/// What stands where.
 pub(crate) struct FileLayout {
     /// Fields of a record.
     pub width: usize,

@@ -4,7 +4,7 @@
 //! `judge` makes the row: whose cell it is (`belongs`), the verdict (`compare`, or `si` where a plain number is all
 //! that it takes), what it earns (`award`, `credit`), and what a wrong number fits (`diagnose`).
 #[cfg(feature = "program")]
-pub mod attempt;
+pub(crate) mod attempt;
 #[cfg(feature = "program")]
 mod award;
 #[cfg(feature = "program")]
@@ -13,13 +13,13 @@ pub mod compare;
 #[cfg(feature = "program")]
 mod counts;
 #[cfg(feature = "program")]
-pub mod credit;
+pub(crate) mod credit;
 pub mod diagnose;
 #[cfg(feature = "program")]
 mod fast_number;
 pub mod feedback;
 #[cfg(feature = "program")]
-pub mod gradebook_reader;
+pub(crate) mod gradebook_reader;
 #[cfg(feature = "program")]
 mod header;
 #[cfg(feature = "program")]
@@ -31,7 +31,7 @@ mod layout;
 #[cfg(feature = "program")]
 mod owner;
 #[cfg(feature = "program")]
-pub mod row;
+pub(crate) mod row;
 #[cfg(feature = "program")]
 pub mod rules;
 #[cfg(feature = "program")]

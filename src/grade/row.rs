@@ -32,7 +32,7 @@ const NEEDED: usize = 10;
 pub const OF_ANOTHER: &str = "variant:";
 
 /// One row: an answer cell and what became of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct AnswerRow<'r> {
     /// Line of the file of submissions.
     pub line: u64,
@@ -42,11 +42,9 @@ pub struct AnswerRow<'r> {
     pub student: Cow<'r, str>,
     /// Number of the problem, or what was handed in for it.
     pub problem: Cow<'r, str>,
-    /// Part.
     pub part: Cow<'r, str>,
     /// The cell as handed in.
     pub answer: Cow<'r, str>,
-    /// The verdict.
     pub verdict: Verdict,
     /// Points after credit, penalties and lateness.
     pub points: f64,
@@ -65,23 +63,6 @@ pub struct AnswerRow<'r> {
 }
 
 impl AnswerRow<'_> {
-    /// Without anything in it.
-    pub const EMPTY: AnswerRow<'static> = AnswerRow {
-        line: 0,
-        column: Cow::Borrowed(""),
-        student: Cow::Borrowed(""),
-        problem: Cow::Borrowed(""),
-        part: Cow::Borrowed(""),
-        answer: Cow::Borrowed(""),
-        verdict: Verdict::Blank,
-        points: 0.0,
-        max_points: 0.0,
-        reason: Cow::Borrowed(""),
-        methods: Cow::Borrowed(""),
-        slip: Cow::Borrowed(""),
-        credit: Cow::Borrowed(""),
-        submitted_at: Cow::Borrowed(""),
-    };
     /// Does it belong to a student and a part of the set?
     pub fn is_known(&self) -> bool {
         !matches!(self.verdict, Verdict::UnknownStudent | Verdict::UnknownPart)
@@ -229,10 +210,7 @@ pub struct AnswerReader<R> {
 }
 
 impl<R: Read> AnswerReader<R> {
-    /// Begins with the header.
-    ///
-    /// # Errors
-    /// It lacks a column.
+    /// Begins with the header. Errors: it lacks a column.
     pub fn new(source: R) -> Result<Self, Unreadable> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(source);
         let header = reader.byte_headers()?;
@@ -243,10 +221,7 @@ impl<R: Read> AnswerReader<R> {
         }
     }
 
-    /// The next row; `None` at the end.
-    ///
-    /// # Errors
-    /// It is none.
+    /// The next row; `None` at the end. Errors: it is none.
     pub fn next_row(&mut self) -> Result<Option<AnswerRow<'_>>, Unreadable> {
         if !self.reader.read_byte_record(&mut self.record)? {
             return Ok(None);
@@ -329,7 +304,7 @@ mod tests {
             max_points: 2.5,
             reason,
             submitted_at,
-            ..AnswerRow::EMPTY
+            ..AnswerRow::default()
         };
         let hole = || Cow::Borrowed(HOLE);
         let pattern =

@@ -18,9 +18,8 @@ use crate::grade::verdict::Verdict;
 use crate::grade::winners::choose_winners;
 use crate::grade::write::{RowWriter, Writing};
 use crate::policy;
-use std::fmt;
-use std::io;
 use std::io::{Read, Write};
+use std::{fmt, io};
 
 /// How to grade.
 #[derive(Debug, Clone)]

@@ -1,16 +1,13 @@
 //! Batches of records on several threads; what they write comes out in the order of the batches.
 use crate::answer::submissions::{Batch, RecordSource};
 use std::collections::BTreeMap;
-use std::io;
-use std::io::Write;
+use std::io::{self, Write};
 use std::sync::{Condvar, Mutex, PoisonError};
 
 /// Reading or writing failed.
 #[derive(Debug)]
 pub enum Halt {
-    /// Reading.
     Read(io::Error),
-    /// Writing.
     Write(io::Error),
 }
 
@@ -33,10 +30,7 @@ struct OrderedOutput<'a, 'b> {
 pub type Process<'a, W> = &'a (dyn Fn(&mut W, &Batch, &mut Vec<u8>) + Sync);
 
 /// Runs all batches through the workers; what they write comes out in the order of the batches. A worker that finds the
-/// turn of its batch come writes it and what waits behind it, while the others go on.
-///
-/// # Errors
-/// Reading or writing failed.
+/// turn of its batch come writes it and what waits behind it, while the others go on. Errors: reading or writing failed.
 pub fn run_batches<'b, W: Send>(
     source: RecordSource,
     workers: Vec<W>,

@@ -4,7 +4,7 @@ use std::fmt;
 
 worded! {
     /// What becomes of a cell.
-    #[derive(PartialOrd, Ord, Hash)]
+    #[derive(PartialOrd, Ord, Hash, Default)]
     Verdict {
         /// Within the tolerance.
         Right "right",
@@ -19,6 +19,7 @@ worded! {
         /// Neither right nor wrong: it cannot be read.
         Unreadable "unreadable",
         /// Nothing written.
+        #[default]
         Blank "blank",
         /// Not on the roster.
         UnknownStudent "unknown student",

@@ -4,8 +4,7 @@
 //! an attempt bears on marks, one more comes before, so that times are understood; where the best attempt counts, one for each
 //! step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
-use crate::grade::attempt;
-use crate::grade::attempt::{Attempt, ByRow, Ordered, Try, Winner};
+use crate::grade::attempt::{self, Attempt, ByRow, Ordered, Try, Winner};
 use crate::grade::cells::{AnswerCell, GradingJob, cells};
 use crate::grade::credit::credit;
 use crate::grade::fast_number::SiReader;

@@ -26,7 +26,6 @@ impl Writing {
         let judging = Judging { finder: Finder::default(), numbers: SiReader::default(), counts };
         Writing { scratch: RecordScratch::default(), judging }
     }
-    /// What was counted.
     pub fn counts(self) -> GradedCounts {
         self.judging.counts
     }
@@ -68,7 +67,7 @@ impl<'w> RowWriter<'w> {
                 max_points,
                 reason: job.say.superseded(HOLE, verdict).into(),
                 submitted_at: hole(),
-                ..AnswerRow::EMPTY
+                ..AnswerRow::default()
             })
         };
         RowWriter {
@@ -170,7 +169,7 @@ impl<'w> RowWriter<'w> {
             max_points,
             reason: reason.into(),
             submitted_at: layout.submitted.map_or("".into(), |at| lossy(field(at))),
-            ..AnswerRow::EMPTY
+            ..AnswerRow::default()
         }
     }
 }

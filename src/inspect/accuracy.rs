@@ -7,14 +7,12 @@ use crate::inspect::table::NUMBERS_OF_TIES;
 use crate::inspect::{sentences, table};
 use crate::num::shown;
 use crate::picture::svg::escaped;
-use crate::plot::{Axis, AxisScale, DataPoint, LineChart, Series};
+use crate::plot::{Axis, AxisScale, Caption, DataPoint, LineChart, Series};
 use crate::scene::{Label, Scene};
 use crate::sheet::terminal;
-use crate::solve::ladder;
-use crate::solve::ladder::{Force, Row, Study, Taken};
+use crate::solve::ladder::{self, Force, Row, Study, Taken};
 use crate::solve::method::{Method, Rung};
-use crate::template;
-use crate::template::{Templates, View};
+use crate::template::{self, Templates, View};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -29,7 +27,6 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// Times within this share are equal.
 const SAME_TIME: f64 = 0.1;
 
-/// One row as it is shown.
 struct MeasuredRow {
     row: Row,
     /// Median time of a solve, s.
@@ -54,10 +51,8 @@ pub struct StudySheet<'s> {
 }
 
 /// Measures every method on a problem with these data, with the clock if `timed`. Whether what happens is what the problem declares;
-/// and the study, or in words that there is nothing to compare.
-///
-/// # Errors
-/// The scene has no answer with these data, or nothing is asked that moves.
+/// and the study, or in words that there is nothing to compare. Errors: the scene has no answer with these data, or nothing is
+/// asked that moves.
 pub fn measure<'s>(
     problem: &'s Problem,
     (case, data, shown): &Data,
@@ -331,9 +326,11 @@ impl StudySheet<'_> {
         let label = if self.timed { "time of one solve, s" } else { "force evaluations of one solve" };
         let ys = points().map(|p| p.y).chain([NO_ERROR]);
         LineChart {
-            id: format!("error-{}", self.problem.id),
-            title: format!("{}: error against cost", self.problem.title),
-            description: self.described(),
+            caption: Caption::new(
+                format!("error-{}", self.problem.id),
+                format!("{}: error against cost", self.problem.title),
+                self.described(),
+            ),
             x: Axis::around(label, AxisScale::Log, points().map(|p| p.x)),
             y: Axis::around("greatest relative error of the asked answers", AxisScale::Log, ys),
             notes: ["filled: unbeaten", "ring: what auto takes", "bottom: no error"]
@@ -388,10 +385,11 @@ impl StudySheet<'_> {
         series[0].points = [low, high].map(|x| DataPoint { x, y: x, filled: false, ringed: false }).to_vec();
         let ys: Vec<f64> = series.iter().flat_map(|s| s.points.iter().map(|p| p.y)).collect();
         Some(LineChart {
-            id: format!("tolerance-{}", self.problem.id),
-            title: "Error of the result against tolerance of a step".to_owned(),
-            description: "Greatest relative error of the asked answers against the requested tolerance, both axes logarithmic."
-                .to_owned(),
+            caption: Caption::new(
+                format!("tolerance-{}", self.problem.id),
+                "Error of the result against tolerance of a step",
+                "Greatest relative error of the asked answers against the requested tolerance, both axes logarithmic.",
+            ),
             x: Axis::around("requested tolerance", AxisScale::Log, xs.into_iter()),
             y: Axis::around("delivered error", AxisScale::Log, ys.into_iter().chain([NO_ERROR])),
             series,
@@ -399,10 +397,7 @@ impl StudySheet<'_> {
         })
     }
 
-    /// The page for a browser.
-    ///
-    /// # Errors
-    /// A fault of its template.
+    /// The page for a browser. Errors: a fault of its template.
     pub fn page(&self) -> Result<String, Findings> {
         let mut view = View::new();
         view.foreign("title", &self.problem.title);

@@ -12,8 +12,7 @@ use crate::solve::agree;
 use crate::solve::ladder::Wish;
 use crate::solve::method::{Knob, Method};
 use crate::solve::outcome::{Refusal, Solved};
-use crate::units;
-use crate::units::Unit;
+use crate::units::{self, Unit};
 
 /// Why a scene has no answer, as findings.
 pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Findings {
@@ -21,10 +20,7 @@ pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Findings 
     texts.into_iter().map(|t| Finding::new(&problem.id, t)).collect()
 }
 
-/// What was asked of the ladder, checked.
-///
-/// # Errors
-/// Settings that the method does not have, or that are none.
+/// What was asked of the ladder, checked. Errors: settings that the method does not have, or that are none.
 pub fn wish(method: Option<Method>, rtol: Option<f64>, step: Option<&str>) -> Result<Wish, Findings> {
     let mut faults = Findings::default();
     let knob = method.map_or(Knob::Tolerance, Method::knob);
@@ -78,10 +74,8 @@ fn seconds(text: &str) -> Result<f64, String> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(format!("`{text}` is no step")) }
 }
 
-/// Data from `--set` or drawn with a seed: the case, the values, and each as it is shown.
-///
-/// # Errors
-/// None are given, or they are not those of a case.
+/// Data from `--set` or drawn with a seed: the case, the values, and each as it is shown. Errors: none are given, or they are not
+/// those of a case.
 pub fn data(bank: &Bank, problem: &Problem, set: &[String], seed: Option<u64>) -> Result<Data, Findings> {
     if !set.is_empty() {
         return given(problem, set);

@@ -2,6 +2,7 @@
 use crate::bank::{Problem, any, checks};
 use crate::scene::{Label, Owner, Quantity, Scene, Tie};
 use crate::sheet::terminal;
+use serde_json::{Value, json};
 
 /// A quantity that may be asked.
 struct Askable {
@@ -117,35 +118,22 @@ pub fn table(problem: &Problem) -> String {
 /// The same as JSON.
 pub fn json(problem: &Problem) -> String {
     let there = askable(problem);
-    let entry = |name: &str, quantity: Quantity| {
-        let (meaning, sign) = quantity.meaning_and_sign();
-        let mut entry = serde_json::Map::new();
-        entry.insert("name".to_owned(), name.into());
-        entry.insert("meaning".to_owned(), meaning.into());
-        entry.insert("sign".to_owned(), sign.into());
-        entry.insert("unit".to_owned(), quantity.unit().into());
-        entry
-    };
     let may = there.iter().map(|a| {
-        let mut entry = entry(&a.name, a.quantity);
-        if let Some((text, unit)) = &a.formula {
-            entry.insert("meaning".to_owned(), text.as_str().into());
-            entry.insert("unit".to_owned(), unit.as_str().into());
-        }
-        entry.insert("of".to_owned(), a.of.as_str().into());
-        entry.insert("may_be_asked".to_owned(), true.into());
-        entry.insert("asked_as".to_owned(), a.asked.clone().into());
-        serde_json::Value::from(entry)
+        let (meaning, sign) = a.quantity.meaning_and_sign();
+        let (meaning, unit) = match &a.formula {
+            Some((text, unit)) => (text.as_str(), unit.as_str()),
+            None => (meaning, a.quantity.unit()),
+        };
+        json!({"name": a.name, "meaning": meaning, "sign": sign, "unit": unit, "of": a.of, "may_be_asked": true, "asked_as": a.asked})
     });
     let absent = absent(problem, &there);
     let not = absent.iter().map(|(quantity, why)| {
-        let mut entry = entry(quantity.name(), *quantity);
-        entry.insert("may_be_asked".to_owned(), false.into());
-        entry.insert("why".to_owned(), why.as_str().into());
-        serde_json::Value::from(entry)
+        let (meaning, sign) = quantity.meaning_and_sign();
+        let (name, unit) = (quantity.name(), quantity.unit());
+        json!({"name": name, "meaning": meaning, "sign": sign, "unit": unit, "may_be_asked": false, "why": why})
     });
-    let all: Vec<serde_json::Value> = may.chain(not).collect();
-    let value = serde_json::json!({ "problem": problem.id, "quantities": all });
+    let all: Vec<Value> = may.chain(not).collect();
+    let value = json!({ "problem": problem.id, "quantities": all });
     // A tree of texts always has a JSON form.
     serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
 }

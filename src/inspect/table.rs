@@ -7,8 +7,7 @@ use crate::num::shown;
 use crate::problem::maker::Unsatisfiable;
 use crate::scene::{Label, Quantity};
 use crate::sheet::terminal;
-use crate::solve::ladder;
-use crate::solve::ladder::{Taken, Wish};
+use crate::solve::ladder::{self, Taken, Wish};
 use crate::solve::method::Rung;
 use crate::solve::outcome::Solved;
 use crate::words::Words;
@@ -48,7 +47,6 @@ fn number(value: Option<f64>) -> String {
     }
 }
 
-/// The method that was taken, as JSON.
 fn method_json(taken: &Taken) -> String {
     let setting = match taken.rung {
         Rung::Closed | Rung::Doubles | Rung::Settled => "\"setting\": null".to_owned(),

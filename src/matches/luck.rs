@@ -17,7 +17,6 @@ const WIDTHS: usize = 80;
 /// The keys that a question has, as far as they are known.
 #[derive(Debug, Clone)]
 pub struct Keys {
-    /// Sorted.
     sorted: Vec<f64>,
     /// Half-width and share of pairs of keys that lie within it, widest first.
     close: Vec<(f64, f64)>,
@@ -43,7 +42,6 @@ impl Keys {
         Self { sorted, close, kth }
     }
 
-    /// How many there are.
     pub fn len(&self) -> usize {
         self.sorted.len()
     }

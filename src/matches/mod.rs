@@ -8,7 +8,7 @@
 //! swapped, friends work with one set of data, a form is filled in under another name.
 //!
 //! For instructors only: what is in here must not reach a student.
-pub mod luck;
+pub(crate) mod luck;
 
 use crate::matches::luck::Keys;
 use std::collections::BTreeMap;

@@ -8,10 +8,8 @@ use crate::words::Words;
 /// Figures of a converted number: more than anybody is asked for.
 const FIGURES: usize = 6;
 
-/// What a cell is read as where this part is asked: `45 km/h = 12.5 m/s`, `down`, nothing for a blank cell.
-///
-/// # Errors
-/// The reason why it cannot be read.
+/// What a cell is read as where this part is asked: `45 km/h = 12.5 m/s`, `down`, nothing for a blank cell. Errors: the reason
+/// why it cannot be read.
 pub fn echo(cell: &str, entry: &KeyEntry, words: &Words) -> Result<String, String> {
     let say = &Feedback::new(words);
     Ok(match read(cell, &mut UnitCache::default()) {

@@ -1,6 +1,6 @@
 //! The door of a page that checks itself: a sheet file and phrases in, verdicts out. No files, no clock, no chance; the scene is
 //! solved here, so that no key is needed. `slipstick check` judges with the same functions.
 pub mod check;
-pub mod echo;
+pub(crate) mod echo;
 pub mod session;
 pub mod sheet_file;

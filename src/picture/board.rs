@@ -14,7 +14,6 @@ const ROWS: f64 = 2.0;
 /// The box of an empty board.
 const EMPTY: Frame = Frame { low: Vec2::ZERO, high: vec2(1.0, 1.0) };
 
-/// A wish for a label.
 #[derive(Debug, Clone)]
 pub struct LabelWish {
     /// What it says, line by line.
@@ -46,6 +45,17 @@ pub enum LabelTie {
     Leader,
 }
 
+/// Places on an arc where its label may stand, at these shares of the way from its begin, in the order of preference.
+pub fn on_arc(centre: Vec2, radius: f64, from: f64, turned: f64, shares: &[f64]) -> Vec<(Vec2, Vec2)> {
+    let place = |share: &f64| {
+        let out = Vec2::at_angle(from + turned * share);
+        (centre + out * radius, out)
+    };
+    shares.iter().map(place).collect()
+}
+/// From the middle to the ends.
+pub const MIDDLE_FIRST: &[f64] = &[0.5, 0.35, 0.65, 0.2, 0.8];
+
 /// The drawing board.
 #[derive(Debug, Clone, Default)]
 pub struct Board {
@@ -69,7 +79,6 @@ impl Board {
         self.lines(&[from, to], false, role);
     }
 
-    /// A circle.
     pub fn circle(&mut self, centre: Vec2, radius: f64, role: Role) {
         self.elements.push(Element { outline: Outline::Circle { centre, radius }, role });
     }
@@ -111,6 +120,17 @@ impl Board {
         self.head(to, towards, head);
     }
 
+    /// An angle of so many degrees, counter-clockwise positive, from a direction on: with a head where there is room for one. Its
+    /// size in radians.
+    pub fn angle(&mut self, corner: Vec2, radius: f64, zero: f64, degrees: f64) -> f64 {
+        let to = zero + degrees * std::f64::consts::PI / 180.0;
+        if degrees.abs() * radius < 400.0 {
+            self.arc(corner, radius, zero, to, Role::Dimension);
+        } else {
+            self.curved_arrow(corner, radius, zero, to, Role::Dimension);
+        }
+        to - zero
+    }
     /// An arrow with two heads.
     pub fn double_arrow(&mut self, from: Vec2, to: Vec2, role: Role) {
         let towards = (to - from).unit();

@@ -16,7 +16,6 @@ pub struct Ink {
     pub dark: &'static str,
 }
 
-/// All inks.
 pub const INKS: &[Ink] = &[
     Ink { name: "ink", light: "#16191d", dark: "#e6e9ed" },
     Ink { name: "paper", light: "#ffffff", dark: "#14171b" },
@@ -45,7 +44,6 @@ const AREAS: [&str; 6] = ["area0", "area1", "area2", "area3", "area4", "area5"];
 pub struct Look {
     /// Ink of the line, and its width; `None`: no line.
     pub stroke: Option<(&'static str, f64)>,
-    /// Dashes.
     pub dash: &'static str,
     /// Ink of the area; `None`: empty.
     pub fill: Option<&'static str>,

@@ -5,10 +5,10 @@
 use crate::picture::frame::Frame;
 use crate::picture::vector::Vec2;
 
-pub mod board;
+pub(crate) mod board;
 pub mod frame;
-pub mod look;
-pub mod place;
+pub(crate) mod look;
+pub(crate) mod place;
 pub mod svg;
 pub mod symbol;
 pub mod tikz;

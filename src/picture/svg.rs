@@ -3,8 +3,7 @@
 use crate::picture::look::{INKS, Ink, letters, look, used};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Element, Outline, Picture, PlacedLabel, Role, RunStyle, TextRun, symbol};
-use std::fmt;
-use std::fmt::{Display, Write as _};
+use std::fmt::{self, Display, Write as _};
 
 /// Fonts of labels on screen: Times and what stands in for it.
 const FONTS: &str = "\"Libertinus Serif\",\"STIX Two Text\",\"Times New Roman\",Times,\"Liberation Serif\",\"Nimbus Roman\",\"TeX Gyre Termes\",serif";

@@ -10,12 +10,10 @@ pub enum AxisScale {
     Log,
 }
 
-/// One axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// What it measures, with the unit.
     pub label: String,
-    /// How.
     pub scale: AxisScale,
     /// Least value shown.
     pub low: f64,

@@ -21,23 +21,36 @@ const COLOURS: usize = 7;
 /// Dashes of series, in their order.
 const DASHES: [&str; 7] = ["", "", "7 3", "2 3", "10 3 2 3", "5 2", "1 2"];
 
+/// What every chart says of itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Caption {
+    /// Tells the figures of a page apart.
+    pub id: String,
+    pub title: String,
+    /// What it shows, for those who do not see it.
+    pub description: String,
+}
+
+impl Caption {
+    pub fn new(id: impl Into<String>, title: impl Into<String>, description: impl Into<String>) -> Self {
+        Self { id: id.into(), title: title.into(), description: description.into() }
+    }
+}
+
 /// A chart being drawn.
 #[derive(Debug, Clone)]
 pub struct Chart(Svg);
 
 impl Chart {
-    /// Begins a chart of this size with a title and a description for those who do not see it. `id` tells the pictures of one
-    /// page apart.
-    pub fn new(id: &str, size: Vec2, title: &str, description: &str) -> Self {
-        let mut svg = Svg::after(svg::opening(
-            "plot",
-            id,
-            size,
-            (title, description),
-            &format!("<style>{STYLE}</style>"),
-        ));
+    /// Begins a chart of this size, with its title here.
+    pub fn new(caption: &Caption, size: Vec2, head: Vec2) -> Self {
+        let Caption { id, title, description } = caption;
+        let style = format!("<style>{STYLE}</style>");
+        let mut svg = Svg::after(svg::opening("plot", id, size, (title, description), &style));
         svg.rect("class=\"paper\"", Vec2::ZERO, size);
-        Self(svg)
+        let mut chart = Self(svg);
+        chart.text("head", "start", head, title);
+        chart
     }
     /// A straight line.
     pub fn line(&mut self, class: &str, from: Vec2, to: Vec2) {

@@ -1,7 +1,7 @@
 //! Lines with marks over two axes.
 use crate::picture::vector::{Vec2, vec2};
 use crate::plot::axis::Axis;
-use crate::plot::chart::Chart;
+use crate::plot::chart::{Caption, Chart};
 
 /// A point of a series.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,17 +30,11 @@ pub struct Series {
 /// A figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineChart {
-    /// Tells the figures of a page apart.
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// What it shows, for those who do not see it.
-    pub description: String,
+    pub caption: Caption,
     /// First axis.
     pub x: Axis,
     /// Second axis.
     pub y: Axis,
-    /// The series.
     pub series: Vec<Series>,
     /// What filled and ringed marks mean, below the legend.
     pub notes: Vec<String>,
@@ -65,8 +59,7 @@ impl LineChart {
 
     /// The figure as SVG text: the same bytes for the same data.
     pub fn svg(&self) -> String {
-        let mut chart = Chart::new(&self.id, vec2(WIDTH, HEIGHT), &self.title, &self.description);
-        chart.text("head", "start", vec2(LEFT, 28.0), &self.title);
+        let mut chart = Chart::new(&self.caption, vec2(WIDTH, HEIGHT), vec2(LEFT, 28.0));
         for tick in self.x.ticks() {
             let x = LEFT + INSET + tick.at * (RIGHT - LEFT - 2.0 * INSET);
             if tick.label.is_empty() {
@@ -129,9 +122,7 @@ mod tests {
     #[test]
     fn a_figure_is_well_formed_escaped_and_the_same_every_time() {
         let figure = LineChart {
-            id: "f".to_owned(),
-            title: "a < b & c".to_owned(),
-            description: "two points".to_owned(),
+            caption: Caption::new("f", "a < b & c", "two points"),
             x: Axis::around("cost", AxisScale::Log, [1.0, 100.0].into_iter()),
             y: Axis::around("error", AxisScale::Log, [1e-3, 1.0].into_iter()),
             series: (0..8)

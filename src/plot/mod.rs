@@ -12,6 +12,7 @@ pub mod scatter;
 pub mod spread;
 
 pub use axis::{Axis, AxisScale};
+pub use chart::Caption;
 pub use lines::{DataPoint, LineChart, Series};
 pub use rows::{ChartRow, RowChart};
 pub use scatter::{ScatterChart, Spot};

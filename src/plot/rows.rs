@@ -1,9 +1,8 @@
 //! One row for each thing: a bar or a mark, with its interval.
 use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
-use crate::plot::chart::Chart;
+use crate::plot::chart::{Caption, Chart};
 
-/// A row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChartRow {
     /// Name, to the left.
@@ -20,16 +19,9 @@ pub struct ChartRow {
     pub marked: bool,
 }
 
-/// A chart of rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowChart {
-    /// Tells the figures of a page apart.
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// What it shows, for those who do not see it.
-    pub description: String,
-    /// The axis.
+    pub caption: Caption,
     pub axis: Axis,
     /// Labels of ticks are per cent.
     pub percent: bool,
@@ -60,8 +52,7 @@ impl RowChart {
         let worded = self.rows.iter().any(|r| !r.words.is_empty());
         let step = if worded { STEP + WORDS } else { STEP };
         let bottom = TOP + self.rows.len() as f64 * step + 4.0;
-        let mut chart = Chart::new(&self.id, vec2(WIDTH, bottom + 44.0), &self.title, &self.description);
-        chart.text("head", "start", vec2(8.0, 22.0), &self.title);
+        let mut chart = Chart::new(&self.caption, vec2(WIDTH, bottom + 44.0), vec2(8.0, 22.0));
         let place = |value: f64| left + self.axis.at(value) * (right - left);
         for tick in self.axis.ticks() {
             let x = left + tick.at * (right - left);
@@ -129,9 +120,7 @@ mod tests {
             marked: false,
         };
         let chart = RowChart {
-            id: "r".to_owned(),
-            title: "a & b".to_owned(),
-            description: "three rows".to_owned(),
+            caption: Caption::new("r", "a & b", "three rows"),
             axis: Axis { label: "share".to_owned(), scale: AxisScale::Linear, low: 0.0, high: 1.0 },
             percent: true,
             bars: true,

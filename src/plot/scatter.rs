@@ -2,7 +2,7 @@
 use crate::picture::frame::Frame;
 use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
-use crate::plot::chart::Chart;
+use crate::plot::chart::{Caption, Chart};
 use crate::plot::rows::WIDTH;
 
 /// A point.
@@ -21,12 +21,7 @@ pub struct Spot {
 /// A chart of points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScatterChart {
-    /// Tells the figures of a page apart.
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// What it shows, for those who do not see it.
-    pub description: String,
+    pub caption: Caption,
     /// First axis, shares in per cent.
     pub x: Axis,
     /// Second axis.
@@ -48,8 +43,7 @@ const LETTER: (f64, f64) = (6.3, 13.0);
 impl ScatterChart {
     /// The chart as SVG text: the same bytes for the same data.
     pub fn svg(&self) -> String {
-        let mut chart = Chart::new(&self.id, vec2(WIDTH, HEIGHT), &self.title, &self.description);
-        chart.text("head", "start", vec2(8.0, 22.0), &self.title);
+        let mut chart = Chart::new(&self.caption, vec2(WIDTH, HEIGHT), vec2(8.0, 22.0));
         let at = |x: f64, y: f64| {
             vec2(
                 LEFT + 8.0 + self.x.at(x) * (RIGHT - LEFT - 16.0),
@@ -131,9 +125,7 @@ mod tests {
         let axis = |low: f64| Axis { label: "x".to_owned(), scale: AxisScale::Linear, low, high: 1.0 };
         let spot = |x: f64| Spot { x, y: 0.5, label: "1.name".to_owned(), marked: x > 0.9 };
         let chart = ScatterChart {
-            id: "s".to_owned(),
-            title: "t".to_owned(),
-            description: "d".to_owned(),
+            caption: Caption::new("s", "t", "d"),
             x: axis(0.0),
             y: axis(-0.2),
             level: Some((0.2, "low".to_owned())),

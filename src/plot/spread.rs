@@ -1,18 +1,13 @@
 //! How numbers are spread: columns of a histogram, or a dot for each of a few.
 use crate::picture::vector::vec2;
 use crate::plot::axis::{Axis, AxisScale};
-use crate::plot::chart::Chart;
+use crate::plot::chart::{Caption, Chart};
 use crate::plot::rows::WIDTH;
 
 /// A chart of a list of numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpreadChart {
-    /// Tells the figures of a page apart.
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// What it shows, for those who do not see it.
-    pub description: String,
+    pub caption: Caption,
     /// The axis of the numbers; it holds all classes.
     pub axis: Axis,
     /// Classes: lower end, upper end, how many numbers lie between.
@@ -37,8 +32,7 @@ impl SpreadChart {
     pub fn svg(&self) -> String {
         let (top, bottom) = (TOP, if self.dots.is_empty() { BOTTOM } else { self.dots_bottom() });
         let size = vec2(WIDTH, HEIGHT - BOTTOM + bottom);
-        let mut chart = Chart::new(&self.id, size, &self.title, &self.description);
-        chart.text("head", "start", vec2(8.0, 22.0), &self.title);
+        let mut chart = Chart::new(&self.caption, size, vec2(8.0, 22.0));
         let place = |v: f64| LEFT + self.axis.at(v) * (RIGHT - LEFT);
         if self.dots.is_empty() {
             let most = self.classes.iter().map(|c| c.2).max().unwrap_or(1).max(1) as f64;
@@ -107,9 +101,7 @@ mod tests {
 
     fn chart(dots: Vec<f64>) -> SpreadChart {
         SpreadChart {
-            id: "h".to_owned(),
-            title: "totals".to_owned(),
-            description: "d".to_owned(),
+            caption: Caption::new("h", "totals", "d"),
             axis: Axis { label: "points".to_owned(), scale: AxisScale::Linear, low: 0.0, high: 10.0 },
             classes: vec![(0.0, 2.5, 1), (2.5, 5.0, 0), (5.0, 7.5, 3), (7.5, 10.0, 2)],
             dots,

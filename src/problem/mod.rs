@@ -2,8 +2,8 @@
 pub mod make_key;
 pub mod maker;
 #[cfg(feature = "program")]
-pub mod rounding;
-pub mod rule;
+pub(crate) mod rounding;
+pub(crate) mod rule;
 #[cfg(feature = "program")]
 pub mod sweep;
 pub mod variant;

@@ -44,7 +44,6 @@ pub enum DrawRule {
 /// there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refused {
-    /// Which rule.
     pub rule: DrawRule,
     /// What came out.
     pub found: f64,

@@ -15,7 +15,6 @@ pub struct CountedAnswer {
     pub line: u64,
     /// Column, where a record has several answers.
     pub column: String,
-    /// The verdict.
     pub verdict: Verdict,
     /// Most points.
     pub max_points: f64,
@@ -66,10 +65,7 @@ impl Grading {
         }
     }
 
-    /// Takes gradebook.csv.
-    ///
-    /// # Errors
-    /// It is no gradebook.
+    /// Takes gradebook.csv. Errors: it is no gradebook.
     pub fn book(&mut self, keys: &KeyTable, gradebook: impl Read) -> Result<(), Unreadable> {
         let parts: Vec<String> = keys.columns.iter().map(Column::label).collect();
         gradebook_reader::each_row(gradebook, &parts, true, &mut |row| {
@@ -81,7 +77,6 @@ impl Grading {
         })
     }
 
-    /// The answer that counts.
     pub fn cell(&self, student: usize, part: usize) -> Option<&CountedAnswer> {
         self.cells[student * self.parts + part].as_ref()
     }
@@ -105,7 +100,6 @@ worded! {
         Points "points of the part",
         /// A wrong method is now recognised.
         Method "wrong method recognised",
-        /// A wrong method is no longer recognised.
         NoMethod "wrong method no longer recognised",
         /// Credit for a wrong method is another.
         Credit "credit",
@@ -113,9 +107,7 @@ worded! {
         Follow "follow-through",
         /// What followed from an earlier answer does so no more, or earns more by itself.
         NoFollow "no longer follow-through",
-        /// A correction for all.
         Correction "correction",
-        /// Another attempt counts.
         Attempt "another attempt counts",
         /// What attempts or lateness cost, or when answers were due.
         Policy "attempts or lateness",
@@ -133,7 +125,6 @@ pub struct Settings {
     pub credit: bool,
 }
 
-/// A mark that changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MarkChange {
     /// Student, an index.
@@ -170,11 +161,8 @@ pub struct ChangeRow {
     pub part: String,
     /// Points before, nothing where there were none; likewise the next three.
     pub points_before: String,
-    /// Points after.
     pub points_after: String,
-    /// Verdict before.
     pub verdict_before: String,
-    /// Verdict after.
     pub verdict_after: String,
     /// Why, reasons separated by semicolons.
     pub why: String,
@@ -202,10 +190,7 @@ impl ChangeRow {
         }
         out
     }
-    /// The rows of changes.csv.
-    ///
-    /// # Errors
-    /// It is none.
+    /// The rows of changes.csv. Errors: it is none.
     pub fn read(csv: &[u8]) -> Result<Vec<ChangeRow>, Unreadable> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(csv);
         let mut rows: Vec<ChangeRow> = reader.deserialize().collect::<Result<_, _>>()?;
@@ -381,7 +366,7 @@ mod tests {
                     max_points: 2.0,
                     methods: (*methods).into(),
                     credit: (*credit).into(),
-                    ..AnswerRow::EMPTY
+                    ..AnswerRow::default()
                 },
             );
         }

@@ -20,7 +20,6 @@ pub struct ToleranceChange {
 /// The answer that counts for a student and a part, if there is one.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AnswerUnder {
-    /// Is it right?
     pub right: bool,
     /// Ids of the wrong methods that it fits.
     pub methods: String,

@@ -4,8 +4,7 @@ use crate::grade::verdict::Verdict;
 use crate::key::{Answer, KeyEntry};
 use crate::num::shown;
 use crate::policy::{Correction, Policy};
-use crate::regrade::changes;
-use crate::regrade::changes::{ChangeRow, DUST, Grading, MarkChange, Why};
+use crate::regrade::changes::{self, ChangeRow, DUST, Grading, MarkChange, Why};
 use crate::report::tolerances;
 use crate::sheet::terminal;
 use std::collections::BTreeMap;
@@ -49,9 +48,7 @@ pub struct ChangesTold<'d> {
     pub before: &'d Grading,
     /// The new one.
     pub after: &'d Grading,
-    /// What changed.
     pub changes: &'d [MarkChange],
-    /// The keys.
     pub keys: &'d KeysBeforeAfter,
 }
 
@@ -220,7 +217,6 @@ impl ChangesTold<'_> {
         }
     }
 
-    /// changes.csv.
     pub fn csv(&self, policy: &Policy) -> Vec<u8> {
         let mut rows = Vec::new();
         for change in self.changes {

@@ -1,6 +1,6 @@
 //! The plots of the class report, in the words of a language.
 use crate::num::{chance, trig};
-use crate::plot::{Axis, AxisScale, ChartRow, RowChart, ScatterChart, Spot, SpreadChart};
+use crate::plot::{Axis, AxisScale, Caption, ChartRow, RowChart, ScatterChart, Spot, SpreadChart};
 use crate::report::marks::Marks;
 use crate::report::stats::spread::Distribution;
 use crate::report::stats::{LEAST_FOR_SHARE, spread};
@@ -18,9 +18,7 @@ pub const POOR: f64 = 0.2;
 /// What the plots are made of.
 #[derive(Clone, Copy)]
 pub struct ClassCharts<'c> {
-    /// The marks.
     pub marks: &'c Marks,
-    /// What they tell.
     pub study: &'c ClassStudy,
     /// Words of the language.
     pub words: &'c Words,
@@ -45,11 +43,10 @@ impl ClassCharts<'_> {
     fn rows(&self, name: &str, title: &str, axis: Axis, shares: bool, rows: Vec<ChartRow>) -> RowChart {
         let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
         let all = self.marks.class.students.len().to_string();
+        let pieces = [("all", all.as_str()), ("list", &told.join("; "))];
+        let description = self.say(&format!("{name}.description"), &pieces);
         RowChart {
-            id: format!("plot-{name}"),
-            title: title.to_owned(),
-            description: self
-                .say(&format!("{name}.description"), &[("all", &all), ("list", &told.join("; "))]),
+            caption: Caption::new(format!("plot-{name}"), title, description),
             axis,
             percent: shares,
             bars: true,
@@ -73,7 +70,6 @@ impl ClassCharts<'_> {
         pieces.collect::<Vec<_>>().join(">")
     }
 
-    /// Distribution of the totals.
     pub fn totals(&self, summary: &Distribution) -> String {
         let study = self.study;
         // Credit beyond the sheet does not exist, but rounding up may pass the end.
@@ -97,10 +93,9 @@ impl ClassCharts<'_> {
             ("most", &sum),
         ];
         let how = self.say(if few { "totals.dots" } else { "totals.columns" }, &[]);
+        let description = format!("{} {how}", self.say("totals.description", &pieces));
         let spread = SpreadChart {
-            id: "plot-totals".to_owned(),
-            title: self.say("totals.title", &[]),
-            description: format!("{} {how}", self.say("totals.description", &pieces)),
+            caption: Caption::new("plot-totals", self.say("totals.title", &[]), description),
             axis: Axis {
                 label: self.say("totals.axis", &[("most", &sum)]),
                 scale: AxisScale::Linear,
@@ -147,10 +142,9 @@ impl ClassCharts<'_> {
         let list = told.collect::<Vec<_>>().join("; ");
         let level = self.words.number(&fixed(POOR, 1));
         let ys = spots.iter().map(|s| s.y).chain([0.0, 0.4]);
+        let description = self.say("items.description", &[("list", &list)]);
         let scatter = ScatterChart {
-            id: "plot-items".to_owned(),
-            title: self.say("items.title", &[]),
-            description: self.say("items.description", &[("list", &list)]),
+            caption: Caption::new("plot-items", self.say("items.title", &[]), description),
             x: self.axis("items.x", 0.0, 1.0),
             y: Axis::around(&self.say("items.y", &[]), AxisScale::Linear, ys),
             level: Some((POOR, self.say("items.poor", &[("level", &level)]))),
@@ -188,8 +182,9 @@ impl ClassCharts<'_> {
         let ends = rows.iter().filter_map(|r| r.interval);
         let widest = ends.fold(0.0, |w: f64, (a, b)| w.max(a.abs()).max(b.abs()));
         let reach = [0.25, 0.5, 1.0].into_iter().find(|r| widest <= *r).unwrap_or(1.0);
-        let plot = self.rows("fairness", title, self.axis("fairness.axis", -reach, reach), false, rows);
-        let plot = RowChart { id: format!("plot-fairness-{}", problem + 1), bars: false, ..plot };
+        let mut plot = self.rows("fairness", title, self.axis("fairness.axis", -reach, reach), false, rows);
+        plot.caption.id = format!("plot-fairness-{}", problem + 1);
+        plot.bars = false;
         Some(self.in_language(&plot.svg()))
     }
 }

@@ -8,9 +8,8 @@ use crate::grade::verdict::Verdict;
 use crate::key::{Answer, Given, KeyEntry, ProblemKey};
 use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
-use crate::policy;
 use crate::policy::time::{Evidence, Moment};
-use crate::policy::{For, Per, Policy, RoundingWay, Unread};
+use crate::policy::{self, For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
 use crate::set::grading::{JOINED, StoredGrading};
@@ -30,7 +29,6 @@ const WIDTH: usize = 100;
 macro_rules! say {
     ($page:ident, $($text:tt)*) => { $page.say(1, &format!($($text)*)) };
 }
-/// A heading.
 macro_rules! head {
     ($page:ident, $($text:tt)*) => { $page.say(0, &format!($($text)*)) };
 }
@@ -60,13 +58,10 @@ impl WrappedText {
 
 /// The marks of one student for one problem, and what they were made from.
 pub struct ExplainedMarks<'g> {
-    /// The set.
     pub set: &'g StoredSet,
-    /// The student.
     pub student: &'g StoredStudent,
     /// Number of the problem in the set, from 1.
     pub number: usize,
-    /// The problem.
     pub problem: &'g Problem,
     /// The student's key.
     pub key: &'g ProblemKey,
@@ -74,7 +69,6 @@ pub struct ExplainedMarks<'g> {
     pub variant: &'g Variant,
     /// Settings by which it was graded.
     pub policy: &'g Policy,
-    /// What it was graded with.
     pub grading: &'g StoredGrading,
     /// What the times of all answers say about the order of day and month.
     pub evidence: Evidence,
@@ -515,7 +509,6 @@ fn in_unit(entry: &KeyEntry) -> String {
     }
 }
 
-/// Which rule made the half-width.
 fn rule(question: &crate::bank::Question, entry: &KeyEntry, value: f64, half_width: f64) -> String {
     let share = question.relative.at(entry.cond.unwrap_or(f64::NAN));
     if share * value.abs() * (1.0 + 1e-9) < half_width {

@@ -11,14 +11,12 @@ use crate::policy::Hints;
 use crate::report::marks::{CountingRow, Marks};
 use crate::report::table;
 use crate::sheet::document::{Document, Head};
-use crate::template;
-use crate::template::{Templates, Value, View};
+use crate::template::{self, Templates, Value, View};
 use crate::words::Words;
 use crate::words::plain::{capital, in_places};
 
 /// What is the same for all students.
 pub struct FeedbackWriter<'d> {
-    /// The marks.
     pub marks: &'d Marks,
     /// Title of the course or bank, in the language of the feedback.
     pub title: &'d str,
@@ -37,10 +35,7 @@ pub struct FeedbackWriter<'d> {
 }
 
 impl FeedbackWriter<'_> {
-    /// The feedback of a student.
-    ///
-    /// # Errors
-    /// Faults of the template.
+    /// The feedback of a student. Errors: faults of the template.
     pub fn document(&self, student: usize) -> Result<(Head, Document), Finding> {
         let who = &self.marks.class.students[student];
         let dropped = self.marks.dropped.get(student).map_or(&[][..], Vec::as_slice);

@@ -102,15 +102,12 @@ pub struct DatumComparison {
 pub struct ClassStudy {
     /// Students (indices) who handed in something.
     pub took_part: Vec<usize>,
-    /// Their totals.
     pub totals: Vec<f64>,
     /// The most that anybody could get.
     pub most: f64,
-    /// Is it the same for all?
     pub same_most: bool,
     /// Description of the totals.
     pub summary: Option<Distribution>,
-    /// By part.
     pub parts: Vec<PartStudy>,
     /// Reliability.
     pub alpha: Result<Interval, NoStatistic>,
@@ -134,7 +131,6 @@ pub struct ClassStudy {
 pub const LEVEL: f64 = 0.05;
 
 impl ClassStudy {
-    /// Works it out.
     pub fn of(marks: &Marks) -> Self {
         let took_part: Vec<usize> = (0..marks.class.students.len()).filter(|s| marks.took_part(*s)).collect();
         let totals: Vec<f64> = took_part.iter().map(|s| marks.totals[*s].0).collect();

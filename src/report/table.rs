@@ -7,7 +7,6 @@ use serde::Serialize;
 /// A cell of a table: what is shown, and what stands in the CSV file.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct TableCell {
-    /// What is shown.
     pub shown: String,
     /// Is it finished HTML?
     pub rich: bool,
@@ -20,7 +19,6 @@ pub struct TableCell {
 }
 
 impl TableCell {
-    /// A text.
     pub fn text(text: &str) -> Self {
         Self::named(text, text)
     }
@@ -32,7 +30,6 @@ impl TableCell {
     pub fn rich(shown: String, raw: &str) -> Self {
         Self { shown, rich: true, raw: raw.to_owned(), ..Self::default() }
     }
-    /// A count.
     pub fn count(n: impl ToString) -> Self {
         Self::text(&n.to_string())
     }
@@ -90,7 +87,6 @@ pub struct Table {
     pub texts: usize,
     /// Columns on the page; the CSV file may have more.
     pub shown: usize,
-    /// Rows.
     pub rows: Vec<Vec<TableCell>>,
 }
 

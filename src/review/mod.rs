@@ -4,12 +4,10 @@ use crate::finding::{Finding, Findings};
 use crate::inspect::sentences;
 use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
-use crate::problem::sweep;
-use crate::problem::sweep::{Seldom, Sweep};
+use crate::problem::sweep::{self, Seldom, Sweep};
 use crate::review::tried_texts::TextNote;
-use crate::sheet;
 use crate::sheet::texts::Texts;
-use crate::sheet::{statement, terminal};
+use crate::sheet::{self, statement, terminal};
 use rayon::prelude::*;
 
 pub mod page;
@@ -281,10 +279,8 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     notes
 }
 
-/// All that is wrong in a bank whose problems behave so over many seeds; and what is worth knowing besides.
-///
-/// # Errors
-/// Faults of the templates.
+/// All that is wrong in a bank whose problems behave so over many seeds; and what is worth knowing besides. Errors: faults of the
+/// templates.
 pub fn faults(
     bank: &Bank,
     file: &str,

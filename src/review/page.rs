@@ -9,16 +9,14 @@ use crate::picture::svg;
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::problem::sweep::Sweep;
-use crate::review;
-use crate::review::SweepTables;
+use crate::review::{self, SweepTables};
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::key_table;
 use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solve::outcome::Motion;
-use crate::template;
-use crate::template::{Value, View};
+use crate::template::{self, Value, View};
 use std::fmt::Write as _;
 
 /// Draws among which refused ones are looked for, and how many are shown at most.
@@ -27,17 +25,13 @@ const REFUSED: usize = 4;
 
 /// The page, and the problems of which not all variants could be drawn.
 pub struct Gallery {
-    /// The page.
     pub page: String,
     /// Why variants are missing on it.
     pub missing: Findings,
 }
 
 /// The page with so many variants of these problems, draws that their rules refuse, and the tables of their sweeps over so many
-/// seeds.
-///
-/// # Errors
-/// A template is faulty.
+/// seeds. Errors: a template is faulty.
 pub fn page(
     (bank, file): (&Bank, &str),
     chosen: &[usize],

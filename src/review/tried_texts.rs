@@ -33,7 +33,6 @@ pub struct Tried {
 pub struct TextNote {
     /// Id of the problem.
     pub problem: String,
-    /// What is to be told.
     pub what: String,
 }
 
@@ -51,10 +50,7 @@ pub fn short_page(problem: &Problem, case: usize, what: Beyond) -> String {
 }
 
 /// Writes statement and worked solution of one variant of each case of these problems: faults that show only then, formulas
-/// that cannot be read, and what the worked solutions do not cover.
-///
-/// # Errors
-/// Faults of the templates.
+/// that cannot be read, and what the worked solutions do not cover. Errors: faults of the templates.
 pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Findings> {
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
     let mut scratch = SheetScratch::default();
@@ -158,10 +154,7 @@ fn not_kept(what: &Dropped) -> String {
 }
 
 /// What [`tried`] finds in the whole bank; where that is nothing, a whole sheet is made in every format that this program makes
-/// without a compiler.
-///
-/// # Errors
-/// Faults of the templates.
+/// without a compiler. Errors: faults of the templates.
 pub fn whole_bank(bank: &Bank, texts: &Texts) -> Result<Tried, Findings> {
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let mut out = tried(bank, texts, &problems)?;

@@ -13,7 +13,6 @@ pub struct StudentVariant<'a> {
     pub student: &'a str,
     /// The data as printed.
     pub data: &'a [String],
-    /// The key.
     pub key: &'a ProblemKey,
 }
 

@@ -10,7 +10,6 @@ pub const FORMAT: u32 = 1;
 /// Answers that came in many files, joined: the lines that answers.csv tells are lines of this.
 pub const JOINED: &str = "basis/submissions.csv";
 
-/// What a grading was made from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StoredGrading {
     /// Version of this layout.
@@ -93,10 +92,7 @@ const fn is_yes(said: &bool) -> bool {
 }
 
 impl StoredGrading {
-    /// Reads grading.json.
-    ///
-    /// # Errors
-    /// What is wrong with it, with its place.
+    /// Reads grading.json. Errors: what is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         let grading: Self = serde_json::from_str(text).map_err(|e| {
             Finding::of_json("grading", &e)

@@ -6,8 +6,7 @@ use crate::num::shown::significant;
 use crate::problem::maker::Variant;
 use crate::sheet::document::{Document, Head};
 use crate::solve::outcome::Motion;
-use crate::template;
-use crate::template::{Templates, View};
+use crate::template::{self, Templates, View};
 use crate::words::Words;
 
 /// Significant figures of its numbers.
@@ -32,10 +31,7 @@ pub fn row(bank: &Bank, problems: &[usize], head: &Head, variants: &[Variant]) -
     KeyTableRow { head: head.clone(), problems: problems.iter().zip(variants).map(of).collect() }
 }
 
-/// The table of a set; `rows` and `keys` are in the same order.
-///
-/// # Errors
-/// Faults of the template `key-table.md`.
+/// The table of a set; `rows` and `keys` are in the same order. Errors: faults of the template `key-table.md`.
 pub fn document<'k>(
     templates: &Templates,
     words: &Words,

@@ -25,17 +25,6 @@ worded! {
     }
 }
 
-impl Format {
-    /// A format by its name, as people type it.
-    ///
-    /// # Errors
-    /// There is none of this name.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let format = Self::of_word(&text.trim().to_ascii_lowercase());
-        format.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
-    }
-}
-
 /// What was asked for, or the default: Markdown and a page, and PDF where it is built in. Each once, in a fixed order.
 pub fn formats(asked: Option<&[Format]>) -> Vec<Format> {
     let wanted = |format: &Format| match (asked, format) {
@@ -74,10 +63,7 @@ pub struct WrittenDocument {
 }
 
 impl<'o> DocumentWriter<'o> {
-    /// Gets ready.
-    ///
-    /// # Errors
-    /// PDF is asked for and not built in, or the instructor's `print.typ` is faulty.
+    /// Gets ready. Errors: pDF is asked for and not built in, or the instructor's `print.typ` is faulty.
     pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Finding> {
         let press = match formats.contains(&Format::Pdf) {
             true => Some(PdfCompiler::new(&texts.words, texts.print())?),
@@ -90,10 +76,8 @@ impl<'o> DocumentWriter<'o> {
         self.formats.contains(&format)
     }
 
-    /// The files of a document that stands at this place (from 0) in the booklet; as a page it may have tools.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// The files of a document that stands at this place (from 0) in the booklet; as a page it may have tools. Errors: faults of
+    /// the templates.
     pub fn make(
         &self,
         at: usize,
@@ -154,10 +138,7 @@ impl<'o> DocumentWriter<'o> {
         self.press.as_ref().map_or_else(|| Ok(Vec::new()), |press| press.press(documents))
     }
 
-    /// The booklets of all documents.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// The booklets of all documents. Errors: faults of the templates.
     pub fn booklets(
         &self,
         title: &str,
@@ -180,10 +161,8 @@ impl<'o> DocumentWriter<'o> {
         Ok(files)
     }
 
-    /// The key for people: a page, whatever the formats, and Markdown and PDF where they are asked for.
-    ///
-    /// # Errors
-    /// Faults of the templates.
+    /// The key for people: a page, whatever the formats, and Markdown and PDF where they are asked for. Errors: faults of the
+    /// templates.
     pub fn key_table<'k>(
         &self,
         bank: &Bank,

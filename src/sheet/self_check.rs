@@ -43,16 +43,6 @@ worded! {
     }
 }
 
-impl Hosting {
-    /// By its name, as people type it.
-    ///
-    /// # Errors
-    /// There is none of this name.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        Self::of_word(text.trim()).ok_or_else(|| "a page is single or site".to_owned())
-    }
-}
-
 /// What a page is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Use {

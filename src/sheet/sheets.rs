@@ -8,8 +8,7 @@ use crate::problem::maker::Variant;
 use crate::scene::{Quantity, Slope};
 use crate::sheet::document::{Document, Head};
 use crate::sheet::statement::{Common, Scratch, Statement, percent};
-use crate::template;
-use crate::template::{Templates, View};
+use crate::template::{self, Templates, View};
 use crate::words::Words;
 
 /// The problems of a set, ready to be written for many students.

@@ -10,16 +10,14 @@
 //!
 //! `ask` of a question is a template too and sees the same, but for `questions`.
 use crate::bank::decimal::Decimal;
-use crate::bank::expression;
-use crate::bank::{Bank, Problem, Question};
+use crate::bank::{Bank, Problem, Question, expression};
 use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{Num, Owner, Quantity, Scene, Slope, Span, Start};
 use crate::sheet::document;
-use crate::template;
-use crate::template::{Templates, View};
+use crate::template::{self, Templates, View};
 use crate::words::Words;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;

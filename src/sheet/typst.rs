@@ -408,7 +408,6 @@ enum Upright {
     Yes,
 }
 
-/// A piece of a formula.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum FormulaPiece {
     /// Upright text or a number: neighbours grow together into one word.
@@ -419,7 +418,6 @@ enum FormulaPiece {
     Other(TypstFormula),
 }
 
-/// Pieces in a row.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct FormulaRow(Vec<FormulaPiece>);
 

@@ -8,10 +8,10 @@ use crate::simulate::truth::TrueKind;
 use crate::units::spell;
 
 /// The habits that are taken where none are given, and the example that is printed: every field, with its meaning.
-pub const EXAMPLE: &str = include_str!("habits.yaml");
+pub const EXAMPLE: &str = include_str!("../../templates/habits.yaml");
 
 /// The habits of the class of demonstrations.
-const DEMO: &str = include_str!("demo.yaml");
+const DEMO: &str = include_str!("../../templates/demo-habits.yaml");
 
 /// Things and how often each is met, as weights >= 0 of which one at least is > 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,10 +180,10 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     {
         faults.at(n, format!("expected a title, found {}", n.kind()));
     }
-    let part = |n: Option<&Node>| n.map_or(0.0, |n| share(n, faults));
-    let absent = part(fields.get("absent"));
+    let part = |n: &Node, f: &Faults| Some(share(n, f));
+    let absent = fields.read("absent", part).unwrap_or(0.0);
     let attempts = fields.get("attempts").map(|n| counts(n, "attempts", MOST_ATTEMPTS, faults));
-    let improves = part(fields.get("improves"));
+    let improves = fields.read("improves", part).unwrap_or(0.0);
     let answers = fields.need("answers", "{right: 70, wrong method: 30}");
     let answers = answers.and_then(|n| {
         mix(n, "kinds of answers", faults, &|name| {
@@ -195,8 +195,8 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
         })
     });
     let (any_method, methods) = fields.get("wrong methods").map_or((1.0, Vec::new()), |n| methods(n, faults));
-    let carries_on = part(fields.get("carries on"));
-    let follows_on = part(fields.get("follows on"));
+    let carries_on = fields.read("carries on", part).unwrap_or(0.0);
+    let follows_on = fields.read("follows on", part).unwrap_or(0.0);
     let figures = fields.get("figures").map(|n| counts(n, "figures", MOST_FIGURES, faults));
     let on_the_way = fields.get("figures on the way").map(|n| counts(n, "figures", MOST_FIGURES, faults));
     let copying = fields.get("copying").and_then(|n| copying(n, faults));
@@ -206,8 +206,8 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
             found.ok_or_else(|| "the ways are asked, other, none".to_owned())
         })
     });
-    let words = part(fields.get("direction by word"));
-    let commas = part(fields.get("decimal commas"));
+    let words = fields.read("direction by word", part).unwrap_or(0.0);
+    let commas = fields.read("decimal commas", part).unwrap_or(0.0);
     let spreadsheet = fields.get("spreadsheet").is_some_and(|n| yes(n, faults));
     let times = fields.get("handed in").and_then(|n| times(n, faults));
     fields.close();
@@ -242,13 +242,10 @@ fn share(node: &Node, faults: &Faults) -> f64 {
     match read {
         Ok(share) if (0.0..=1.0).contains(&share) => share,
         Ok(_) => {
-            faults.hint(node, format!("{text} is no share"), "a share is from 0 to 1, or from 0 % to 100 %");
-            0.0
+            let hint = "a share is from 0 to 1, or from 0 % to 100 %";
+            faults.refuse_with(node, format!("{text} is no share"), hint).unwrap_or(0.0)
         }
-        Err(_) => {
-            faults.hint(node, format!("expected a share, found {}", node.kind()), "`5 %` or `0.05`");
-            0.0
-        }
+        Err(_) => faults.expected(node, "a share", "`5 %` or `0.05`").unwrap_or(0.0),
     }
 }
 
@@ -259,8 +256,7 @@ fn weight(node: &Node, faults: &Faults) -> f64 {
         Ok(weight) if weight >= 0.0 && weight.is_finite() => weight,
         _ => {
             let hint = "a number from 0 on; only how it compares with the others counts";
-            faults.hint(node, format!("expected how often, found {}", node.kind()), hint);
-            0.0
+            faults.expected(node, "how often", hint).unwrap_or(0.0)
         }
     }
 }
@@ -285,8 +281,7 @@ fn mix<T: Copy>(
         return None;
     }
     if !list.iter().any(|(_, w)| *w > 0.0) {
-        faults.hint(node, "nothing here is ever met", "give one of them a number above 0");
-        return None;
+        return faults.refuse_with(node, "nothing here is ever met", "give one of them a number above 0");
     }
     Some(Mix(list))
 }
@@ -301,8 +296,7 @@ fn counts(node: &Node, what: &str, most: u32, faults: &Faults) -> Option<Mix<u32
         Value::Text(text) => match number(text) {
             Ok(n) => Some(Mix::only(n)),
             Err(hint) => {
-                faults.hint(node, format!("`{}` is no number of {what}", shorten(text)), hint);
-                None
+                faults.refuse_with(node, format!("`{}` is no number of {what}", shorten(text)), hint)
             }
         },
         _ => mix(node, &format!("numbers of {what}"), faults, &number),
@@ -327,15 +321,10 @@ fn copying(node: &Node, faults: &Faults) -> Option<Copying> {
     let mut fields = Fields::open(node, "who copies (groups, size, share, disguise)", faults)?;
     let whole = |node: Option<&Node>, least: usize, otherwise: usize| {
         let Some(node) = node else { return otherwise };
-        let text = node.text().unwrap_or("").trim();
-        match text.parse::<usize>() {
-            Ok(n) if n >= least && n <= 1_000_000 => n,
-            _ => {
-                let message = format!("expected a whole number, found {}", node.kind());
-                faults.hint(node, message, format!("from {least} on"));
-                otherwise
-            }
-        }
+        let found = node.text().and_then(|t| t.trim().parse().ok());
+        let found = found.filter(|n| (least..=1_000_000).contains(n));
+        let told = || faults.expected(node, "a whole number", format!("from {least} on"));
+        found.or_else(told).unwrap_or(otherwise)
     };
     let groups = whole(fields.need("groups", "2"), 0, 0);
     let size = whole(fields.get("size"), 2, 2);
@@ -350,29 +339,16 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
     let minute = |node: Option<&Node>| {
         let node = node?;
         let found = moment::minute(node.text().unwrap_or(""));
-        if found.is_none() {
-            faults.hint(node, format!("expected a time, found {}", node.kind()), "such as 2026-03-06 18:00");
-        }
-        found
+        found.or_else(|| faults.expected(node, "a time", "such as 2026-03-06 18:00"))
     };
     let opens = minute(fields.need("opens", "2026-03-02 08:00"));
     let due_node = fields.need("due", "2026-03-06 18:00");
     let due = minute(due_node);
     let late = fields.get("late").map_or(0.0, |n| share(n, faults));
-    let by = match fields.get("by at most") {
-        None => 24 * 60,
-        Some(n) => match moment::span(n.text().unwrap_or("")) {
-            Some(minutes) if minutes > 0 => minutes,
-            _ => {
-                faults.hint(
-                    n,
-                    format!("expected a time span, found {}", n.kind()),
-                    "such as `36 h` or `2 d`",
-                );
-                1
-            }
-        },
-    };
+    let by = fields.get("by at most").map_or(24 * 60, |n| {
+        let found = moment::span(n.text().unwrap_or("")).filter(|minutes| *minutes > 0);
+        found.or_else(|| faults.expected(n, "a time span", "such as `36 h` or `2 d`")).unwrap_or(1)
+    });
     let zone = fields.get("zone").map_or_else(String::new, |n| {
         let text = n.text().unwrap_or("").trim();
         if !moment::is_zone(text) {
@@ -394,10 +370,7 @@ fn yes(node: &Node, faults: &Faults) -> bool {
     match node.text().map(str::trim) {
         Some("yes" | "true") => true,
         Some("no" | "false") => false,
-        _ => {
-            faults.hint(node, format!("expected yes or no, found {}", node.kind()), "`spreadsheet: yes`");
-            false
-        }
+        _ => faults.expected(node, "yes or no", "`spreadsheet: yes`").unwrap_or(false),
     }
 }
 

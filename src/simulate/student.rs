@@ -6,10 +6,8 @@ use crate::scene::{Label, Owner, Slope};
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
 use crate::simulate::truth::{TrueKind, Truth};
-use crate::simulate::written;
-use crate::simulate::written::WrittenCell;
-use crate::solution::by_hand;
-use crate::solution::by_hand::ByHand;
+use crate::simulate::written::{self, WrittenCell};
+use crate::solution::by_hand::{self, ByHand};
 use crate::solve::outcome::Entry;
 use crate::units::Unit;
 use crate::words::Words;
@@ -202,22 +200,12 @@ impl<'h> SimulatedStudent<'h> {
             TrueKind::WrongSign => idea(WrittenCell::number(-value, unit, figures)),
             TrueKind::UnitSlip => {
                 let meant = written::other_unit(unit, &mut self.chance)?;
-                match WrittenCell::number(value, &meant, figures) {
-                    WrittenCell::Number { digits, way, .. } => {
-                        let from = meant.ascii().to_owned();
-                        Idea { from, ..idea(WrittenCell::Number { digits, unit: Some(unit.clone()), way }) }
-                    }
-                    _ => return None,
-                }
+                let cell = WrittenCell::number(value, &meant, figures).with_unit(unit.clone());
+                Idea { from: meant.ascii().to_owned(), ..idea(cell) }
             }
             TrueKind::WrongUnit => {
                 let strange = written::strange_unit(unit, &mut self.chance)?;
-                match WrittenCell::number(value, unit, figures) {
-                    WrittenCell::Number { digits, way, .. } => {
-                        idea(WrittenCell::Number { digits, unit: Some(strange), way })
-                    }
-                    _ => return None,
-                }
+                idea(WrittenCell::number(value, unit, figures).with_unit(strange))
             }
             TrueKind::PowerOfTen => {
                 let tens = [1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3];

@@ -50,6 +50,14 @@ impl WrittenCell {
         Self::Number { digits, unit, way: None }
     }
 
+    /// The same number with another unit behind it.
+    pub fn with_unit(mut self, other: Unit) -> Self {
+        if let Self::Number { unit, .. } = &mut self {
+            *unit = Some(other);
+        }
+        self
+    }
+
     /// The number that it says, SI; `asked` is the unit of a number that has none.
     pub fn si(&self, asked: &Unit) -> Option<f64> {
         let Self::Number { digits, unit, way } = self else { return None };

@@ -237,7 +237,6 @@ fn fill(phrase: StringInput, kwargs: Kwargs, state: &State) -> TeraResult<Value>
 /// The text of a template with its meter.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Metered {
-    /// The text.
     pub text: String,
     /// What stands in it more: line (from 1), column (from 0, in characters) in the new text, and how many characters.
     added: Vec<(usize, usize, usize)>,
@@ -300,10 +299,8 @@ impl<'t> Tag<'t> {
     }
 }
 
-/// Puts the meter behind every value that a tag makes on the way: between filters, around lists and maps written out.
-///
-/// # Errors
-/// A list made by `for`: where it stands, what is wrong, what would be right.
+/// Puts the meter behind every value that a tag makes on the way: between filters, around lists and maps written out. Errors: a
+/// list made by `for`: where it stands, what is wrong, what would be right.
 fn spend_in_tag(
     tag: &Tag,
     first: usize,
@@ -346,10 +343,7 @@ fn spend_in_tag(
     Ok(())
 }
 
-/// Puts the meter into the text of a template; None where it needs none.
-///
-/// # Errors
-/// What is not offered, with line and column.
+/// Puts the meter into the text of a template; None where it needs none. Errors: what is not offered, with line and column.
 pub fn metered(text: &str) -> Result<Option<Metered>, Finding> {
     let refuse = |at: usize, message: String, hint: &str| {
         let before = text.get(..at).unwrap_or(text);

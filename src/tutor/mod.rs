@@ -4,14 +4,12 @@
 //! data. No number of the key stands in any hint; a number that does is that of a wrong method in a limiting case.
 use crate::answer::read::UnitCache;
 use crate::bank::Problem;
-use crate::grade::compare;
-use crate::grade::diagnose;
 use crate::grade::diagnose::AnswerSlip;
 use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Verdict;
+use crate::grade::{compare, diagnose};
 use crate::key::{Answer, KeyEntry, ProblemKey};
-use crate::misconception;
-use crate::misconception::MethodWords;
+use crate::misconception::{self, MethodWords};
 use crate::num::shown;
 use crate::policy::Hints;
 use crate::problem::maker::{APART, Variant};

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 pub(crate) mod parse;
 pub mod quantity;
-pub mod spell;
+pub(crate) mod spell;
 mod table;
 
 pub use parse::{UnitFault, names};

@@ -10,20 +10,13 @@ use std::sync::LazyLock;
 /// The word lists below a folder, by topic.
 macro_rules! lists {
     ($folder:literal) => {
-        &[
-            ("figure", include_str!(concat!("../../templates/", $folder, "words/figure.yaml"))),
-            ("sheet", include_str!(concat!("../../templates/", $folder, "words/sheet.yaml"))),
-            ("page", include_str!(concat!("../../templates/", $folder, "words/page.yaml"))),
-            ("print", include_str!(concat!("../../templates/", $folder, "words/print.yaml"))),
-            ("solution", include_str!(concat!("../../templates/", $folder, "words/solution.yaml"))),
-            ("gallery", include_str!(concat!("../../templates/", $folder, "words/gallery.yaml"))),
-            ("feedback", include_str!(concat!("../../templates/", $folder, "words/feedback.yaml"))),
-            ("marks", include_str!(concat!("../../templates/", $folder, "words/marks.yaml"))),
-            ("tutor", include_str!(concat!("../../templates/", $folder, "words/tutor.yaml"))),
-            ("index", include_str!(concat!("../../templates/", $folder, "words/index.yaml"))),
-            ("export", include_str!(concat!("../../templates/", $folder, "words/export.yaml"))),
-            ("report", include_str!(concat!("../../templates/", $folder, "words/report.yaml"))),
+        lists![
+            $folder: "figure", "sheet", "page", "print", "solution", "gallery", "feedback", "marks", "tutor", "index", "export",
+            "report"
         ]
+    };
+    ($folder:literal: $($topic:literal),*) => {
+        &[$(($topic, include_str!(concat!("../../templates/", $folder, "words/", $topic, ".yaml")))),*]
     };
 }
 
@@ -77,10 +70,8 @@ impl Words {
         LANGUAGES.iter().find(|(code, ..)| *code == language).map(|(_, _, _, lists)| *lists)
     }
 
-    /// Puts phrases of an instructor's own list over the built-in ones.
-    ///
-    /// # Errors
-    /// Names that no phrase has, places that the phrase does not know, what is no list.
+    /// Puts phrases of an instructor's own list over the built-in ones. Errors: names that no phrase has, places that the phrase
+    /// does not know, what is no list.
     pub fn put_over(&mut self, topic: &str, text: &str, file: &str) -> Result<(), Findings> {
         self.read(topic, text, true).map_err(|faults| faults.in_file(file))
     }

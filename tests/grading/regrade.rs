@@ -1,22 +1,19 @@
 //! After grading: what other tolerances would change, grading again by a changed bank or course, and marks explained.
 use crate::support;
-use crate::support::program::{Ran, run, tree};
+use crate::support::program::{Ran, Room, run, tree};
 use slipstick::cli::tell::Exit;
 use slipstick::draw::stream::DRAW_VERSION;
 use slipstick::set::store::{StoredBank, StoredSet, StoredStudent};
 use slipstick::set::{dealer, given, key_file, store};
 use std::fs;
 use std::path::Path;
-use tempfile::TempDir;
-
-/// A room with a set of some students of the built-in wheels and a form of answers.
-struct Room(TempDir);
 
 const STUDENTS: [&str; 6] = ["0017", "0023", "0031", "0044", "0058", "0062"];
 
 impl Room {
+    /// With a set of some students of the built-in wheels and a form of answers.
     fn new() -> Self {
-        let room = Self(tempfile::tempdir().unwrap());
+        let room = Self::empty();
         let rows: String = STUDENTS.iter().map(|s| format!("{s},Name of {s}\n")).collect();
         room.write("roster.csv", &format!("student,name\n{rows}"));
         let ran = run(&[
@@ -33,19 +30,6 @@ impl Room {
         ]);
         assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
         room
-    }
-    fn path(&self, name: &str) -> String {
-        self.0.path().join(name).display().to_string()
-    }
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
-    /// The message without the name of the temporary folder.
-    fn shown(&self, text: &str) -> String {
-        text.replace(&self.0.path().display().to_string(), "ROOM")
     }
     /// The key of a student's part, in the asked unit.
     fn key(&self, student: &str, part: &str) -> f64 {

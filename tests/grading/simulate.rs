@@ -1,6 +1,6 @@
 //! `slipstick simulate`: the same bytes for the same seed, a truth for every row, faults of the habits all at once, and what grading
 //! then says is what the truth says.
-use crate::support::program;
+use crate::support::program::{self, Room};
 use slipstick::cli::tell::Exit;
 use slipstick::simulate::habits::EXAMPLE;
 use slipstick::simulate::truth::{HEADER, TrueKind as Kind};
@@ -13,21 +13,7 @@ fn run(args: &[&str]) -> (Exit, String, String) {
     program::run(args).parts()
 }
 
-struct Room(TempDir);
-
 impl Room {
-    fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
-    }
-    fn path(&self, name: &str) -> String {
-        self.0.path().join(name).display().to_string()
-    }
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
     /// Hands in with these habits; the two files are `NAME.csv` and `NAME-truth.csv`.
     fn simulate(&self, habits: Option<&str>, name: &str, more: &[&str]) -> (Exit, String, String) {
         let (out, truth) = (self.path(&format!("{name}.csv")), self.path(&format!("{name}-truth.csv")));
@@ -73,7 +59,7 @@ fn set() -> &'static str {
 
 #[test]
 fn the_same_seed_gives_the_same_bytes() {
-    let room = Room::new();
+    let room = Room::empty();
     for (name, seed) in [("a", "3"), ("b", "3"), ("c", "4")] {
         let (exit, out, err) = room.simulate(None, name, &["--seed", seed]);
         assert_eq!((exit, err.as_str()), (Exit::Fine, ""));
@@ -93,7 +79,7 @@ fn the_same_seed_gives_the_same_bytes() {
 
 #[test]
 fn every_row_has_its_truth_and_grading_says_what_it_says() {
-    let room = Room::new();
+    let room = Room::empty();
     // In a spreadsheet of its own kind as well: commas, semicolons, a byte order mark.
     let messy =
         EXAMPLE.replace("spreadsheet: no", "spreadsheet: yes").replace("attempts: {1: 80, 2: 15, 3: 5}", "");
@@ -135,7 +121,7 @@ fn every_row_has_its_truth_and_grading_says_what_it_says() {
 
 #[test]
 fn habits_are_what_is_done() {
-    let room = Room::new();
+    let room = Room::empty();
     let count = |rows: &[BTreeMap<String, String>], field: &str, value: &str| {
         rows.iter().filter(|r| r[field] == value).count()
     };
@@ -182,7 +168,7 @@ fn habits_are_what_is_done() {
 
 #[test]
 fn faults_of_habits_come_all_at_once() {
-    let room = Room::new();
+    let room = Room::empty();
     let habits = "\
 absent: 140 %
 answers: {right: 5, wrong methd: 3, blank: often}
@@ -230,7 +216,7 @@ lateness: 3
 
 #[test]
 fn a_late_joiner_changes_nobody_elses_answers() {
-    let room = Room::new();
+    let room = Room::empty();
     let (roster, set) = (room.path("roster.csv"), room.path("set"));
     let habits = room.path("habits.yaml");
     let alone: Vec<&str> = EXAMPLE.lines().filter(|l| !l.starts_with("copying:")).collect();
@@ -257,7 +243,7 @@ fn a_late_joiner_changes_nobody_elses_answers() {
 
 #[test]
 fn nothing_is_written_over() {
-    let room = Room::new();
+    let room = Room::empty();
     room.write("a.csv", "mine");
     let (exit, _, err) = room.simulate(None, "a", &[]);
     assert_eq!(exit, Exit::Faulty);

@@ -3,8 +3,7 @@
 //! The earlier tests worked the built-in banks alone, all of whose problems are covered: that one problem which is not refuses
 //! the solutions of the whole set, after `generate` had said nothing, could not be seen there. Nor could it be seen that a wheel
 //! which only its friction drives counted as at rest.
-use crate::support::program;
-use crate::support::program::Ran;
+use crate::support::program::{self, Ran, Room};
 use slipstick::bank::{Datum, Question, load};
 use slipstick::cli::tell::Exit;
 use slipstick::num::trig;
@@ -14,21 +13,6 @@ use slipstick::solution::draft::Detail;
 use slipstick::template::Templates;
 use slipstick::words::Words;
 use std::fs;
-use tempfile::TempDir;
-
-struct Room(TempDir);
-
-impl Room {
-    fn path(&self, name: &str) -> String {
-        self.0.path().join(name).display().to_string()
-    }
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.0.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
-    }
-    fn run(&self, args: &[&str]) -> Ran {
-        program::run(args)
-    }
-}
 
 /// A wheel on a floor that a couple drives; the rest of its scene, its regime and what is asked are given.
 fn driven(id: &str, couple: &str, end: &str, regime: &str, line: &str) -> String {
@@ -81,17 +65,17 @@ fn a_wheel_that_its_friction_alone_drives_has_a_worked_solution() {
         driven("e", "forward", TRAVEL, "slips_up", "{slope: 4 deg}"),
         driven("f", "back", TRAVEL, "slips_down", "{slope: 3 deg}"),
     ];
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     fs::write(room.path("bank.yaml"), bank(&cases)).unwrap();
     fs::write(room.path("roster.csv"), "student\n1\n2\n3\n").unwrap();
     let (bank, roster, set, out) =
         (room.path("bank.yaml"), room.path("roster.csv"), room.path("set"), room.path("out"));
-    let lint = room.run(&["lint", &bank, "--seeds", "5"]);
+    let lint = program::run(&["lint", &bank, "--seeds", "5"]);
     assert_eq!(lint.exit, Exit::Fine, "{}", lint.err);
     assert!(!lint.out.contains("short page"), "{}", lint.out);
-    let made = room.run(&["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set]);
+    let made = program::run(&["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set]);
     assert_eq!((made.exit, made.err.as_str()), (Exit::Fine, ""));
-    let ran = room.run(&["solutions", &set, "--out", &out]);
+    let ran = program::run(&["solutions", &set, "--out", &out]);
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
     let text = room.read("out/1/solution.md");
     let words = Words::english();
@@ -122,7 +106,7 @@ fn what_once_had_data_and_answers_alone_is_worked_in_every_format() {
         driven("timed", "forward", TIME, "slips_forward", "level"),
         one("sprung", sprung),
     ];
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     fs::write(room.path("bank.yaml"), bank(&kinds)).unwrap();
     fs::write(room.path("roster.csv"), "student\n1\n2\n").unwrap();
     let (bank, roster) = (room.path("bank.yaml"), room.path("roster.csv"));
@@ -134,9 +118,9 @@ fn what_once_had_data_and_answers_alone_is_worked_in_every_format() {
         let words = Words::of(language).unwrap();
         let (set, out) = (room.path(&format!("set-{language}")), room.path(&format!("out-{language}")));
         let generate = ["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set];
-        let made = room.run(&[generate.as_slice(), &["--language", language]].concat());
+        let made = program::run(&[generate.as_slice(), &["--language", language]].concat());
         assert_eq!((made.exit, made.err.as_str()), (Exit::Fine, ""));
-        let ran = room.run(&["solutions", &set, "--out", &out, "--format", &formats.join(",")]);
+        let ran = program::run(&["solutions", &set, "--out", &out, "--format", &formats.join(",")]);
         assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
         let key = room.read(&format!("set-{language}/key.csv"));
         for format in ["html", "md", "tex"] {
@@ -176,9 +160,9 @@ fn all_of(room: &Room, problems: &[String]) -> [Ran; 2] {
     fs::write(room.path("roster.csv"), format!("student\n{}\n", students.join("\n"))).unwrap();
     let (bank, roster, set, out) =
         (room.path("bank.yaml"), room.path("roster.csv"), room.path("set"), room.path("out"));
-    let made = room.run(&["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set]);
+    let made = program::run(&["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set]);
     assert_eq!(made.exit, Exit::Fine, "{}", made.err);
-    let ran = room.run(&["solutions", &set, "--out", &out, "--format", "md,html"]);
+    let ran = program::run(&["solutions", &set, "--out", &out, "--format", "md,html"]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     [made, ran]
 }
@@ -207,7 +191,7 @@ fn the_grip_that_rolling_needs_is_worked_where_a_wheel_slips() {
 "
         )
     };
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     let [made, ran] = all_of(
         &room,
         &[
@@ -262,7 +246,7 @@ fn what_stays_at_rest_is_worked() {
       friction: {ask: the friction, unit: N}
       pull: {quantity: p.tension, ask: the force of the spring, unit: N}
 ";
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     let [made, ran] = all_of(&room, &[one("pulled", pulled), one("spring", spring)]).map(|ran| ran.err);
     assert_eq!((made.as_str(), ran.as_str()), ("", ""));
     let words = Words::english();
@@ -323,7 +307,7 @@ fn a_drum_without_a_mass_gets_none() {
     questions:
       omega: {ask: the angular speed, unit: rad/s}
 ";
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     all_of(&room, &[one("drum", lines)]);
     let text = room.read("out/1/solution.md");
     let words = Words::english();
@@ -359,11 +343,11 @@ fn a_motion_without_end_has_no_turning_point() {
 "
         )
     };
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     let problems = [one("endless", &lines("5 N m", "forward")), one("turns", &lines("0.1 N m", "back"))];
     fs::write(room.path("bank.yaml"), bank(&problems)).unwrap();
     let told = |id: &str| {
-        let ran = room.run(&["solve", &room.path("bank.yaml"), id, "--set", "g=9.81"]);
+        let ran = program::run(&["solve", &room.path("bank.yaml"), id, "--set", "g=9.81"]);
         format!("{}{}", ran.out, ran.err)
     };
     let endless = told("endless");
@@ -431,7 +415,7 @@ fn what_grows_by_other_laws_is_told_and_what_an_axle_bears_is_worked() {
             .replace("      c: {name: growth, unit: 'N*m/rad', draw: 20 to 40 step 1}\n", ""),
         ),
     ];
-    let room = Room(TempDir::new().unwrap());
+    let room = Room::empty();
     fs::write(room.path("bank.yaml"), bank(&problems)).unwrap();
     fs::write(room.path("roster.csv"), "student\n1\n2\n").unwrap();
     let (bank, roster) = (room.path("bank.yaml"), room.path("roster.csv"));
@@ -439,9 +423,9 @@ fn what_grows_by_other_laws_is_told_and_what_an_axle_bears_is_worked() {
         let words = Words::of(language).unwrap();
         let (set, out) = (room.path(&format!("set-{language}")), room.path(&format!("out-{language}")));
         let generate = ["generate", &bank, "--roster", &roster, "--seed", "3", "--out", &set];
-        let made = room.run(&[generate.as_slice(), &["--language", language]].concat());
+        let made = program::run(&[generate.as_slice(), &["--language", language]].concat());
         assert_eq!(made.exit, Exit::Fine, "{}", made.err);
-        let ran = room.run(&["solutions", &set, "--out", &out, "--format", "md"]);
+        let ran = program::run(&["solutions", &set, "--out", &out, "--format", "md"]);
         assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
         let text = room.read(&format!("out-{language}/1/solution.md"));
         assert_eq!(text.matches(words.get("solution.title.beyond")).count(), 0, "{text}");

@@ -4,6 +4,7 @@
 //! The earlier tests could not see that cords were left out: each of their instants had all velocities given, both roads
 //! looked for a rolling contact of each body alone, and no instant was ever compared with the same scene moving on.
 
+use crate::bare;
 use crate::big::Dice;
 use slipstick::bank::{checks, load};
 use slipstick::problem::maker::Maker;
@@ -300,23 +301,7 @@ fn composed(dice: &mut Dice) -> Scene {
             made: slipstick::scene::Made::Cord,
         }));
     }
-    let (couples, growths, start) = (Vec::new(), Vec::new(), Vec::new());
-    Scene {
-        gravity_m_s2: f(9.81),
-        bodies,
-        ties,
-        couples,
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths,
-        carried: None,
-        start,
-        end: End::AtOnce,
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    }
+    Scene { ties, ..bare::scene(f(9.81), bodies, End::AtOnce) }
 }
 
 fn number(n: Num) -> f64 {
@@ -679,28 +664,9 @@ fn symmetric_plates_are_all_published() {
 
 #[test]
 fn particles_in_one_place_have_no_moment_of_inertia() {
-    let mut scene = Scene {
-        gravity_m_s2: f(9.81),
-        bodies: vec![body("plate", None, 1.0, Some(1.0))],
-        ties: Vec::new(),
-        couples: Vec::new(),
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: Vec::new(),
-        carried: None,
-        start: vec![Start::Lamina {
-            body: 0,
-            particle: 0,
-            vx_m_s: f(0.3),
-            vy_m_s: f(0.1),
-            spin_rad_s: f(3.0),
-        }],
-        end: End::AtOnce,
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    };
+    let mut scene = bare::scene(f(9.81), vec![body("plate", None, 1.0, Some(1.0))], End::AtOnce);
+    scene.start =
+        vec![Start::Lamina { body: 0, particle: 0, vx_m_s: f(0.3), vy_m_s: f(0.1), spin_rad_s: f(3.0) }];
     scene.bodies[0].inertia = None;
     scene.bodies[0].mass = Mass::OfParts;
     for masses in [vec![0.7], vec![0.7, 1.3, 0.1]] {

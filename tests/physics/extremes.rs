@@ -3,6 +3,7 @@
 //! for the printed decimals.
 use crate::support;
 
+use crate::bare;
 use crate::big::{BITS, Dice, F, abs, big, double};
 use dashu_float::DBig;
 use dashu_float::round::mode::HalfEven;
@@ -195,32 +196,11 @@ fn scene(kind: Kind) -> Scene {
             None,
         ),
     };
-    let body = Body {
-        name: "wheel".into(),
-        mass: Mass::Kilograms(d(0)),
-        inertia: Some(RotaryInertia::Gyration(d(3))),
-        radii_m: vec![("rim".into(), d(1)), ("hub".into(), d(2))],
-        line: Some(Line { slope: Slope::Degrees(d(4)), forward_up: true, surface: true }),
-        turns: true,
-        particles: vec![],
-        pin: None,
-        planar: None,
-    };
     Scene {
-        gravity_m_s2: d(5),
-        bodies: vec![body],
         ties,
-        couples: vec![],
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: vec![],
-        carried: None,
-        start: vec![],
-        end: End::Travel(along, end),
         heading,
         span: Span::ToTurningPoint,
-        formulas: Formulas::default(),
+        ..bare::scene(d(5), vec![bare::wheel(3)], End::Travel(along, end))
     }
 }
 

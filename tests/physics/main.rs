@@ -13,6 +13,7 @@ mod support;
 
 mod at_once;
 mod axles;
+mod bare;
 mod big;
 mod carried;
 mod catalogue;

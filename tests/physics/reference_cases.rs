@@ -1,4 +1,5 @@
 //! Every reference case of the wheel scenes through the ordinary solver: both roads within 8 u max(1, cond).
+use crate::bare::{self, wheel};
 use serde_json::Value;
 use slipstick::num::U;
 use slipstick::scene::admissible::{Inadmissible, Rule};
@@ -7,21 +8,6 @@ use slipstick::solve::agree::solve;
 use slipstick::solve::outcome::{Refusal, Solved};
 
 const CASES: &str = include_str!("../reference/solver_cases.json");
-
-fn wheel(k: usize, roll: &str) -> Body {
-    let _ = roll;
-    Body {
-        name: "wheel".into(),
-        mass: Mass::Kilograms(Num::Datum(0)),
-        inertia: Some(RotaryInertia::Gyration(Num::Datum(k))),
-        radii_m: vec![("rim".into(), Num::Datum(1)), ("hub".into(), Num::Datum(2))],
-        line: Some(Line { slope: Slope::Degrees(Num::Datum(4)), forward_up: true, surface: true }),
-        turns: true,
-        particles: vec![],
-        pin: None,
-        planar: None,
-    }
-}
 
 fn along(body: usize) -> Coordinate {
     Coordinate { body, degree: Degree::Along }
@@ -42,22 +28,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
             made: Made::Cord,
         })
     };
-    let base = Scene {
-        gravity_m_s2: Num::Datum(5),
-        bodies: vec![wheel(3, "")],
-        ties: vec![],
-        couples: vec![],
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: vec![],
-        carried: None,
-        start: vec![],
-        end: End::Travel(along(0), Num::Datum(7)),
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    };
+    let base = bare::scene(Num::Datum(5), vec![wheel(3)], End::Travel(along(0), Num::Datum(7)));
     match name {
         "pulled-rolling" => (
             Scene {
@@ -90,14 +61,13 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
                 end: End::Travel(along(0), Num::Datum(8)),
                 // The greatest speed and the turning point are asked, too.
                 span: Span::ToTurningPoint,
-                formulas: Formulas::default(),
                 ..base
             },
             vec!["m", "R", "r", "k", "theta", "g", "ks", "x0", "D", "mu_s"],
         ),
         // The reference has x down the incline.
         "slip-to-roll" => {
-            let mut ball = wheel(2, "");
+            let mut ball = wheel(2);
             ball.radii_m = vec![("rim".into(), Num::Datum(1))];
             ball.line = Some(Line { slope: Slope::Degrees(Num::Datum(3)), forward_up: false, surface: true });
             let turn = Coordinate { body: 0, degree: Degree::Turn };
@@ -320,42 +290,16 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
     let rod = inputs.get("L").is_some();
     let symbols: &[&str] =
         if rod { &["m", "L", "g", "phi0", "phi1"] } else { &["m", "h", "g", "phi0", "phi1", "k"] };
-    let body = Body {
-        name: "body".into(),
-        mass: Mass::Kilograms(Num::Datum(0)),
-        inertia: Some(if rod {
-            RotaryInertia::Shape(Shape::Rod, Num::Datum(1))
-        } else {
-            RotaryInertia::Gyration(Num::Datum(5))
-        }),
-        radii_m: vec![],
-        line: None,
-        turns: true,
-        particles: vec![],
-        pin: Some(Pin {
-            arm: if rod { Arm::HalfOf(Num::Datum(1)) } else { Arm::Distance(Num::Datum(1)) },
-            from,
-            start_deg: Num::Datum(3),
-            spring: None,
-        }),
-        planar: None,
+    let inertia = if rod {
+        RotaryInertia::Shape(Shape::Rod, Num::Datum(1))
+    } else {
+        RotaryInertia::Gyration(Num::Datum(5))
     };
-    let scene = Scene {
-        gravity_m_s2: Num::Datum(2),
-        bodies: vec![body],
-        ties: vec![],
-        couples: vec![],
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: vec![],
-        carried: None,
-        start: vec![],
-        end: End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4)),
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    };
+    let arm = if rod { Arm::HalfOf(Num::Datum(1)) } else { Arm::Distance(Num::Datum(1)) };
+    let pin = Pin { arm, from, start_deg: Num::Datum(3), spring: None };
+    let body = Body { pin: Some(pin), ..bare::turning(Num::Datum(0), inertia) };
+    let end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4));
+    let scene = bare::scene(Num::Datum(2), vec![body], end);
     (scene, symbols.iter().map(|s| number(&inputs[*s])).collect())
 }
 

@@ -2,6 +2,7 @@
 //! tens of powers of ten, starts within 1e-12 degrees of upright and hanging, speeds around the separatrix, springs of any
 //! strength; and every enclosure against the truth of data half an ulp away.
 
+use crate::bare;
 use crate::big::{Dice, F, abs, big, double};
 use crate::support;
 use slipstick::num::U;
@@ -131,33 +132,10 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         stiffness_n_m: d(9),
         rest: Rest::Length(d(10)),
     });
-    let body = Body {
-        name: "body".into(),
-        mass: Mass::Kilograms(d(0)),
-        inertia: Some(RotaryInertia::Gyration(d(2))),
-        radii_m: vec![],
-        line: None,
-        turns: true,
-        particles: vec![],
-        pin: Some(Pin { arm: Arm::Distance(d(1)), from, start_deg: d(4), spring }),
-        planar: None,
-    };
-    Scene {
-        gravity_m_s2: d(3),
-        bodies: vec![body],
-        ties: vec![],
-        couples: vec![],
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: vec![],
-        carried: None,
-        start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
-        end: End::Angle(turn, d(5)),
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    }
+    let pin = Pin { arm: Arm::Distance(d(1)), from, start_deg: d(4), spring };
+    let body = Body { pin: Some(pin), ..bare::turning(d(0), RotaryInertia::Gyration(d(2))) };
+    let start = if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] };
+    Scene { start, ..bare::scene(d(3), vec![body], End::Angle(turn, d(5))) }
 }
 
 fn draw(dice: &mut Dice, kind: Kind, from: Zero) -> Vec<f64> {

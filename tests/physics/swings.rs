@@ -2,6 +2,7 @@
 //! a spring and a couple of nothing, ends by time, speed and turning point, and thousands of scenes of any kind.
 //!
 //! Earlier tests could not see these: the reference ends every swing at an angle, and homework starts from rest.
+use crate::bare;
 use slipstick::num::U;
 use slipstick::scene::*;
 use slipstick::solve::agree::solve;
@@ -14,33 +15,9 @@ fn f(x: f64) -> Num {
 
 /// A body of 3 kg with k = 0.4 m, 0.5 m from its pin, at this angle at the start.
 fn swinging(from: Zero, start: f64, end: End) -> Scene {
-    let body = Body {
-        name: "body".into(),
-        mass: Mass::Kilograms(f(3.0)),
-        inertia: Some(RotaryInertia::Gyration(f(0.4))),
-        radii_m: vec![],
-        line: None,
-        turns: true,
-        particles: vec![],
-        pin: Some(Pin { arm: Arm::Distance(f(0.5)), from, start_deg: f(start), spring: None }),
-        planar: None,
-    };
-    Scene {
-        gravity_m_s2: f(9.81),
-        bodies: vec![body],
-        ties: vec![],
-        couples: vec![],
-        joints: Vec::new(),
-        pushes: Vec::new(),
-        struts: Vec::new(),
-        growths: vec![],
-        carried: None,
-        start: vec![],
-        end,
-        heading: None,
-        span: Span::ToEnd,
-        formulas: Formulas::default(),
-    }
+    let pin = Pin { arm: Arm::Distance(f(0.5)), from, start_deg: f(start), spring: None };
+    let body = Body { pin: Some(pin), ..bare::turning(f(3.0), RotaryInertia::Gyration(f(0.4))) };
+    bare::scene(f(9.81), vec![body], end)
 }
 
 const TURN: Coordinate = Coordinate { body: 0, degree: Degree::Turn };

@@ -1,34 +1,22 @@
 //! The street door: exit code, standard output and standard error of each verb, in fresh folders.
-use crate::support::program::{Ran, run, run_with, tree};
+use crate::support::program::{Ran, Room, run, run_with, tree};
 use slipstick::cli::tell::Exit;
 use slipstick::simulate::truth::TrueKind;
 use slipstick::words::Words;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use tempfile::TempDir;
-
-/// A fresh folder with a roster.
-struct Room(TempDir);
 
 impl Room {
+    /// A fresh folder with a roster.
     fn new(students: &[&str]) -> Self {
-        let room = Self(tempfile::tempdir().unwrap());
+        let room = Self::empty();
         room.roster("roster.csv", students);
         room
     }
     fn roster(&self, name: &str, students: &[&str]) {
         let rows: String = students.iter().map(|s| format!("{s},Name of {s}\n")).collect();
         self.write(name, &format!("student,name\n{rows}"));
-    }
-    fn path(&self, name: &str) -> String {
-        self.0.path().join(name).display().to_string()
-    }
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
     }
     fn generate(&self, roster: &str, out: &str, more: &[&str]) -> Ran {
         let (roster, out) = (self.path(roster), self.path(out));
@@ -38,10 +26,6 @@ impl Room {
         }
         args.extend(more);
         run(&args)
-    }
-    /// The message without the name of the temporary folder.
-    fn shown(&self, text: &str) -> String {
-        text.replace(&self.0.path().display().to_string(), "ROOM")
     }
 }
 

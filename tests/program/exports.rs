@@ -1,6 +1,6 @@
 //! What is uploaded to a learning platform: a reader of XML finds in it what the set holds, and a player of QTI 3 scores it so.
 use crate::support;
-use crate::support::program::{Ran, has_pandoc, run, tree};
+use crate::support::program::{self, Ran, has_pandoc, run, tree};
 use crate::support::xml::{self, Node};
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use slipstick::answer::word;
@@ -684,30 +684,12 @@ fn hostile_titles_names_and_questions_come_through_whole() {
     let room = Room::new();
     let quoted = serde_json::json!(HOSTILE).to_string();
     // In a question, which is Markdown, a tag does not reach anybody.
-    let bank = format!(
-        "bank: blocks
-title: {quoted}
-problems:
-  slide:
-    title: {quoted}
-    data:
-      m: {{name: mass, unit: kg, draw: 2 to 9 step 1}}
-      d: {{name: distance, unit: m, draw: 1 to 4 step 0.01}}
-    scene:
-      surfaces: {{ramp: {{slope: 30 deg}}}}
-      bodies:
-        block: {{mass: m, moves: along ramp, positive: down}}
-      ties:
-        - slides: {{body: block, mu_k: 0.1, mu_s: 0.15}}
-      start: at rest
-      end: {{travel: {{of: block, by: d, heading: down}}}}
-    questions:
-      v: {{ask: {quoted}, unit: m/s, points: 0.5}}
-      kmh: {{ask: the same in other units, quantity: v, unit: km/h, points: 1.5}}
-    statement: |
-      A block of mass {{{{ m }}}} slides {{{{ d }}}} with {{{{ g }}}}, $a^{{2}} > 0$. {HOSTILE}
-"
+    let questions = format!(
+        "v: {{ask: {quoted}, unit: m/s, points: 0.5}}
+kmh: {{ask: the same in other units, quantity: v, unit: km/h, points: 1.5}}"
     );
+    let statement = "A block of mass {{ m }} slides {{ d }} with {{ g }}, $a^{2} > 0$. ".to_owned() + HOSTILE;
+    let bank = program::sliding(&quoted, &questions, &statement);
     fs::write(room.path("blocks.yaml"), bank).unwrap();
     let roster = format!(
         "student,name\n{quoted},{quoted}\n",

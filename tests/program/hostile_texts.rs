@@ -22,30 +22,9 @@ fn run(args: &[&str]) -> (Exit, String, String) {
 
 /// A bank with one problem; the lines are appended to its statement, the question is as given.
 fn bank(statement: &str, ask: &str, title: &str) -> String {
-    let lines: String = statement.lines().map(|line| format!("      {line}\n")).collect();
-    format!(
-        "bank: blocks
-title: {title}
-problems:
-  slide:
-    title: {title}
-    data:
-      m: {{name: mass, unit: kg, draw: 2 to 9 step 1}}
-      d: {{name: distance, unit: m, draw: 1 to 4 step 0.01}}
-    scene:
-      surfaces: {{ramp: {{slope: 30 deg}}}}
-      bodies:
-        block: {{mass: m, moves: along ramp, positive: down}}
-      ties:
-        - slides: {{body: block, mu_k: 0.1, mu_s: 0.15}}
-      start: at rest
-      end: {{travel: {{of: block, by: d, heading: down}}}}
-    questions:
-      v: {{ask: {ask:?}, unit: m/s}}
-    statement: |
-      The mass is {{{{ m }}}} and the distance {{{{ d }}}}; {{{{ g }}}}.
-{lines}"
-    )
+    let statement =
+        format!("The mass is {{{{ m }}}} and the distance {{{{ d }}}}; {{{{ g }}}}.\n{statement}");
+    program::sliding(title, &format!("v: {{ask: {ask:?}, unit: m/s}}"), &statement)
 }
 
 /// Templates that build, go through or write without end, each in a way of its own.

@@ -12,6 +12,10 @@ use std::time::Instant;
 use tempfile::TempDir;
 
 /// A folder with a set of three students (one part asks for a unit, one for a word or a number as the bank has it).
+/// A set of one problem for the roster.
+const GENERATE: &str =
+    "generate wheels-on-inclines --roster roster.csv --seed 7 --problems pulled-rolling --out set";
+
 struct Room(TempDir);
 
 impl Room {
@@ -22,20 +26,8 @@ impl Room {
         room.generate();
         room
     }
-    /// A set of one problem for the roster.
     fn generate(&self) {
-        let made = self.run(&[
-            "generate",
-            "wheels-on-inclines",
-            "--roster",
-            "roster.csv",
-            "--seed",
-            "7",
-            "--problems",
-            "pulled-rolling",
-            "--out",
-            "set",
-        ]);
+        let made = self.run(&GENERATE.split(' ').collect::<Vec<_>>());
         assert!(made.status.success(), "{}", stderr(&made));
     }
     fn path(&self, name: &str) -> PathBuf {
@@ -466,44 +458,22 @@ fn formula_like_ids_come_back_through_every_file() {
         "roster.csv",
         format!("student,name\n{}", ids.map(|id| format!("{id},N\n")).concat()).as_bytes(),
     );
-    let made = [
-        "generate",
-        "wheels-on-inclines",
-        "--roster",
-        "roster.csv",
-        "--seed",
-        "7",
-        "--problems",
-        "pulled-rolling",
-    ];
-    let ran = room.run(&[&made[..], &["--out", "set"]].concat());
-    assert!(ran.status.success(), "{}", stderr(&ran));
+    room.generate();
     // The form filled in, with its own ids.
     let form = fs::read_to_string(room.path("set/submissions.csv")).unwrap();
     let filled: String =
         form.lines().map(|l| if l.ends_with(',') { format!("{l}30\n") } else { format!("{l}\n") }).collect();
     room.write("in.csv", filled.as_bytes());
     for (what, args) in [
-        ("simulate", vec!["simulate", "set", "--out", "sim.csv", "--truth", "truth.csv", "--seed", "3"]),
-        ("grade the form", vec!["grade", "set", "in.csv", "--out", "g", "--reports", "yes"]),
-        ("grade what is simulated", vec!["grade", "set", "sim.csv", "--out", "g2", "--reports", "yes"]),
-        ("what-if", vec!["what-if", "g"]),
-        ("verify", vec!["verify", "set"]),
-        ("explain", vec!["explain", "g", "=1+1", "1"]),
+        ("simulate", "simulate set --out sim.csv --truth truth.csv --seed 3"),
+        ("grade the form", "grade set in.csv --out g --reports yes"),
+        ("grade what is simulated", "grade set sim.csv --out g2 --reports yes"),
+        ("what-if", "what-if g"),
+        ("verify", "verify set"),
+        ("explain", "explain g =1+1 1"),
         (
             "another roster from the form",
-            vec![
-                "generate",
-                "wheels-on-inclines",
-                "--roster",
-                "again.csv",
-                "--seed",
-                "7",
-                "--problems",
-                "pulled-rolling",
-                "--out",
-                "set-2",
-            ],
+            &GENERATE.replace("roster.csv", "again.csv").replace("out set", "out set-2"),
         ),
     ] {
         if what.starts_with("another") {
@@ -522,7 +492,7 @@ fn formula_like_ids_come_back_through_every_file() {
             }
             again.flush().unwrap();
         }
-        let ran = room.run(&args);
+        let ran = room.run(&args.split(' ').collect::<Vec<_>>());
         assert!(ran.status.success(), "{what}: {}{}", stderr(&ran), String::from_utf8_lossy(&ran.stdout));
     }
     let answers = fs::read_to_string(room.path("g/answers.csv")).unwrap();

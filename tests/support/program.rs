@@ -7,6 +7,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use tempfile::TempDir;
 
 /// How a command line ended, and what it wrote.
 pub struct Ran {
@@ -18,6 +19,28 @@ pub struct Ran {
 impl Ran {
     pub fn parts(self) -> (Exit, String, String) {
         (self.exit, self.out, self.err)
+    }
+}
+
+/// A folder of a test's own, which goes when the test ends.
+pub struct Room(pub TempDir);
+
+impl Room {
+    pub fn empty() -> Self {
+        Self(TempDir::new().unwrap())
+    }
+    pub fn path(&self, name: &str) -> String {
+        self.0.path().join(name).display().to_string()
+    }
+    pub fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+    pub fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+    }
+    /// A message without the name of the folder.
+    pub fn shown(&self, text: &str) -> String {
+        text.replace(&self.0.path().display().to_string(), "ROOM")
     }
 }
 
@@ -67,4 +90,32 @@ pub fn tree(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     walk(folder, "", &mut found);
     found
+}
+
+/// A bank with a block that slides down a ramp, of mass m over the distance d; its questions and its statement, lines of YAML and
+/// of Markdown, are given.
+pub fn sliding(title: &str, questions: &str, statement: &str) -> String {
+    let lines = |text: &str| text.lines().map(|line| format!("      {line}\n")).collect::<String>();
+    let (questions, statement) = (lines(questions), lines(statement));
+    format!(
+        "bank: blocks
+title: {title}
+problems:
+  slide:
+    title: {title}
+    data:
+      m: {{name: mass, unit: kg, draw: 2 to 9 step 1}}
+      d: {{name: distance, unit: m, draw: 1 to 4 step 0.01}}
+    scene:
+      surfaces: {{ramp: {{slope: 30 deg}}}}
+      bodies:
+        block: {{mass: m, moves: along ramp, positive: down}}
+      ties:
+        - slides: {{body: block, mu_k: 0.1, mu_s: 0.15}}
+      start: at rest
+      end: {{travel: {{of: block, by: d, heading: down}}}}
+    questions:
+{questions}    statement: |
+{statement}"
+    )
 }

@@ -10,8 +10,7 @@ use crate::finding::Finding;
 use crate::matches::FLAGGED;
 use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
-use crate::report::charts;
-use crate::report::charts::ClassCharts;
+use crate::report::charts::{self, ClassCharts};
 use crate::report::marks::Marks;
 use crate::report::matches::ClassMatches;
 use crate::report::stats::{LEAST_FOR_CORRELATION, LEAST_FOR_MEDIAN, LEAST_FOR_SHARE};
@@ -43,21 +42,17 @@ pub struct About {
     pub provenance: Vec<(String, String)>,
 }
 
-/// The finished report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClassReport {
     /// The page.
     pub html: Vec<u8>,
-    /// Its tables.
     pub tables: Vec<Table>,
 }
 
 /// What a class report is made of.
 #[derive(Clone, Copy)]
 pub struct ClassReporter<'r> {
-    /// The marks.
     pub marks: &'r Marks,
-    /// What they tell.
     pub study: &'r ClassStudy,
     /// Words about wrong methods, in the language.
     pub catalogue: &'r Catalogue,
@@ -68,10 +63,7 @@ pub struct ClassReporter<'r> {
 }
 
 impl ClassReporter<'_> {
-    /// Writes the report.
-    ///
-    /// # Errors
-    /// Faults of the template.
+    /// Writes the report. Errors: faults of the template.
     pub fn report(&self, about: &About, templates: &Templates, rich: Rich) -> Result<ClassReport, Finding> {
         let tables = self.tables(&mut *rich);
         let mut view = View::new();

@@ -30,7 +30,6 @@ pub struct Drawn {
 /// A problem of the set.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MarkedProblem {
-    /// Id.
     pub id: String,
     /// Title for people.
     pub title: String,
@@ -41,7 +40,6 @@ pub struct MarkedProblem {
 pub struct MarkedPart {
     /// Number of the problem, from 1.
     pub number: usize,
-    /// Id of the part.
     pub id: String,
     /// Most points.
     pub points: f64,
@@ -77,7 +75,6 @@ pub struct MarkedClass {
     pub day_first: Option<bool>,
 }
 
-/// The row that counts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CountingRow {
     /// Line of the file of submissions.
@@ -117,7 +114,6 @@ pub struct MarkedCell {
 /// Cells that could not be read, of one part and for one reason.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct UnreadableCells {
-    /// How many.
     pub cells: u64,
     /// Some of them, the first of the file.
     pub examples: Vec<String>,
@@ -132,7 +128,6 @@ pub type TroubleKey = (Option<usize>, Verdict, String);
 /// The marks of a class.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Marks {
-    /// Who and what.
     pub class: MarkedClass,
     /// Row after row, one for each student.
     pub cells: Vec<MarkedCell>,
@@ -146,7 +141,6 @@ pub struct Marks {
     pub verdicts: [u64; Verdict::ALL.len()],
     /// The same for each part.
     pub by_part: Vec<[u64; Verdict::ALL.len()]>,
-    /// Rows in all.
     pub rows: u64,
     /// Is there a column of times that can be read?
     pub timed: bool,

@@ -2,8 +2,7 @@
 use crate::grade::gradebook_reader;
 use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::grade::verdict::Verdict;
-use crate::policy::time;
-use crate::policy::time::Evidence;
+use crate::policy::time::{self, Evidence};
 use crate::report::marks::{CountingRow, EXAMPLES, LONGEST, MarkedCell, MarkedClass, MarkedPart, Marks};
 use crate::words::Words;
 use crate::words::plain::{beginning, in_places};
@@ -23,10 +22,8 @@ struct Seen {
 }
 
 impl Marks {
-    /// Reads answers.csv. `open` may be called twice, where attempts do not stand in the order of their times.
-    ///
-    /// # Errors
-    /// No answers.csv, or one that is cut off.
+    /// Reads answers.csv. `open` may be called twice, where attempts do not stand in the order of their times. Errors: no
+    /// answers.csv, or one that is cut off.
     pub fn read<R: Read>(
         mut class: MarkedClass,
         open: &mut dyn FnMut() -> std::io::Result<R>,
@@ -163,10 +160,7 @@ impl Marks {
     }
 
     /// Takes the points and totals of gradebook.csv, which knows of corrections, dropped problems and rounding, in place of the
-    /// sums of the rows that count.
-    ///
-    /// # Errors
-    /// It is no gradebook, or that of another class.
+    /// sums of the rows that count. Errors: it is no gradebook, or that of another class.
     pub fn book(&mut self, gradebook: impl Read) -> Result<(), Unreadable> {
         let parts: Vec<String> = self.class.parts.iter().map(MarkedPart::label).collect();
         let whose: FxHashMap<String, usize> =

@@ -1,6 +1,5 @@
 //! Shares with intervals, difficulty and discrimination of parts, reliability of the whole.
-use crate::num::chance;
-use crate::num::chance::NORMAL_95;
+use crate::num::chance::{self, NORMAL_95};
 use crate::report::stats::{Interval, LEAST_FOR_CORRELATION, NoStatistic, ranks, spread};
 
 /// A share with the interval of Wilson (1927), 95 %, without correction for continuity; `None` for no trials.
@@ -38,10 +37,8 @@ impl Matrix {
     }
 
     /// Corrected item-total correlation: Pearson's correlation of the points of an item with the sum of all other items
-    /// (Nunnally and Bernstein 1994, chapter 8). The item is left out of the sum, else it would correlate with itself.
-    ///
-    /// # Errors
-    /// Fewer than [`LEAST_FOR_CORRELATION`] students, or nothing that varies.
+    /// (Nunnally and Bernstein 1994, chapter 8). The item is left out of the sum, else it would correlate with itself. Errors:
+    /// fewer than [`LEAST_FOR_CORRELATION`] students, or nothing that varies.
     pub fn discrimination(&self, item: usize) -> Result<f64, NoStatistic> {
         enough(self.rows.len())?;
         if self.items < 2 {
@@ -53,10 +50,8 @@ impl Matrix {
     }
 
     /// Cronbach's alpha, `k/(k-1) (1 - sum of variances / variance of sums)` (Cronbach 1951), with the exact interval of Feldt
-    /// (1965): `1 - (1 - alpha) F`, F at 97.5 % and 2.5 % with n - 1 and (n - 1)(k - 1) degrees of freedom.
-    ///
-    /// # Errors
-    /// Fewer than [`LEAST_FOR_CORRELATION`] students, fewer than two items that vary, or no variance of sums.
+    /// (1965): `1 - (1 - alpha) F`, F at 97.5 % and 2.5 % with n - 1 and (n - 1)(k - 1) degrees of freedom. Errors: fewer than
+    /// [`LEAST_FOR_CORRELATION`] students, fewer than two items that vary, or no variance of sums.
     pub fn alpha(&self) -> Result<Interval, NoStatistic> {
         enough(self.rows.len())?;
         self.alpha_of_any()

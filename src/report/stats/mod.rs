@@ -19,7 +19,6 @@ pub const LEAST_IN_GROUP: usize = 5;
 /// A value with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// The value.
     pub value: f64,
     /// Lower end.
     pub low: f64,

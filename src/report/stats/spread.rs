@@ -3,21 +3,17 @@
 /// Description of a list of numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distribution {
-    /// How many.
     pub n: usize,
     /// Arithmetic mean.
     pub mean: f64,
     /// Standard deviation with n - 1; 0 for a single number.
     pub deviation: f64,
-    /// Least.
     pub least: f64,
     /// First quartile.
     pub lower: f64,
-    /// Median.
     pub median: f64,
     /// Third quartile.
     pub upper: f64,
-    /// Greatest.
     pub greatest: f64,
 }
 
