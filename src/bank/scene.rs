@@ -124,6 +124,8 @@ pub fn read(
 
 /// The fields that give a body its inertia, of which it has one.
 const INERTIA: [&str; 4] = ["shape", "radius of gyration", "moment of inertia", "parts"];
+/// What cords and light rods are called that have no name.
+const UNNAMED: [&str; 2] = ["cord", "link"];
 /// How a body on a fixed axle is written.
 const FIXED: &str = "moves: about a fixed axle";
 
@@ -925,6 +927,7 @@ impl SceneReader<'_> {
             let tie = match word {
                 "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
                 "cord" => self.cord(value, bodies, ties.len()).map(Tie::Cord),
+                "link" => self.link(value, bodies).map(Tie::Cord),
                 "meshes" | "belt" => {
                     let made = if word == "belt" { Made::Belt } else { Made::Teeth };
                     let like = ties.iter().filter(|t| matches!(t, Tie::Cord(c) if c.made == made)).count();
@@ -934,7 +937,7 @@ impl SceneReader<'_> {
                     self.unknown(
                         key,
                         "tie",
-                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt", "rests"],
+                        &["rolls", "slips", "slides", "touches", "cord", "link", "meshes", "belt", "rests"],
                     );
                     None
                 }
@@ -950,24 +953,22 @@ impl SceneReader<'_> {
                 );
             }
             if let Tie::Cord(c) = &tie
-                && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name && c.name != "cord"))
+                && !UNNAMED.contains(&c.name.as_str())
+                && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name))
             {
                 f.hint(item, told!("two cords are called `{}`", c.name), "give each its own name");
             }
             ties.push(tie);
         }
-        let unnamed: Vec<usize> = ties
-            .iter()
-            .enumerate()
-            .filter(|(_, t)| matches!(t, Tie::Cord(c) if c.name == "cord" && !matches!(c.to, Far::Pull(_))))
-            .map(|(i, _)| i)
-            .collect();
-        if unnamed.len() > 1 {
-            // Several tensions need names; number the cords in the order of the file.
-            for (n, i) in unnamed.into_iter().enumerate() {
-                if let Tie::Cord(c) = &mut ties[i] {
-                    c.name = format!("cord{}", n + 1);
-                }
+        for name in UNNAMED {
+            let unnamed = ties.iter_mut().filter_map(|t| match t {
+                Tie::Cord(c) if c.name == name && !matches!(c.to, Far::Pull(_)) => Some(c),
+                _ => None,
+            });
+            let unnamed: Vec<&mut Cord> = unnamed.collect();
+            if unnamed.len() > 1 {
+                // Several tensions need names; number the cords in the order of the file.
+                unnamed.into_iter().enumerate().for_each(|(n, c)| c.name = format!("{name}{}", n + 1));
             }
         }
         ties
@@ -1180,19 +1181,45 @@ impl SceneReader<'_> {
         list
     }
 
+    /// The name of a cord or a light rod.
+    fn tie_name(&self, node: Option<&Node>, unnamed: &str) -> Option<String> {
+        let Some(node) = node else { return Some(unnamed.to_owned()) };
+        let name = node.text().filter(|t| plain_name(t));
+        if name.is_none() {
+            let message = told!("{} is no name for a {unnamed}", node.kind());
+            self.faults.hint(node, message, "letters, digits and `_`");
+        }
+        name.map(str::to_owned)
+    }
+
+    /// A light rod between the centres of two bodies that move along one line.
+    fn link(&self, node: &Node, bodies: &[Body]) -> Option<Cord> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a light rod (from, to)", f)?;
+        let name = self.tie_name(fields.get("name"), UNNAMED[1]);
+        let like = "{body: front, tied at: centre, leaves: back}";
+        let [from, to] = ["from", "to"].map(|end| fields.need(end, like).and_then(|n| self.cord_end(n, bodies)));
+        fields.close();
+        let (from, to) = (from?, to?);
+        // Each end by its line, and whether it leads up that.
+        let [one, other] = [from, to].map(|end| {
+            let line = bodies[end.body].line.filter(|_| end.attach == Attach::Centre);
+            line.map(|line| (line.slope, end.forward == line.forward_up))
+        });
+        let straight = matches!((one, other), (Some((a, x)), Some((b, y))) if a == b && x != y);
+        if from.body == to.body || !straight {
+            let hint = "both bodies move along the same surface, or both vertically, each end is `tied at: centre`, and of two that count \
+                        positive alike one end leaves `forward`, the other `back`; round a corner only a `cord` goes";
+            f.hint(node, "a light rod is straight: its ends leave toward each other", hint);
+            return None;
+        }
+        Some(Cord { name: name?, from, to: Far::Body(to), made: Made::Link })
+    }
+
     fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a cord (from, and where it goes)", f)?;
-        let name = match fields.get("name") {
-            None => "cord".to_owned(),
-            Some(n) => match n.text().filter(|t| plain_name(t)) {
-                Some(t) => t.to_owned(),
-                None => {
-                    f.hint(n, told!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
-                    return None;
-                }
-            },
-        };
+        let name = self.tie_name(fields.get("name"), UNNAMED[0])?;
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}")
             .and_then(|n| self.cord_end(n, bodies));

@@ -5,7 +5,7 @@ use crate::figure::view::SceneView;
 use crate::picture::board::{Board, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
-use crate::scene::{Far, GivenForce, Num, Slope, Tie};
+use crate::scene::{Far, GivenForce, Made, Num, Slope, Tie};
 use std::f64::consts::PI;
 
 /// The body's outer edge.
@@ -156,8 +156,13 @@ pub fn wall(board: &mut Board, at: Vec2, towards: Vec2, from: f64, to: f64) {
 
 /// A cord with what it ends at.
 pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layout::CordRun) {
+    let link = matches!(view.scene.ties.get(run.tie), Some(Tie::Cord(c)) if c.made == Made::Link);
     for piece in &run.pieces {
         match *piece {
+            CordPiece::Straight(a, b) if link => {
+                board.line(a, b, Role::Body);
+                [a, b].into_iter().for_each(|end| board.dot(end));
+            }
             CordPiece::Straight(a, b) => board.line(a, b, Role::Cord),
             CordPiece::Round(c, r, a, b) => board.arc(c, r, a, b, Role::Cord),
             CordPiece::Post(a, b) => board.line(a, b, Role::Ground),

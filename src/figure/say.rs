@@ -217,6 +217,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                     Made::Teeth => "meshes",
                     Made::Belt => "belt",
                     Made::Rests => "rests",
+                    Made::Link => "link",
                     Made::Cord if guide => "over",
                     Made::Cord => "joins",
                 };

@@ -87,7 +87,7 @@ quantities! {
     Normal "normal" "N" Magnitude "normal force of the surface";
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
     T "t" "s" Magnitude "time from the start to the end";
-    Tension "tension" "N" Signed "tension of the cord at the end";
+    Tension "tension" "N" Signed "tension of the cord at the end, of a light rod its force, positive if it pulls";
     RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims, or along the surface between a body and the wheel that it rests on; of a belt the difference of its two tensions";
     CordTravel "cord_travel" "m" Magnitude "distance that the pulled end of the cord moves";
     SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
@@ -292,7 +292,7 @@ impl Scene {
             return false;
         };
         let holds = |(j, other): (usize, &Joint)| {
-            let grounded = !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { .. });
+            let grounded = !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { rod: false, .. });
             j != joint && grounded && other.kind.spots().any(|spot| spot.body == at.body)
         };
         rolls || !self.bodies[at.body].turns || !self.joints.iter().enumerate().any(holds)

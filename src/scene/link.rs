@@ -57,6 +57,8 @@ pub enum Made {
     /// A cord, which pulls.
     #[default]
     Cord,
+    /// A light rod, which pushes as well.
+    Link,
     /// The teeth of two gears.
     Teeth,
     /// A belt that runs around two wheels and does not slip.
@@ -68,7 +70,7 @@ pub enum Made {
 impl Cord {
     /// What is asked of its force.
     pub fn force(&self) -> Quantity {
-        if self.made == Made::Cord { Quantity::Tension } else { Quantity::RimForce }
+        if matches!(self.made, Made::Cord | Made::Link) { Quantity::Tension } else { Quantity::RimForce }
     }
 }
 

@@ -133,12 +133,14 @@ pub enum JointKind {
         /// Does it roll without slipping?
         rolls: bool,
     },
-    /// A cord of constant length from the point to a fixed place, m.
+    /// A cord of constant length from the point to a fixed place, m; or a light rod, pinned at both ends.
     Cord {
         /// The point.
         at: Spot,
         /// The place.
         place_m: [Num; 2],
+        /// Is it a rod, which pushes as well as it pulls?
+        rod: bool,
     },
 }
 
@@ -187,7 +189,7 @@ impl JointKind {
     }
     /// Can it only push, or only pull?
     pub const fn is_one_sided(&self) -> bool {
-        self.only_pushes() || matches!(self, Self::Cord { .. })
+        self.only_pushes() || matches!(self, Self::Cord { rod: false, .. })
     }
     /// A point that rubs in a guide, and does the guide hold it on both sides?
     pub const fn rubs(&self) -> Option<(Spot, bool)> {

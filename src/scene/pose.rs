@@ -4,13 +4,14 @@
 //! One body leads: its angle is given. It hangs on a pin, or slides with two points in two guides, or with one in a guide while
 //! nothing moves its mass centre along it. Each other body is placed by what already has a place: hinged there and guided at
 //! another point (a circle and a line), or hinged there and to a second body that is (two circles). A wheel that rolls on a line
-//! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre.
+//! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre. A cord or a light rod guides
+//! its point on a circle, as long as it is at the start.
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::{
-    Branch, Coordinate, Degree, End, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
+    Branch, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
     Surface,
 };
 use smallvec::{SmallVec, smallvec};
@@ -236,12 +237,15 @@ pub struct Layout<'a, T: Real> {
     pub lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
     pub pushes: SmallVec<[[T; 2]; 2]>,
-    /// For each joint: how far along its line a wheel is at the start that rolls on it.
+    /// For each joint: how far along its line a wheel is at the start that rolls on it, or how long a cord or a light rod is.
     starts: SmallVec<[T; 4]>,
+    /// Where everything is at the start, if cords or light rods guide on the way.
+    first: Option<Poses<T>>,
     /// The cylinder on which the leading body moves.
     arc: Option<Arc<T>>,
-    /// Where an instant is asked and two guides carry the leading body along without a turn: their direction.
-    glide: Option<[T; 2]>,
+    /// Where an instant is asked and two guides carry the leading body along without a turn: their direction, and how much its way
+    /// bends to the left of it.
+    glide: Option<([T; 2], T)>,
     /// How the bodies are placed on the way, one after the other; `None` if the joints do not place all.
     steps: Option<Steps<T>>,
 }
@@ -292,8 +296,8 @@ enum Step<T> {
     Wheel(Track<T>, T),
     /// It leads about a point.
     Leads(Held<T>),
-    /// It leads by its way along two guides, from this place in this direction.
-    Glides([T; 2], [T; 2]),
+    /// It leads by its way along two guides, from this place in this direction, on a way that bends so to its left at the start.
+    Glides([T; 2], [T; 2], T),
     /// It leads in two guides, on this side where one of them is a circle.
     Slides([Guided<T>; 2], f64),
     /// It leads in a guide along which nothing moves its mass centre, which is so far along its axis: from so far along the guide.
@@ -418,18 +422,29 @@ impl<'a, T: Real> Layout<'a, T> {
             lines: scene.joints.iter().map(|j| line(&j.kind)).collect(),
             pushes: scene.pushes.iter().map(|p| direction(n, p.direction_deg)).collect(),
             starts: scene.joints.iter().map(|_| T::zero()).collect(),
+            first: None,
             arc,
             glide: None,
             steps: None,
         };
-        if scene.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { rolls: true, .. })) {
+        let tied = |j: &Joint| matches!(j.kind, JointKind::Cord { .. });
+        let rolls = |j: &Joint| matches!(j.kind, JointKind::Contact { rolls: true, .. });
+        if scene.joints.iter().any(|j| rolls(j) || tied(j)) {
             let first: Poses<T> = layout.poses(T::zero(), true)?;
             for (j, joint) in scene.joints.iter().enumerate() {
-                if let JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } = joint.kind {
-                    let centre = first[at.body].point(of_spot(scene, n, at));
-                    layout.starts[j] = dot(less(centre, ground(n, through_m)), layout.lines[j]);
-                }
+                let from = |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
+                layout.starts[j] = match joint.kind {
+                    JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } => {
+                        dot(from(at, through_m), layout.lines[j])
+                    }
+                    JointKind::Cord { at, place_m, .. } => {
+                        let apart = from(at, place_m);
+                        dot(apart, apart).root()
+                    }
+                    _ => T::zero(),
+                };
             }
+            layout.first = scene.joints.iter().any(tied).then_some(first);
         }
         layout.glide = layout.carried();
         layout.steps = layout.planned(false).ok();
@@ -440,22 +455,34 @@ impl<'a, T: Real> Layout<'a, T> {
         self.arc.as_ref()
     }
     /// The direction in which two guides carry the leading body: what leads is then its way in it, m.
-    pub const fn glide(&self) -> Option<[T; 2]> {
-        self.glide
+    pub fn glide(&self) -> Option<[T; 2]> {
+        self.glide.map(|(along, _)| along)
     }
-    fn carried(&self) -> Option<[T; 2]> {
+    fn carried(&self) -> Option<([T; 2], T)> {
         let placed = smallvec![false; self.scene.bodies.len()];
         let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
-        let mut lines =
-            self.scene.joints.iter().zip(&self.lines).filter_map(|(joint, line)| match joint.kind {
-                JointKind::Guide { at, .. } if at.body == self.lead => Some(*line),
-                _ => None,
-            });
+        // The direction of each guide, and how much the way bends there to its left: across a cord about its fixed end.
+        let mut lines = self.scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
+            JointKind::Guide { at, .. } if at.body == self.lead => Some((self.lines[j], T::zero())),
+            JointKind::Cord { at, place_m, .. } if at.body == self.lead => {
+                let near = self.first.as_ref()?[at.body].point(of_spot(self.scene, self.n, at));
+                let per = T::of(1.0) / self.starts[j];
+                Some((left(less(near, ground(self.n, place_m))).map(|x| x * per), per))
+            }
+            _ => None,
+        });
         let (first, second) = (lines.next()?, lines.next()?);
         let free = held.is_none() && self.arc.is_none() && self.scene.driven().is_none();
-        let along = parallel(first, second) && lines.all(|line| parallel(first, line));
+        // Where their ways bend differently, a body that moves turns at the next instant.
+        let still = self.scene.starts_from_rest();
+        let like = |(line, bend): ([T; 2], T)| {
+            let bend = bend.signed(dot(first.0, line).sign());
+            parallel(first.0, line) && (still || (bend - first.1).size() <= MET * first.1.size())
+        };
         let instant = matches!(self.scene.end, End::AtOnce);
-        (free && along && instant).then(|| first.map(|x| x.signed(upward(first))))
+        let up = upward(first.0);
+        (free && like(second) && lines.all(like) && instant)
+            .then(|| (first.0.map(|x| x.signed(up)), first.1.signed(up)))
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
@@ -535,7 +562,8 @@ impl<'a, T: Real> Layout<'a, T> {
         let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
         let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
         let size = size(self.scene, self.n);
-        let parts = self.scene.joints.iter().zip(&self.lines).map(|(joint, line)| match joint.kind {
+        let parts = self.scene.joints.iter().zip(&self.lines).enumerate();
+        let parts = parts.map(|(j, (joint, line))| match joint.kind {
             JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
             JointKind::Hinge { one, other, turned_deg } => {
                 let turned = turned_deg.map_or(0.0, |by| {
@@ -548,17 +576,18 @@ impl<'a, T: Real> Layout<'a, T> {
             JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
                 (aside(*line, at, through_m) - self.n.get(radius_m)).size()
             }
-            JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } => {
-                let [x, y] = less(place(at), ground(self.n, centre_m));
-                ((x.square() + y.square()).root() - self.apart(&joint.kind).unwrap_or_else(T::zero)).size()
+            JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. }
+            | JointKind::Cord { at, place_m: middle, .. } => {
+                let [x, y] = less(place(at), ground(self.n, middle));
+                ((x.square() + y.square()).root() - self.apart(j).unwrap_or_else(T::zero)).size()
             }
-            JointKind::Cord { .. } => 0.0,
         });
         parts.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
-    /// How far the centre of a body is from the axis of the cylinder that it touches.
-    fn apart(&self, kind: &JointKind) -> Option<T> {
-        match *kind {
+    /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
+    fn apart(&self, joint: usize) -> Option<T> {
+        match self.scene.joints[joint].kind {
+            JointKind::Cord { .. } => Some(self.starts[joint]),
             JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
                 let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
                 Some(if inside { (own - arc).abs() } else { arc + own })
@@ -608,7 +637,8 @@ impl<'a, T: Real> Layout<'a, T> {
 
     /// The places at the start of what the joints could place in two ways, where the bank does not say in which.
     pub fn choices(&self) -> Vec<Choice> {
-        let still = self.scene.is_still() && self.scene.start_speeds().next().is_none();
+        // What cords and light rods guide lies as it does at the start.
+        let still = self.scene.is_still() && self.scene.start_speeds().next().is_none() || self.first.is_some();
         let steps = if still { self.planned(true).ok() } else { self.steps.clone() };
         let Some(steps) = steps else { return Vec::new() };
         let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
@@ -724,10 +754,12 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(lead()?, track.at, centre)
             }
             Step::Leads(held) => Pose::through(lead()?, held.at, place(held, poses)),
-            Step::Glides(from, unit) => {
+            Step::Glides(from, unit, bend) => {
                 let ahead = X::with(way, || [T::of(1.0), T::zero()]);
+                let aside = (ahead * ahead).by(bend.scale2(-1));
+                let moved = plus(along_unit(*unit, ahead), along_unit(left(*unit), aside));
                 Pose {
-                    origin: plus(fixed(*from), along_unit(*unit, ahead)),
+                    origin: plus(fixed(*from), moved),
                     axis: self.axis(T::zero(), T::zero())?,
                 }
             }
@@ -849,9 +881,10 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     }
     /// Points of a body that are guided, itself or by what is hinged there.
     fn guided(&self, body: usize) -> impl Iterator<Item = Guided<T>> {
-        let joints = self.layout.scene.joints.iter().zip(&self.layout.lines);
-        joints.filter_map(move |(joint, unit)| {
+        let joints = self.layout.scene.joints.iter().zip(&self.layout.lines).enumerate();
+        joints.filter_map(move |(j, (joint, unit))| {
             let (at, through) = match joint.kind {
+                JointKind::Cord { at, place_m, .. } if !self.at_start => (at, ground(self.layout.n, place_m)),
                 JointKind::Guide { at, through_m, .. } => (at, ground(self.layout.n, through_m)),
                 // The centre of a wheel is a radius off the line.
                 JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
@@ -864,7 +897,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 _ => return None,
             };
             let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
-            let ring = self.layout.apart(&joint.kind);
+            let ring = self.layout.apart(j);
             Some(Guided { at: self.spot(own), through, unit: *unit, ring })
         })
     }
@@ -927,10 +960,13 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
+                (None, _, _, Some(place)) if let Some((unit, bend)) = layout.glide => {
+                    Step::Glides(place, unit, bend)
+                }
                 (None, Some(one), Some(other), _)
                     if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
                 {
-                    Step::Slides([one, other], branch(planar))
+                    self.sided(body, |branch| Step::Slides([one, other], branch))?
                 }
                 (None, Some(guide), None, _)
                     if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
@@ -939,7 +975,6 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                     let centre = self::along(layout.n, planar.centre);
                     Step::Drops(guide, centre, from(guide.through, guide.unit))
                 }
-                (None, _, _, Some(place)) if layout.glide.is_some() => Step::Glides(place, layout.glide?),
                 (None, _, _, Some(place)) if self.at_start => {
                     Step::Leads(Held { at: [T::zero(); 2], place: Known::Fixed(place) })
                 }
@@ -948,6 +983,17 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         };
         self.add(body, step);
         Some(())
+    }
+
+    /// How a body is placed on the side that is meant; where cords or light rods guide, on that where it is at the start.
+    fn sided(&self, body: usize, step: impl Fn(f64) -> Step<T>) -> Option<Step<T>> {
+        let meant = branch(self.planar(body)?);
+        let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) else { return Some(step(meant)) };
+        let gap = |branch: f64| {
+            let pose = self.layout.place(T::zero(), &step(branch), &mut first.clone())?;
+            Some(off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis))
+        };
+        Some(step(if gap(-meant)? < gap(meant)? { -meant } else { meant }))
     }
 
     /// How a body is placed that is welded to one that has a place.
@@ -992,7 +1038,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(Step::Rolls(held, track, start()));
         }
         if let Some(guide) = self.guided(body).next() {
-            return Some(Step::Rod(held, guide, branch(planar)));
+            return self.sided(body, |branch| Step::Rod(held, guide, branch));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {

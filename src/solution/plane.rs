@@ -859,6 +859,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn place_lead(&mut self) -> Result<(), DerivationStop> {
         let (scene, body) = (self.scene, self.lead);
         let Some(planar) = scene.planar(body) else { return beyond() };
+        // What a cord or a light rod makes of a motion is placed by its length.
+        if self.moves && scene.joints.iter().any(|j| matches!(j.kind, JointKind::Cord { .. })) {
+            return Err(Beyond::Mechanism.into());
+        }
         let tex = self.free(&[r"\phi", r"\theta", r"\varphi"]);
         let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
         let name = match (planar.start_deg, scene.end) {
@@ -1510,7 +1514,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 JointKind::Contact { at, radius_m, surface, .. } => {
                     self.touch(j, &forces, at, radius_m, surface)
                 }
-                JointKind::Cord { at, place_m } => {
+                JointKind::Cord { at, place_m, .. } => {
                     let apart = less(&self.ground(place_m), &self.spot(at));
                     let apart = self.places(&apart, self.here);
                     let is = self.size(&apart);

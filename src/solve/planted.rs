@@ -238,7 +238,7 @@ fn hanging() -> Scene {
     if let Some(planar) = &mut scene.bodies[0].planar {
         planar.origin_m = Some([f(0.0), f(0.0)]);
     }
-    scene.joints.push(joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.3), f(0.9)] }));
+    scene.joints.push(joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.3), f(0.9)], rod: false }));
     scene.end = End::AtOnce;
     scene
 }

@@ -16,12 +16,13 @@ pub const PLANES: [&str; 2] = ["in the plane", "in a horizontal plane"];
 const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
 
 /// Kinds of joints: field that names what is held, and what it is.
-const JOINTS: [(&str, &str); 7] = [
+const JOINTS: [(&str, &str); 8] = [
     ("pins", "a point that stays in its place"),
     ("hinges", "two points that stay together"),
     ("welds", "two points that stay together, with the angle between their bodies"),
     ("guides", "a point that stays on a line"),
     ("ties", "a point at the end of a cord"),
+    ("links", "a point at the end of a light rod"),
     ("rolls", "a wheel that rolls, by its centre"),
     ("slides", "a wheel or a point on a smooth surface"),
 ];
@@ -146,19 +147,19 @@ impl SceneReader<'_> {
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
             let Some(mut fields) =
-                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, rolls or slides)", f)
+                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, links, rolls or slides)", f)
             else {
                 continue;
             };
-            let [pins, hinges, welds, guides, ties, rolls, slides] =
+            let [pins, hinges, welds, guides, ties, links, rolls, slides] =
                 fields.each(JOINTS.map(|(word, _)| word));
             let touching = match (rolls, slides) {
                 (Some(n), None) => Some((n, true)),
                 (None, Some(n)) => Some((n, false)),
                 _ => None,
             };
-            let count = [pins, hinges, welds, guides, ties, rolls, slides].iter().flatten().count();
-            let kind = match (pins, hinges.or(welds), guides, ties) {
+            let count = [pins, hinges, welds, guides, ties, links, rolls, slides].iter().flatten().count();
+            let kind = match (pins, hinges.or(welds), guides, ties.or(links)) {
                 _ if count == 1 && touching.is_some() => {
                     touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
                 }
@@ -176,7 +177,8 @@ impl SceneReader<'_> {
                 (None, None, None, Some(n)) => {
                     let to = fields.need("to", "[x_A, y_A]");
                     let at = self.spot(n, bodies);
-                    at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m })
+                    let rod = links.is_some();
+                    at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m, rod })
                 }
                 _ => None,
             };

@@ -388,7 +388,7 @@ impl<'a, T: Real> Account<'a, T> {
                     };
                     Some((at, smallvec![[-s - rub * c, c - rub * s]]))
                 }
-                JointKind::Cord { at, place_m } => {
+                JointKind::Cord { at, place_m, .. } => {
                     let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
                     let apart = [far[0] - near[0].value, far[1] - near[1].value];
                     let length = dot(apart, apart).root();
@@ -840,7 +840,7 @@ impl<'a, T: Real> Account<'a, T> {
         }
         let turns = || Err(Refusal::Unsupported(Unsupported::FrictionTurns));
         for (j, joint) in self.scene.joints.iter().enumerate() {
-            let pushes = joint.kind.only_pushes();
+            let pushes = joint.kind.is_one_sided();
             if !pushes && joint.kind.rubs().is_none() || self.scene.end == End::Leaves(j) {
                 continue;
             }
@@ -1019,7 +1019,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn presses(&self, begin: &Poses<T>, from: T) -> Result<bool, Refusal> {
         const LEAST: f64 = 1e-9;
         let square = from.scale2(1);
-        let pushing = |joint: &usize| self.scene.joints[*joint].kind.only_pushes();
+        let pushing = |joint: &usize| self.scene.joints[*joint].kind.is_one_sided();
         let mut joints = (0..self.scene.joints.len()).filter(pushing).peekable();
         if joints.peek().is_none() {
             return Ok(true);

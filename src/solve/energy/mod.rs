@@ -19,7 +19,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Made, Numbers, Owner, Quantity,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store};
@@ -843,7 +843,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Cord(c) => match c.to {
                     Far::Pull(_) => {}
                     Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
-                    _ if c.made != Made::Cord => self.say(c.force(), Owner::Tie(t), held[t].abs()),
+                    _ if c.force() != Quantity::Tension => self.say(c.force(), Owner::Tie(t), held[t].abs()),
                     Far::Body(_) | Far::Fixed => self.say(Quantity::Tension, Owner::Tie(t), held[t]),
                 },
             }

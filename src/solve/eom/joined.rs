@@ -380,7 +380,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
     /// Does this normal force press to the side to which it pressed at the start?
     fn presses_on(&self, joint: usize, force: T) -> bool {
-        let pushes = self.mechanism.scene.joints[joint].kind.only_pushes();
+        let pushes = self.mechanism.scene.joints[joint].kind.is_one_sided();
         let side = if pushes { 1.0 } else { self.rubs[joint] * self.slides[joint] };
         force.signed(side).sign() > 0.0
     }
@@ -388,7 +388,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn panel(&self, ends: (T, T), from: Gain<T>) -> Result<Panel<T>, Refusal> {
         let (width, share) = (ends.1 - ends.0, SMOOTH[usize::from(T::is_double())]);
         let (mechanism, joints) = (self.mechanism, &self.mechanism.scene.joints);
-        let watched = joints.iter().any(|j| j.kind.only_pushes() || j.kind.rubs().is_some());
+        let watched = joints.iter().any(|j| j.kind.is_one_sided() || j.kind.rubs().is_some());
         let [mut drives, mut growths, mut slopes, mut inertias] =
             [(); 4].map(|()| PerNode::with_capacity(long::<T>().nodes.len()));
         let mut slides_on = PerNode::new();
@@ -568,7 +568,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 }
             }
             let turned = match first {
-                Some((_, Why::Leaves(j))) => !self.mechanism.scene.joints[j].kind.only_pushes(),
+                Some((_, Why::Leaves(j))) => !self.mechanism.scene.joints[j].kind.is_one_sided(),
                 Some(_) => false,
                 None => !panel.slides_on.get(i).copied().unwrap_or(true),
             };
@@ -724,7 +724,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         // What does not push at the start is not touched.
         let weights = self.weights();
         let (first, begin) = self.at(T::zero())?;
-        for joint in (0..scene.joints.len()).filter(|j| scene.joints[*j].kind.only_pushes()) {
+        for joint in (0..scene.joints.len()).filter(|j| scene.joints[*j].kind.is_one_sided()) {
             let force = self.pushed(&begin, joint, self.from.half_square);
             if force.below(T::of(PUSHES * weights)) {
                 let drive = (T::zero(), T::zero());
@@ -794,7 +794,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let drive = (T::zero(), T::zero());
         teller.road.course = Some(Course { sense: self.sense, drive, asked, farthest, reached });
         for (joint, least, most) in least {
-            let one_sided = scene.joints[joint].kind.only_pushes();
+            let one_sided = scene.joints[joint].kind.is_one_sided();
             if one_sided && least.is_finite() && leaving != Some(joint) {
                 let [least, most] = [least, most].map(|x| n.publish(Quantity::Normal, T::of(x)).f64());
                 teller.road.held.push(Held::Touching(joint, least, most));

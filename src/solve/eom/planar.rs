@@ -290,7 +290,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                         rows.push(Row::new(joint, end(at, touch.along, radius), None, zero));
                     }
                 }
-                JointKind::Cord { at, place_m } => {
+                JointKind::Cord { at, place_m, .. } => {
                     let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
                     let apart = [far[0] - near[0], far[1] - near[1]];
                     let length = dot(apart, apart).root();
@@ -792,7 +792,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// the joints leave it open.
     pub fn push(&self, response: &Response<T>, joint: usize) -> Option<(T, T)> {
         let kind = &self.scene.joints[joint].kind;
-        (kind.only_pushes() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
+        (kind.is_one_sided() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
     }
     /// Height of a mass centre.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
