@@ -712,6 +712,7 @@ fn of_kind(scene: &Scene) -> Vec<Label> {
             }
             Tie::Cord(c) => match c.to {
                 Far::Pull(_) if !moves => {}
+                Far::Pull(_) if tie.tilted().is_some() => add(Owner::Tie(t), &[Q::WorkPull, Q::PowerPull]),
                 Far::Pull(_) => add(Owner::Tie(t), &[Q::CordTravel, Q::WorkPull, Q::PowerPull]),
                 Far::Spring { .. } => {
                     add(Owner::Tie(t), &[Q::Tension]);
@@ -732,6 +733,7 @@ fn of_kind(scene: &Scene) -> Vec<Label> {
         && scene.couples.is_empty()
         && scene.growths.is_empty()
         && scene.ties.iter().any(|t| matches!(t, Tie::Roll { .. }))
+        && scene.ties.iter().all(|t| t.tilted().is_none())
         && scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if pulled(c)))
     {
         add(Owner::Body(0), &[Q::KBound]);

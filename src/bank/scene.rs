@@ -1124,6 +1124,7 @@ impl SceneReader<'_> {
             attach: Attach::Wound(radius, Side::Top),
             forward,
             upright: None,
+                    tilt_deg: None,
         };
         let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
@@ -1166,7 +1167,7 @@ impl SceneReader<'_> {
             // What moves the load forward moves the wheel forward.
             let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
             wheels
-                .then_some((name.to_owned(), CordEnd { body: index, attach, forward: !same, upright: None }))
+                .then_some((name.to_owned(), CordEnd { body: index, attach, forward: !same, upright: None, tilt_deg: None }))
         };
         let mut list = Vec::new();
         for wheel in wheels {
@@ -1175,7 +1176,7 @@ impl SceneReader<'_> {
                 f.hint(wheel, told!("expected the rim or the axle of a wheel, found {}", wheel.kind()), hint);
                 continue;
             };
-            let from = CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None };
+            let from = CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None, tilt_deg: None };
             list.push(Cord { name, from, to: Far::Body(to), made: Made::Rests });
         }
         list
@@ -1238,6 +1239,11 @@ impl SceneReader<'_> {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
         self.grows(growing, GivenForce::Pull(tie));
+        if from.is_some_and(|from| from.tilt_deg.is_some()) && (pulled.is_none() || growing.is_some()) {
+            let hint = "`at an angle` stands beside `pulled with` and a constant force: what grows, and what ends at another body, a spring \
+                        or a wall, leads along the surface";
+            f.hint(node, "only a constant pull leads away from the surface", hint);
+        }
         let far = if let Some(n) = pulled {
             self.number(n, Need::FORCE).map(Far::Pull)
         } else if let Some(n) = to {
@@ -1278,9 +1284,14 @@ impl SceneReader<'_> {
         let wound = fields.get("wound on");
         let tied = fields.get("tied at");
         let leaves = fields.need("leaves", if tied.is_some() { "forward" } else { "top forward" });
+        let tilted = fields.get("at an angle");
         fields.close();
         let index = body?;
         let body = &bodies[index];
+        let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
+        if let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
+            f.hint(n, told!("`{}` moves along no surface", body.name), "an angle to the surface is that of a pull on what lies there");
+        }
         if !body.particles.is_empty() {
             f.at(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
             return None;
@@ -1312,7 +1323,8 @@ impl SceneReader<'_> {
                     _ => None,
                 });
                 let upright = upright.filter(|_| body.line.is_none());
-                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward, upright })
+                let attach = Attach::Wound(radius?, side);
+                Some(CordEnd { body: index, attach, forward, upright, tilt_deg: tilt })
             }
             (None, Some(n)) => {
                 self.word(
@@ -1339,7 +1351,7 @@ impl SceneReader<'_> {
                         &[("forward", true), ("back", false), up, down],
                     )
                 }?;
-                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None })
+                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None, tilt_deg: tilt })
             }
             _ => {
                 f.hint(

@@ -131,6 +131,7 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
                 if let Far::Body(end) = &c.to {
                     wound(end.attach);
                 }
+                c.from.tilt_deg.iter().for_each(|tilt| tell(*tilt, Rule::Angle));
                 match &c.to {
                     Far::Pull(p) => tell(*p, NotNegative),
                     Far::Spring { stiffness_n_m, stretch_m, .. } => {

@@ -39,7 +39,7 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
     let attach = wound.map_or(Attach::Centre, |r| {
         Attach::Wound(f(r.abs()), if r > 0.0 { Side::Top } else { Side::Bottom })
     });
-    CordEnd { body, attach, forward, upright: None }
+    CordEnd { body, attach, forward, upright: None, tilt_deg: None }
 }
 
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
