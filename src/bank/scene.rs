@@ -248,6 +248,7 @@ impl SceneReader<'_> {
             span: Span::default(),
             formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
         };
+        scene.still_turns();
         if let Some(n) = next_node {
             let next = self.next(n, node, &scene, gravity)?;
             scene.formulas.others.push((AsIf::Next, next));

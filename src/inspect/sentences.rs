@@ -542,7 +542,7 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         )),
         Refusal::Unplaced(index) => one(format!(
             "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
-             place and either guided at another point or hinged there to a second such body; a cord places none",
+             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
             body(scene, *index)
         )),
         Refusal::Crossed(Choice { at, here, there, .. }) => one(format!(

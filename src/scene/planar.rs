@@ -247,6 +247,32 @@ pub struct Strut {
 }
 
 impl Scene {
+    /// Bodies in the plane that are held and pushed at their mass centres alone keep from turning: nothing has a moment about these.
+    pub fn still_turns(&mut self) {
+        let turned = |body: usize| {
+            let Some(planar) = self.planar(body).filter(|_| self.bodies[body].turns) else { return true };
+            let told = planar.start_deg.is_some() || self.start_speeds().any(|(c, _)| c.body == body);
+            let off = |spot: &Spot| {
+                let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
+                spot.body == body && planar.points.get(spot.point).is_none_or(|(_, place)| *place != centre)
+            };
+            let turns = |joint: &Joint| match joint.kind {
+                JointKind::Hinge { turned_deg: Some(_), .. } | JointKind::Contact { rolls: true, .. } => {
+                    joint.kind.spots().any(|spot| spot.body == body)
+                }
+                _ => joint.kind.spots().any(|spot| off(&spot)),
+            };
+            let strut = |s: &Strut| {
+                off(&s.at) || s.twists() && s.at.body == body || matches!(&s.to, StrutEnd::Spot(to) if off(to))
+            };
+            told || self.joints.iter().any(turns)
+                || self.pushes.iter().any(|push| off(&push.at))
+                || self.struts.iter().any(strut)
+                || self.couples.iter().any(|couple| couple.body == body)
+        };
+        let still: Vec<usize> = (0..self.bodies.len()).filter(|body| !turned(*body)).collect();
+        still.into_iter().for_each(|body| self.bodies[body].turns = false);
+    }
     /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
     pub fn is_overwound(&self, data: &[f64]) -> bool {
         let wound = |strut: &Strut| match (strut.rest, self.planar(strut.at.body)?.start_deg) {

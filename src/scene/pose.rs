@@ -308,6 +308,9 @@ enum Step<T> {
     Still(Held<T>, [T; 2]),
     /// It rolls on a line, and its axis has this direction at the start.
     Rolls(Held<T>, Track<T>, [T; 2]),
+    /// Its centre goes about the axis of a cylinder with the turn of the leading body, and it rolls there: how far it turns per turn of
+    /// that, and the direction of its axis at the start.
+    Orbits(Held<T>, T, [T; 2]),
     /// Another point of it is guided, on this side.
     Rod(Held<T>, Guided<T>, f64),
     /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
@@ -338,6 +341,26 @@ pub struct Arc<T> {
     pub apart: T,
     /// Angle that the body turns per angle of its centre, counted alike; 0 for what only slides.
     pub ratio: T,
+}
+
+impl<T: Real> Arc<T> {
+    /// The cylinder of this joint.
+    fn of(scene: &Scene, n: &Numbers<T>, joint: usize) -> Option<Self> {
+        let JointKind::Contact {
+            radius_m,
+            surface: Surface::Arc { centre_m, radius_m: arc, inside },
+            rolls,
+            ..
+        } = scene.joints[joint].kind
+        else {
+            return None;
+        };
+        let (own, arc) = (n.get(radius_m), n.get(arc));
+        let apart = if inside { own - arc } else { arc + own };
+        let ratio = plant!("pose: turn of a wheel on a cylinder", apart / own);
+        let ratio = if rolls { ratio } else { T::zero() };
+        Some(Self { joint, axis: ground(n, centre_m), apart: apart.abs(), ratio })
+    }
 }
 
 /// A surface where a body touches it.
@@ -399,21 +422,11 @@ impl<'a, T: Real> Layout<'a, T> {
             }
             _ => none,
         };
-        let arc = scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
-            JointKind::Contact {
-                at,
-                radius_m,
-                surface: Surface::Arc { centre_m, radius_m: arc, inside },
-                rolls,
-            } if at.body == lead && scene.leads_on_arc(joint) => {
-                let (own, arc) = (n.get(radius_m), n.get(arc));
-                let apart = if inside { own - arc } else { arc + own };
-                let ratio = plant!("pose: turn of a wheel on a cylinder", apart / own);
-                let ratio = if rolls { ratio } else { T::zero() };
-                Some(Arc { joint, axis: ground(n, centre_m), apart: apart.abs(), ratio })
-            }
-            _ => None,
-        });
+        let leads = |(joint, j): (usize, &Joint)| {
+            let first = j.kind.spots().next().filter(|at| at.body == lead && scene.leads_on_arc(joint));
+            first.and_then(|_| Arc::of(scene, n, joint))
+        };
+        let arc = scene.joints.iter().enumerate().find_map(leads);
         let mut layout = Self {
             scene,
             n,
@@ -815,6 +828,12 @@ impl<'a, T: Real> Layout<'a, T> {
                 let [rate, second] = turned.derivatives();
                 Pose::through(turning(now, rate, second), held.at, place)
             }
+            Step::Orbits(held, ratio, [c, s]) => {
+                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let (sine, cosine) = trig::turn((way * *ratio).signed(sense));
+                let now = [*c * cosine - *s * sine, *s * cosine + *c * sine];
+                Pose::through(turning(now, ratio.signed(sense), T::zero()), held.at, place(held, poses))
+            }
             Step::Rod(held, guide, branch) => {
                 let place = place(held, poses);
                 let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
@@ -985,6 +1004,27 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         Some(())
     }
 
+    /// How far a body turns per turn of the leading one, which is pinned at the axis of the cylinder on which the body rolls and carries
+    /// its centre.
+    fn orbits(&self, body: usize, held: &Held<T>) -> Option<T> {
+        let layout = self.layout;
+        let lead = |spot: &Spot| spot.body == layout.lead;
+        let arc = (0..layout.scene.joints.len()).find_map(|joint| {
+            let own = layout.scene.joints[joint].kind.spots().next().filter(|at| at.body == body)?;
+            let [along, aside] = self.spot(own);
+            let at = along.same(held.at[0]) && aside.same(held.at[1]);
+            Arc::of(layout.scene, layout.n, joint).filter(|arc| at && !arc.ratio.is_zero())
+        })?;
+        let pinned = layout.scene.joints.iter().any(|joint| match joint.kind {
+            JointKind::Pin { at, place_m } if lead(&at) => {
+                off(ground(layout.n, place_m), arc.axis) <= MET * arc.apart.size()
+            }
+            _ => false,
+        });
+        let carried = matches!(held.place, Known::Of(by, _) if by == layout.lead);
+        (pinned && carried && layout.arc.is_none()).then_some(arc.ratio)
+    }
+
     /// How a body is placed on the side that is meant; where cords or light rods guide, on that where it is at the start.
     fn sided(&self, body: usize, step: impl Fn(f64) -> Step<T>) -> Option<Step<T>> {
         let meant = branch(self.planar(body)?);
@@ -1036,6 +1076,9 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             && track.at[1].same(held.at[1])
         {
             return Some(Step::Rolls(held, track, start()));
+        }
+        if let Some(ratio) = self.orbits(body, &held) {
+            return Some(Step::Orbits(held, ratio, start()));
         }
         if let Some(guide) = self.guided(body).next() {
             return self.sided(body, |branch| Step::Rod(held, guide, branch));

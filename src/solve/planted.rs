@@ -243,6 +243,18 @@ fn hanging() -> Scene {
     scene
 }
 
+/// A rod on two light rods of unlike lengths, on the way.
+fn linked() -> Scene {
+    let mut scene = hanging();
+    scene.joints = [(0, [-0.3, 0.9]), (1, [1.1, 0.8])]
+        .map(|(point, place)| {
+            joint(JointKind::Cord { at: spot(0, point), place_m: place.map(f), rod: true })
+        })
+        .to_vec();
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(8.0));
+    scene
+}
+
 /// The same on what moves up an incline, ever faster.
 fn carried(mut scene: Scene) -> Scene {
     let (slope, speed_m_s, acceleration_m_s2) = (Slope::Degrees(f(20.0)), f(0.7), f(1.3));
@@ -400,6 +412,21 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("slider-crank", linkage(true)),
         ("rod on a cord", hanging()),
         ("rod on a cord, struck", struck(hanging())),
+        ("rod on two light rods", linked()),
+        ("pulled at an angle, slipping", {
+            let mut pull = cord((0, Some(0.4), true), Far::Pull(f(400.0)));
+            if let Tie::Cord(cord) = &mut pull {
+                cord.from.tilt_deg = Some(f(20.0));
+            }
+            scene(vec![wheel()], vec![slip(0.2, 0.15), pull], 1.0)
+        }),
+        ("pulled at an angle, rolling", {
+            let mut pull = cord((0, None, true), Far::Pull(f(300.0)));
+            if let Tie::Cord(cord) = &mut pull {
+                cord.from.tilt_deg = Some(f(20.0));
+            }
+            scene(vec![wheel()], vec![roll(0.2), pull], 1.0)
+        }),
         ("slider-crank, struck", struck(linkage(true))),
         ("slider-crank, driven", {
             let mut scene = linkage(true);

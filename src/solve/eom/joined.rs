@@ -497,10 +497,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         Ok(Some(from))
     }
 
-    /// Normal force of a joint that can only push.
-    fn pushed(&self, response: &Response<T>, joint: usize, half_square: T) -> T {
+    /// Normal force of a joint that can only push, or tension of a cord; `None` where the joints leave it open.
+    fn pushed(&self, response: &Response<T>, joint: usize, half_square: T) -> Option<T> {
         let parts = self.mechanism.push(response, joint);
-        parts.map_or_else(T::zero, |(constant, share)| constant + share * half_square.scale2(1))
+        parts.map(|(constant, share)| constant + share * half_square.scale2(1))
     }
 
     /// Where it first stops within `far`: at rest, at this half square of the rate, or where a joint stops pushing.
@@ -620,7 +620,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 let step = (x - before).scale2(-20);
                 let slope = (force(x) - force(x - step)) / step;
                 let (_, response) = self.at(self.way(x).0)?;
-                Ok(x - self.pushed(&response, joint, square(x)) / slope)
+                Ok(self.pushed(&response, joint, square(x)).map_or(x, |force| x - force / slope))
             }
             _ => root::between_values(before, after, false, &|x| Ok(square(x))),
         }
@@ -726,7 +726,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (first, begin) = self.at(T::zero())?;
         for joint in (0..scene.joints.len()).filter(|j| scene.joints[*j].kind.is_one_sided()) {
             let force = self.pushed(&begin, joint, self.from.half_square);
-            if force.below(T::of(PUSHES * weights)) {
+            if force.is_some_and(|force| force.below(T::of(PUSHES * weights))) {
                 let drive = (T::zero(), T::zero());
                 teller.road.course =
                     Some(Course { sense: self.sense, drive, asked, farthest: T::zero(), reached: false });
