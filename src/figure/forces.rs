@@ -595,12 +595,12 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                         forces.push(ForceArrow { role: Role::Friction, ..friction });
                     }
                 }
-                JointKind::Contact { radius_m, surface, rolls, .. } => {
+                JointKind::Contact { radius_m, surface, rolls, teeth, .. } => {
                     let normal = plane.normal(view, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
                     forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
-                        let rubs = found(Quantity::Friction);
+                        let rubs = found(if teeth { Quantity::RimForce } else { Quantity::Friction });
                         let friction = force(foot, rubs, normal.right(), name(j, "F"));
                         forces.push(ForceArrow { role: Role::Friction, ..friction });
                     }

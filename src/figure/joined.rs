@@ -874,8 +874,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 let what = if one_sided { "touches" } else { "guide" };
                 say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
             }
-            JointKind::Contact { at, radius_m, surface, rolls } => {
+            JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
                 let what = match rolls {
+                    true if teeth => "meshes",
                     true => "rolls",
                     false if view.of(radius_m) == 0.0 => "slides_itself",
                     false => "slides",

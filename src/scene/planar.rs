@@ -132,6 +132,8 @@ pub enum JointKind {
         surface: Surface,
         /// Does it roll without slipping?
         rolls: bool,
+        /// By teeth, which press along the rim alone?
+        teeth: bool,
     },
     /// A cord of constant length from the point to a fixed place, m; or a light rod, pinned at both ends.
     Cord {
@@ -172,6 +174,7 @@ impl JointKind {
             Self::Hinge { turned_deg: Some(_), .. } => &[Quantity::PinX, Quantity::PinY, Quantity::Moment],
             Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
             Self::Guide { .. } | Self::Contact { rolls: false, .. } => &[Quantity::Normal],
+            Self::Contact { teeth: true, .. } => &[Quantity::RimForce],
             Self::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
             Self::Cord { .. } => &[Quantity::Tension],
         }
@@ -185,7 +188,7 @@ impl JointKind {
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {
-        matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { .. })
+        matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { teeth: false, .. })
     }
     /// Can it only push, or only pull?
     pub const fn is_one_sided(&self) -> bool {

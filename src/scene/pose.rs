@@ -308,8 +308,8 @@ enum Step<T> {
     Still(Held<T>, [T; 2]),
     /// It rolls on a line, and its axis has this direction at the start.
     Rolls(Held<T>, Track<T>, [T; 2]),
-    /// Its centre goes about the axis of a cylinder with the turn of the leading body, and it rolls there: how far it turns per turn of
-    /// that, and the direction of its axis at the start.
+    /// Its centre goes about the axis of a gear with the turn of the leading body, and it meshes there: how far it turns per turn of that,
+    /// and the direction of its axis at the start.
     Orbits(Held<T>, T, [T; 2]),
     /// Another point of it is guided, on this side.
     Rod(Held<T>, Guided<T>, f64),
@@ -943,7 +943,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn rolls(&self, body: usize) -> Option<Track<T>> {
         let layout = self.layout;
         layout.scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
-            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, rolls: true }
+            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, rolls: true, .. }
                 if at.body == body =>
             {
                 let through = ground(layout.n, through_m);
@@ -1004,7 +1004,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         Some(())
     }
 
-    /// How far a body turns per turn of the leading one, which is pinned at the axis of the cylinder on which the body rolls and carries
+    /// How far a gear turns per turn of the leading body, which is pinned at the axis of the fixed gear with which it meshes and carries
     /// its centre.
     fn orbits(&self, body: usize, held: &Held<T>) -> Option<T> {
         let layout = self.layout;
@@ -1013,7 +1013,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             let own = layout.scene.joints[joint].kind.spots().next().filter(|at| at.body == body)?;
             let [along, aside] = self.spot(own);
             let at = along.same(held.at[0]) && aside.same(held.at[1]);
-            Arc::of(layout.scene, layout.n, joint).filter(|arc| at && !arc.ratio.is_zero())
+            let meshes = matches!(layout.scene.joints[joint].kind, JointKind::Contact { teeth: true, .. });
+            Arc::of(layout.scene, layout.n, joint).filter(|_| at && meshes)
         })?;
         let pinned = layout.scene.joints.iter().any(|joint| match joint.kind {
             JointKind::Pin { at, place_m } if lead(&at) => {

@@ -394,6 +394,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 radius_m,
                 surface: Surface::Arc { centre_m, radius_m: arc, inside },
                 rolls,
+                ..
             } if at.body == self.lead => Some((at, radius_m, centre_m, arc, inside, rolls)),
             _ => None,
         })
@@ -750,6 +751,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 radius_m,
                 surface: Surface::Line { through_m, direction_deg },
                 rolls: true,
+                ..
             } if at.body == body => Some((
                 self.of_spot(at),
                 self.ground(through_m),
@@ -860,7 +862,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let (scene, body) = (self.scene, self.lead);
         let Some(planar) = scene.planar(body) else { return beyond() };
         // What a cord or a light rod makes of a motion is placed by its length.
-        if self.moves && scene.joints.iter().any(|j| matches!(j.kind, JointKind::Cord { .. })) {
+        let beyond_it = |j: &crate::scene::Joint| match j.kind {
+            JointKind::Cord { .. } => self.moves,
+            JointKind::Contact { teeth, .. } => teeth,
+            _ => false,
+        };
+        if scene.joints.iter().any(beyond_it) {
             return Err(Beyond::Mechanism.into());
         }
         let tex = self.free(&[r"\phi", r"\theta", r"\varphi"]);

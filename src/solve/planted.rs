@@ -204,7 +204,7 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
     }
     let mut scene = scene(vec![wheel], Vec::new(), 1.0);
     let radius_m = f(0.4);
-    scene.joints.push(joint(JointKind::Contact { at: spot(0, 0), radius_m, surface, rolls: true }));
+    scene.joints.push(joint(JointKind::Contact { at: spot(0, 0), radius_m, surface, rolls: true, teeth: false }));
     let turn = Coordinate { body: 0, degree: Degree::Turn };
     scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
     scene.end = End::Angle(turn, f(end));

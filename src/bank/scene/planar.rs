@@ -16,7 +16,7 @@ pub const PLANES: [&str; 2] = ["in the plane", "in a horizontal plane"];
 const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
 
 /// Kinds of joints: field that names what is held, and what it is.
-const JOINTS: [(&str, &str); 8] = [
+const JOINTS: [(&str, &str); 9] = [
     ("pins", "a point that stays in its place"),
     ("hinges", "two points that stay together"),
     ("welds", "two points that stay together, with the angle between their bodies"),
@@ -24,6 +24,7 @@ const JOINTS: [(&str, &str); 8] = [
     ("ties", "a point at the end of a cord"),
     ("links", "a point at the end of a light rod"),
     ("rolls", "a wheel that rolls, by its centre"),
+    ("meshes", "a gear that meshes with a fixed one, by its centre"),
     ("slides", "a wheel or a point on a smooth surface"),
 ];
 
@@ -147,21 +148,19 @@ impl SceneReader<'_> {
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
             let Some(mut fields) =
-                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, links, rolls or slides)", f)
+                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, links, rolls, meshes or slides)", f)
             else {
                 continue;
             };
-            let [pins, hinges, welds, guides, ties, links, rolls, slides] =
+            let [pins, hinges, welds, guides, ties, links, rolls, meshes, slides] =
                 fields.each(JOINTS.map(|(word, _)| word));
-            let touching = match (rolls, slides) {
-                (Some(n), None) => Some((n, true)),
-                (None, Some(n)) => Some((n, false)),
-                _ => None,
-            };
-            let count = [pins, hinges, welds, guides, ties, links, rolls, slides].iter().flatten().count();
+            let touching = rolls.or(meshes).map(|n| (n, true)).or(slides.map(|n| (n, false)));
+            let words = [pins, hinges, welds, guides, ties, links, rolls, meshes, slides];
+            let count = words.iter().flatten().count();
             let kind = match (pins, hinges.or(welds), guides, ties.or(links)) {
                 _ if count == 1 && touching.is_some() => {
-                    touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
+                    let how = |(n, rolls)| self.surface(n, (rolls, meshes.is_some()), &mut fields, bodies);
+                    touching.and_then(how)
                 }
                 _ if count != 1 => {
                     let words = JOINTS.map(|(word, what)| told!("`{word}` ({what})"));
@@ -229,7 +228,13 @@ impl SceneReader<'_> {
     }
 
     /// A wheel that rolls, or a wheel or a point that slides, on a line or a cylinder; inside a smaller one it is a hoop on a peg.
-    fn surface(&self, node: &Node, rolls: bool, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+    fn surface(
+        &self,
+        node: &Node,
+        (rolls, teeth): (bool, bool),
+        fields: &mut Fields,
+        bodies: &[Body],
+    ) -> Option<JointKind> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let radius = match fields.get("radius") {
@@ -263,7 +268,7 @@ impl SceneReader<'_> {
                 None
             }
         };
-        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls })
+        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls, teeth })
     }
 
     /// The direction of a line, in a word or as an angle.

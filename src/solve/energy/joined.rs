@@ -366,16 +366,12 @@ impl<'a, T: Real> Account<'a, T> {
                 JointKind::Pin { at, .. } => {
                     Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
                 }
-                JointKind::Contact { at, rolls, .. } => {
+                JointKind::Contact { at, rolls, teeth, .. } => {
                     let centre = self.point(poses, at).map(|x| x.value);
                     self.layout.touch(j, centre).map(|touch| {
                         rim = plant!("energy: radius of a rolling wheel", touch.radius);
-                        let along: SmallVec<[Vector<T>; 2]> = if rolls {
-                            smallvec![touch.normal, touch.along]
-                        } else {
-                            smallvec![touch.normal]
-                        };
-                        (at, along)
+                        let both = [touch.normal, touch.along];
+                        (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
                     })
                 }
                 JointKind::Guide { at, mu_k, .. } => {
@@ -413,11 +409,12 @@ impl<'a, T: Real> Account<'a, T> {
                 count += 1;
             };
             match (ground, joint.kind) {
-                // The second condition of a wheel is that its rim does not slip.
+                // The last condition of a wheel that rolls is that its rim does not slip.
                 (Some((at, directions)), kind) => {
-                    let wheel = matches!(kind, JointKind::Contact { .. });
+                    let rolls = matches!(kind, JointKind::Contact { rolls: true, .. });
                     for (i, u) in directions.iter().enumerate() {
-                        add(&[(at, *u, if wheel && i == 1 { rim } else { T::zero() })]);
+                        let slips = rolls && i + 1 == directions.len();
+                        add(&[(at, *u, if slips { rim } else { T::zero() })]);
                     }
                 }
                 (None, JointKind::Hinge { one, other, turned_deg }) => {

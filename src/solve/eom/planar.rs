@@ -281,10 +281,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
                     let [c, s] = self.layout.lines[joint];
                     rows.push(Row::new(joint, end(at, [-s, c], zero), None, zero));
                 }
-                JointKind::Contact { at, rolls, .. } => {
+                JointKind::Contact { at, rolls, teeth, .. } => {
                     // The centre keeps its distance; rolling, its speed along the surface is the radius times the turn.
                     let Some(touch) = self.layout.touch(joint, self.place(poses, at)) else { continue };
-                    rows.push(Row::new(joint, end(at, touch.normal, zero), None, -touch.bend));
+                    if !teeth {
+                        rows.push(Row::new(joint, end(at, touch.normal, zero), None, -touch.bend));
+                    }
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
                         rows.push(Row::new(joint, end(at, touch.along, radius), None, zero));
