@@ -3,7 +3,8 @@
 //! # Words
 //! - A **bank** is what an instructor writes; a **problem** of it has **data**, a **scene** and **questions**; of its **cases** a
 //!   student gets one. A question is a **part** of a student's sheet (`1.omega`), and a **column** of the class's table.
-//! - A **scene** is pure data in SI: bodies, ties (rolling, slipping and sliding contacts, cords), couples, a start, an end.
+//! - A **scene** is pure data in SI: bodies, ties (rolling, slipping and sliding contacts, cords), couples, a start, an end. A scene
+//!   that is its **next** follows it: what each road found of the first is where it sets the second off.
 //! - A **draw** gives each datum a value on a decimal grid; a draw that holds every rule is a **variant**, one student's own.
 //!   What one student was **dealt** is variants and key, problem by problem; a **set** is what a class was dealt, with the bank.
 //! - A variant has a **code** of eight digits, by which a learning platform knows it; a sheet has one of six letters, which says
@@ -119,6 +120,7 @@
 //! with slip. About a pin: one body. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
 //! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
 //! Gears and belts join wheels about fixed axles. What carries a whole scene moves along a straight line at a constant acceleration.
+//! One motion follows another without a jerk: what the ties of the second do not allow of the first's speeds is refused.
 #[macro_use]
 mod worded;
 

@@ -1,7 +1,7 @@
 //! How a bank writes the draw of a datum: `25 to 50 step 1`, `one of 10, 20, 45`, `always 30`.
 use crate::bank::Draw;
 use crate::bank::decimal::{Decimal, MAX_DIGITS};
-use crate::bank::node::shorten;
+use crate::bank::node::{WHOLE, shorten};
 use crate::finding::told;
 
 /// The forms of a draw, for hints.
@@ -13,6 +13,10 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
     if let Some(rest) = word(text, "always") {
         let d = number(rest)?;
         return Ok(Draw::Always { value: d.value, decimals: d.decimals });
+    }
+    // On a sheet nothing is left to draw.
+    if !WHOLE {
+        return Err((String::new(), String::new()));
     }
     if let Some(rest) = word(text, "one of") {
         let list = rest.split(',').map(|t| number(t.trim())).collect::<Result<Vec<_>, _>>()?;

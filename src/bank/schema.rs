@@ -357,15 +357,14 @@ fn problem(
     if WHOLE {
         review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     }
-    let next =
-        scenes.iter().any(|(_, scene)| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next));
-    if next && statement_node.is_none() {
-        let hint = "write `statement:`, which tells both motions";
-        faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
-    }
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
+        let next = |scene: &Scene| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next);
+        if statement_node.is_none() && scenes.iter().any(|(_, scene)| next(scene)) {
+            let hint = "write `statement:`, which tells both motions";
+            faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
+        }
         let names = data.iter().filter(|d| d.unknown.is_none());
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
         checks::templates(statement_node, questions_node, &names, variables, faults);

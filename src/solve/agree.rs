@@ -98,12 +98,9 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         let (label, scale) = (said.label, said.scale);
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
-    let (regime, mut checks, words) = road.course.map_or_else(
-        || physical::judge_instant(scene, &road.held),
-        |course| physical::judge(scene, &course, &road.held),
-    );
+    let (regime, mut checks, words) = physical::judge_road(scene, &road);
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
-    if let (Some((_, scene)), Some(next), true) = (next, &road.next, cfg!(feature = "program")) {
+    if let (Some((_, scene)), Some(next)) = (next, &road.next) {
         checks.push(physical::judge_next(scene, next));
     }
     let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));

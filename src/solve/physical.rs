@@ -53,22 +53,31 @@ pub fn fill_drive<P: Real>(
 }
 
 /// Regime, checks and words of an instant: which way it would go and how far is not asked.
-pub fn judge_instant<P: Real>(scene: &Scene, held: &[Held<P>]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
+fn judge_instant<P: Real>(scene: &Scene, held: &[Held<P>]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
     let (regime, mut checks, mut words) = judge(scene, &Course::at_rest(), held);
     checks.retain(|c| c.kind != CheckKind::Moves);
     words.retain(|(label, _)| label.quantity != Quantity::Direction);
     (Regime { motion: Motion::Instant, ..regime }, checks, words)
 }
 
-/// Whether the motion that follows goes as it is said to, from one road.
-pub fn judge_next<P: Real>(scene: &Scene, road: &Road<P>) -> Check {
-    let (_, checks, _) = match &road.course {
+/// Regime, checks and words of a scene, from one road.
+pub fn judge_road<P: Real>(scene: &Scene, road: &Road<P>) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
+    match &road.course {
         Some(course) => judge(scene, course, &road.held),
         None => judge_instant(scene, &road.held),
-    };
+    }
+}
+
+/// Whether the motion that follows goes as it is said to, from one road.
+pub fn judge_next<P: Real>(scene: &Scene, road: &Road<P>) -> Check {
+    let (_, checks, _) = judge_road(scene, road);
     // What drives it is known to one road only, and what was set moving needs no drive.
     let share = |c: &Check| if c.kind == CheckKind::Moves { 1.0 } else { c.margin };
-    let worst = checks.iter().min_by(|a, b| a.ok.cmp(&b.ok).then(share(a).total_cmp(&share(b))));
+    let worst = if cfg!(feature = "program") {
+        checks.iter().min_by(|a, b| a.ok.cmp(&b.ok).then(share(a).total_cmp(&share(b))))
+    } else {
+        checks.iter().find(|c| !c.ok)
+    };
     let (ok, margin) = worst.map_or((true, 1.0), |c| (c.ok, share(c)));
     let of = CheckKind::ALL.iter().position(|k| worst.is_some_and(|c| c.kind == *k)).unwrap_or(0);
     Check { kind: CheckKind::Next, of, ok, required: 0.0, available: margin, margin }
@@ -76,7 +85,7 @@ pub fn judge_next<P: Real>(scene: &Scene, road: &Road<P>) -> Check {
 
 /// Regime, checks and words of a scene that moves, from the course and the contacts of one road.
 #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
-pub fn judge<P: Real>(
+fn judge<P: Real>(
     scene: &Scene,
     course: &Course<P>,
     held: &[Held<P>],

@@ -5,7 +5,8 @@ use slipstick::manual;
 
 const README: &str = include_str!("../../README.md");
 
-fn blocks() -> Vec<&'static str> {
+/// Every example in YAML.
+pub fn blocks() -> Vec<&'static str> {
     let texts = std::iter::once(README).chain(manual::TOPICS.iter().map(|t| t.text));
     texts.flat_map(|text| text.split("```yaml\n").skip(1)).filter_map(|b| b.split("```").next()).collect()
 }
