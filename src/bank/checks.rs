@@ -476,8 +476,8 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     };
     let Some(quantity) = Quantity::from_name(bare) else {
         let hint = spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
-            let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
-            told!("quantities of this scene: {}", names.join(", "))
+            let names = || labels(scene).into_iter().map(|l| scene.name_of(l));
+            told!("quantities of this scene: {}", names().collect::<Vec<_>>().join(", "))
         });
         return Err((told!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
@@ -542,12 +542,12 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     if !scene.is_still() || of_particles || of_pins {
         return why(quantity).to_owned();
     }
-    let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+    let names = || labels(scene).into_iter().map(|l| scene.name_of(l));
     let (end, what) = match scene.end {
         End::Equilibrium => ("equilibrium", "at rest there"),
         _ => ("at once", "at the start"),
     };
-    told!("with `end: {end}` only what holds {what} is asked: {}", names.join(", "))
+    told!("with `end: {end}` only what holds {what} is asked: {}", names().collect::<Vec<_>>().join(", "))
 }
 
 /// What a quantity needs, for hints.

@@ -45,6 +45,7 @@ impl Need {
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
     pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
+    pub const STRETCH: Self = need("a stretch, negative of what is compressed,", "m", ANY, "0.1 m");
     pub const TURN: Self = need("an angle", "rad", NOT_NEGATIVE, "3 rad");
     pub const PLACE: Self = need("a place", "m", ANY, "0.25 m");
     pub const TIME: Self = need("a time", "s", NOT_NEGATIVE, "2 s");

@@ -305,8 +305,11 @@ impl SceneReader<'_> {
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
             let hint = spell::did_you_mean(text, known.clone()).unwrap_or_else(|| {
-                let known: Vec<&str> = known.collect();
-                told!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
+                told!(
+                    "symbols: {}; or a constant such as `{}`",
+                    known.collect::<Vec<_>>().join(", "),
+                    need.example
+                )
             });
             f.hint(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
             return None;
@@ -1071,7 +1074,6 @@ impl SceneReader<'_> {
         let law = |with, name| halves(name).map(|halves| Law { with, halves });
         let found = law(Grows::Time, "t").or_else(|| law(Grows::Place, place));
         if found.is_none() {
-            let words: Vec<String> = ["t", place].iter().flat_map(|name| powers(name)).collect();
             let what = if place == "x" {
                 "x is the way of its point along it"
             } else {
@@ -1080,7 +1082,10 @@ impl SceneReader<'_> {
             self.faults.hint(
                 node,
                 told!("expected what it grows with, found {}", node.kind()),
-                told!("one of {}; {what} since the start", words.join(", ")),
+                told!(
+                    "one of {}; {what} since the start",
+                    ["t", place].iter().flat_map(|name| powers(name)).collect::<Vec<_>>().join(", ")
+                ),
             );
         }
         found
@@ -1186,7 +1191,7 @@ impl SceneReader<'_> {
     /// The name of a cord or a light rod.
     fn tie_name(&self, node: Option<&Node>, unnamed: &str) -> Option<String> {
         let Some(node) = node else { return Some(unnamed.to_owned()) };
-        let name = node.text().filter(|t| plain_name(t));
+        let name = node.text().filter(|t| !WHOLE || plain_name(t));
         if name.is_none() {
             let message = told!("{} is no name for a {unnamed}", node.kind());
             self.faults.hint(node, message, "letters, digits and `_`");
@@ -1204,12 +1209,12 @@ impl SceneReader<'_> {
         fields.close();
         let (from, to) = (from?, to?);
         // Each end by its line, and whether it leads up that.
-        let [one, other] = [from, to].map(|end| {
+        let up = |end: CordEnd| {
             let line = bodies[end.body].line.filter(|_| end.attach == Attach::Centre);
             line.map(|line| (line.slope, end.forward == line.forward_up))
-        });
-        let straight = matches!((one, other), (Some((a, x)), Some((b, y))) if a == b && x != y);
-        if from.body == to.body || !straight {
+        };
+        let straight = || matches!((up(from), up(to)), (Some((a, x)), Some((b, y))) if a == b && x != y);
+        if WHOLE && (from.body == to.body || !straight()) {
             let hint = "both bodies move along the same surface, or both vertically, each end is `tied at: centre`, and of two that count \
                         positive alike one end leaves `forward`, the other `back`; round a corner only a `cord` goes";
             f.hint(node, "a light rod is straight: its ends leave toward each other", hint);
@@ -1240,7 +1245,7 @@ impl SceneReader<'_> {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
         self.grows(growing, GivenForce::Pull(tie));
-        if from.is_some_and(|from| from.tilt_deg.is_some()) && (pulled.is_none() || growing.is_some()) {
+        if WHOLE && from.is_some_and(|from| from.tilt_deg.is_some()) && (pulled.is_none() || growing.is_some()) {
             let hint = "`at an angle` stands beside `pulled with` and a constant force: what grows, and what ends at another body, a spring \
                         or a wall, leads along the surface";
             f.hint(node, "only a constant pull leads away from the surface", hint);
@@ -1290,7 +1295,7 @@ impl SceneReader<'_> {
         let index = body?;
         let body = &bodies[index];
         let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
-        if let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
+        if WHOLE && let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
             f.hint(n, told!("`{}` moves along no surface", body.name), "an angle to the surface is that of a pull on what lies there");
         }
         if !body.particles.is_empty() {
@@ -1465,7 +1470,7 @@ impl SceneReader<'_> {
         let at = self.need_number(&mut fields, "at", "b", Need::RADIUS);
         let anchor = fields.need("anchor", "[x_A, y_A]").and_then(|n| self.place(n));
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let rest = self.natural(node, &mut fields);
+        let rest = self.natural(node, &mut fields, Need::LENGTH);
         fields.close();
         let Some(body) = body else { return };
         let name = bodies[body].name.clone();
@@ -1550,11 +1555,11 @@ impl SceneReader<'_> {
                 let text = n.text().unwrap_or("").trim();
                 let found = bodies[body].particles.iter().position(|p| p.name == text);
                 if found.is_none() {
-                    let names: Vec<&str> = bodies[body].particles.iter().map(|p| p.name.as_str()).collect();
+                    let names = || bodies[body].particles.iter().map(|p| p.name.as_str());
                     f.hint(
                         n,
                         told!("expected a particle, found {}", n.kind()),
-                        told!("particles: {}", names.join(", ")),
+                        told!("particles: {}", names().collect::<Vec<_>>().join(", ")),
                     );
                 }
                 found
@@ -1654,10 +1659,10 @@ impl SceneReader<'_> {
         let wound: Vec<(String, usize, Num)> = wound.collect();
         let Some((_, body, radius)) = wound.iter().find(|(name, ..)| Some(name.as_str()) == cord.text())
         else {
-            let names: Vec<&str> = wound.iter().map(|(name, ..)| name.as_str()).collect();
+            let names = || wound.iter().map(|(name, ..)| name.as_str());
             let message =
                 told!("`{}` is no cord that is wound on a body", shorten(cord.text().unwrap_or("")));
-            self.faults.hint(cord, message, told!("wound cords: {}", names.join(", ")));
+            self.faults.hint(cord, message, told!("wound cords: {}", names().collect::<Vec<_>>().join(", ")));
             return None;
         };
         let angle = self.over(by, self.named(*radius), Need::TURN);

@@ -252,29 +252,34 @@ pub struct Strut {
 impl Scene {
     /// Bodies in the plane that are held and pushed at their mass centres alone keep from turning: nothing has a moment about these.
     pub fn still_turns(&mut self) {
-        let turned = |body: usize| {
-            let Some(planar) = self.planar(body).filter(|_| self.bodies[body].turns) else { return true };
-            let told = planar.start_deg.is_some() || self.start_speeds().any(|(c, _)| c.body == body);
-            let off = |spot: &Spot| {
-                let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
-                spot.body == body && planar.points.get(spot.point).is_none_or(|(_, place)| *place != centre)
-            };
-            let turns = |joint: &Joint| match joint.kind {
-                JointKind::Hinge { turned_deg: Some(_), .. } | JointKind::Contact { rolls: true, .. } => {
-                    joint.kind.spots().any(|spot| spot.body == body)
-                }
-                _ => joint.kind.spots().any(|spot| off(&spot)),
-            };
-            let strut = |s: &Strut| {
-                off(&s.at) || s.twists() && s.at.body == body || matches!(&s.to, StrutEnd::Spot(to) if off(to))
-            };
-            told || self.joints.iter().any(turns)
-                || self.pushes.iter().any(|push| off(&push.at))
-                || self.struts.iter().any(strut)
-                || self.couples.iter().any(|couple| couple.body == body)
-        };
-        let still: Vec<usize> = (0..self.bodies.len()).filter(|body| !turned(*body)).collect();
-        still.into_iter().for_each(|body| self.bodies[body].turns = false);
+        // What acts at points, and the bodies that something turns, or that are said to.
+        let mut acts: Vec<Spot> = self.pushes.iter().map(|push| push.at).collect();
+        let mut turned: Vec<usize> = self.couples.iter().map(|couple| couple.body).collect();
+        turned.extend(self.start_speeds().map(|(c, _)| c.body));
+        for joint in &self.joints {
+            let turns = matches!(
+                joint.kind,
+                JointKind::Hinge { turned_deg: Some(_), .. } | JointKind::Contact { rolls: true, .. }
+            );
+            for spot in joint.kind.spots() {
+                acts.push(spot);
+                turned.extend(turns.then_some(spot.body));
+            }
+        }
+        for strut in &self.struts {
+            acts.push(strut.at);
+            match strut.to {
+                StrutEnd::Spot(to) => acts.push(to),
+                StrutEnd::Twist => turned.push(strut.at.body),
+                StrutEnd::Ground(_) | StrutEnd::Guide { .. } => {}
+            }
+        }
+        for (b, body) in self.bodies.iter_mut().enumerate() {
+            let Some(planar) = body.planar.as_ref().filter(|p| p.start_deg.is_none()) else { continue };
+            let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
+            let off = |spot: &Spot| spot.body == b && planar.points[spot.point].1 != centre;
+            body.turns &= turned.contains(&b) || acts.iter().any(off);
+        }
     }
     /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
     pub fn is_overwound(&self, data: &[f64]) -> bool {

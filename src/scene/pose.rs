@@ -570,8 +570,8 @@ impl<'a, T: Real> Layout<'a, T> {
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
     }
     /// The first joint that does not hold where everything is, and by how much, m: what placed the bodies is not asked. A cord has
-    /// the length that it has at the start.
-    pub fn parted(&self, poses: &Poses<T>) -> Option<(usize, f64)> {
+    /// the length that it has at the start. There a joint must leave a body where it is said to be placed.
+    pub fn parted(&self, poses: &Poses<T>, at_start: bool) -> Option<(usize, f64)> {
         let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
         let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
         let size = size(self.scene, self.n);
@@ -595,7 +595,15 @@ impl<'a, T: Real> Layout<'a, T> {
                 ((x.square() + y.square()).root() - self.apart(j).unwrap_or_else(T::zero)).size()
             }
         });
-        parts.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
+        let moved = |joint: &Joint| {
+            let own = joint.kind.spots().filter_map(|spot| {
+                let place = self.scene.planar(spot.body)?.origin_m.filter(|_| at_start)?;
+                Some(off(poses[spot.body].origin, ground(self.n, place)))
+            });
+            own.fold(0.0, f64::max)
+        };
+        let all = parts.zip(self.scene.joints.iter().map(moved)).map(|(apart, moved)| apart + moved);
+        all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
     /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
     fn apart(&self, joint: usize) -> Option<T> {
@@ -858,6 +866,9 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 }
 
+/// Where a body lies by default, and the other side.
+const SIDES: [f64; 2] = [1.0, -1.0];
+
 /// 1 where a body lies on the side where it lies by default, else -1.
 fn branch(planar: &Planar) -> f64 {
     if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
@@ -985,7 +996,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 (None, Some(one), Some(other), _)
                     if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
                 {
-                    self.sided(body, |branch| Step::Slides([one, other], branch))?
+                    self.sided(body, SIDES.map(|side| Step::Slides([one, other], side)))?
                 }
                 (None, Some(guide), None, _)
                     if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
@@ -1026,15 +1037,18 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         (pinned && carried && layout.arc.is_none()).then_some(arc.ratio)
     }
 
-    /// How a body is placed on the side that is meant; where cords or light rods guide, on that where it is at the start.
-    fn sided(&self, body: usize, step: impl Fn(f64) -> Step<T>) -> Option<Step<T>> {
-        let meant = branch(self.planar(body)?);
-        let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) else { return Some(step(meant)) };
-        let gap = |branch: f64| {
-            let pose = self.layout.place(T::zero(), &step(branch), &mut first.clone())?;
-            Some(off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis))
-        };
-        Some(step(if gap(-meant)? < gap(meant)? { -meant } else { meant }))
+    /// How a body is placed, of two ways the one that is meant; where cords or light rods guide, that in which it is at the start.
+    fn sided(&self, body: usize, steps: [Step<T>; 2]) -> Option<Step<T>> {
+        let mut meant = usize::from(branch(self.planar(body)?) < 0.0);
+        if let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) {
+            let gaps = steps.map(|step| {
+                let pose = self.layout.place(T::zero(), &step, &mut first.clone());
+                let near = |pose: Pose<T>| off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis);
+                pose.map_or(f64::NAN, near)
+            });
+            meant ^= usize::from(gaps[1 - meant] < gaps[meant]);
+        }
+        Some(steps[meant])
     }
 
     /// How a body is placed that is welded to one that has a place.
@@ -1082,7 +1096,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(Step::Orbits(held, ratio, start()));
         }
         if let Some(guide) = self.guided(body).next() {
-            return self.sided(body, |branch| Step::Rod(held, guide, branch));
+            return self.sided(body, SIDES.map(|side| Step::Rod(held, guide, side)));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {

@@ -5,7 +5,7 @@ use slipstick::bank::load;
 use slipstick::problem::maker::Maker;
 use slipstick::scene::Scene;
 use slipstick::solve::agree;
-use slipstick::solve::outcome::{CheckKind, Solved};
+use slipstick::solve::outcome::{CheckKind, Refusal, Solved};
 
 const G: f64 = 9.81;
 
@@ -317,4 +317,100 @@ end: at once
         let found = load::scenes_only(&text, "b.yaml").expect_err(&text).to_string();
         assert!(found.contains(message), "{tie}:\n{found}");
     }
+}
+
+/// A planet gear of a disc's inertia on an arm, in a ring or about a sun: `M phi = 1/2 I w^2`, the ring's force turns the gear alone.
+#[test]
+fn a_planet_gear_turns_on_its_arm() {
+    for (side, sign) in [("inside", -1.0), ("outside", 1.0)] {
+        let arm = if sign < 0.0 { "R - r" } else { "R + r" };
+        let scene = format!(
+            "
+bodies:
+  arm: {{mass: m1, shape: {{rod: {arm}}}, moves: in a horizontal plane, angle: from right}}
+  gear: {{mass: m2, shape: {{disc: r}}, moves: in a horizontal plane}}
+joints:
+  O: {{pins: arm.A}}
+  A: {{hinges: [arm.B, gear.A]}}
+  ring: {{meshes: gear, radius: r, {side}: R}}
+forces: [couple: {{on: arm, moment: M}}]
+start: {{arm: {{angle: 0 deg}}}}
+end: {{angle: {{of: arm, reaches: phi}}}}
+"
+        );
+        let data = "m1: kg 1 to 4 step 0.1; m2: kg 2 to 5 step 0.1; r: m 0.08 to 0.12 step 0.01; R: m 0.3 to 0.4 step 0.01; M: N*m 3 to 6 step 0.1; phi: deg 100 to 350 step 10";
+        each(data, &scene, |data, of| {
+            let (r, far) = (data("r"), data("R") + sign * data("r"));
+            let inertia = data("m1") * far * far / 3.0 + data("m2") * (far * far + 0.5 * r * r * (far / r) * (far / r));
+            let omega = (2.0 * data("M") * data("phi").to_radians() / inertia).sqrt();
+            near(of("arm.omega"), omega, 1e-11);
+            near(of("gear.omega"), omega * far / r, 1e-11);
+            let alpha = data("M") / inertia;
+            near(of("gear.alpha"), alpha * far / r * sign, 1e-10);
+            near(of("ring.rim_force").abs(), 0.5 * data("m2") * r * alpha * far / r, 1e-10);
+            // Across the arm its end drives the gear and the teeth hold it back, or the other way round on the far side of the ring.
+            let (across, along) = (data("m2") * far * alpha + 0.5 * data("m2") * far * alpha, data("m2") * far * omega * omega);
+            near(of("A.pin_force"), across.hypot(along), 1e-10);
+        });
+    }
+}
+
+/// A disc hinged by its centre at the end of a rod swings as a point mass does, and does not turn; welded it does.
+#[test]
+fn a_disc_that_is_free_to_turn_keeps_from_it() {
+    let scene = "
+bodies:
+  rod: {mass: m1, shape: {rod: L}, moves: in the plane, angle: from hanging, points: {A: 0 m, C: b}}
+  disc: {mass: m2, shape: {disc: r}, moves: in the plane}
+joints:
+  O: {pins: rod.A}
+  C: {hinges: [rod.C, disc.A]}
+start: {rod: {angle: 90 deg}}
+end: {angle: {of: rod, reaches: 0 deg}}
+";
+    let data = "m1: kg 1 to 3 step 0.1; L: m always 0.6; m2: kg 3 to 6 step 0.1; r: m always 0.2; b: m 0.6 to 0.9 step 0.01";
+    for (scene, own) in [(scene.to_owned(), 0.0), (scene.replace("hinges", "welds"), 0.5)] {
+        each(data, &scene, |data, of| {
+            let (m1, l, m2, r, b) = (data("m1"), data("L"), data("m2"), data("r"), data("b"));
+            let inertia = m1 * l * l / 3.0 + m2 * (b * b + own * r * r);
+            let omega = (2.0 * G * (m1 * l / 2.0 + m2 * b) / inertia).sqrt();
+            near(of("rod.omega"), omega, 1e-11);
+        });
+    }
+}
+
+/// A body that is said to be placed off its floor is refused by the name of the joint; a spring may start compressed.
+#[test]
+fn what_is_placed_off_its_joint_is_refused() {
+    let scene = |placed: &str| {
+        let text = bank(
+            "",
+            &format!(
+                "
+bodies: {{wheel: {{mass: 5 kg, shape: {{disc: 0.3 m}}, mass centre: 0.1 m, moves: in the plane, angle: from right clockwise, placed: {placed}}}}}
+joints: {{floor: {{rolls: wheel.A, radius: 0.3 m, along: horizontal}}}}
+start: {{wheel: {{angle: 0 deg, spin: 6 rad/s}}}}
+end: at once
+"
+            ),
+        );
+        let bank = load::scenes_only(&text, "b.yaml").unwrap_or_else(|found| panic!("{found}\n{text}"));
+        agree::solve(&bank.problems[0].cases[0].scene, &support::data(&bank.problems[0]))
+    };
+    assert!(scene("[1 m, 0.3 m]").is_ok());
+    let Err(Refusal::Parted { joint: 0, off_m, at_start: true }) = scene("[1 m, 0.9 m]") else { panic!("it is placed in the air") };
+    near(off_m, 0.6, 1e-9);
+    let bar = |rest: &str| {
+        solved(&format!(
+            "
+bodies: {{bar: {{mass: 3 kg, shape: {{rod: 1 m}}, moves: in the plane, angle: from right}}}}
+joints: {{A: {{pins: bar.A}}}}
+forces: [spring: {{on: bar.B, to: [1 m, -0.3 m], stiffness: 900 N/m, {rest}}}]
+start: {{bar: {{angle: 0 deg}}}}
+end: {{angle: {{of: bar, reaches: -3 deg}}}}
+"
+        ))
+    };
+    let (short, long) = (bar("stretch: -0.1 m"), bar("natural length: 0.4 m"));
+    near(of(&short)("omega"), of(&long)("omega"), 1e-13);
 }

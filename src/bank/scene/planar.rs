@@ -1,6 +1,6 @@
 //! Bodies that move in the plane, and their joints, forces and springs.
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, named, shorten};
+use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::told;
 use crate::scene::{
@@ -131,7 +131,7 @@ impl SceneReader<'_> {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
                 names.map(|point| told!("{}.{point}", b.name))
             });
-            let known: Vec<String> = known.collect();
+            let known: Vec<String> = if WHOLE { known.collect() } else { Vec::new() };
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
             self.faults.hint(node, told!("expected a point of a body, found {}", node.kind()), hint);
         }
@@ -163,8 +163,8 @@ impl SceneReader<'_> {
                     touching.and_then(how)
                 }
                 _ if count != 1 => {
-                    let words = JOINTS.map(|(word, what)| told!("`{word}` ({what})"));
-                    f.hint(value, told!("`{name}` has to say what it holds"), words.join(", "));
+                    let words = told!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
+                    f.hint(value, told!("`{name}` has to say what it holds"), words);
                     None
                 }
                 (Some(n), None, None, None) => {
@@ -396,7 +396,7 @@ impl SceneReader<'_> {
             _ => self.spot(n, bodies).map(StrutEnd::Spot),
         });
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let rest = self.natural(node, &mut fields);
+        let rest = self.natural(node, &mut fields, Need::STRETCH);
         let words = [("pushes", Acts::Pushes), ("pulls", Acts::Pulls)];
         let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
         let acts = acts.unwrap_or_default();
@@ -406,11 +406,11 @@ impl SceneReader<'_> {
         Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
 
-    /// Natural length of a spring, or its stretch at the start.
-    pub(super) fn natural(&self, node: &Node, fields: &mut Fields) -> Option<Rest> {
+    /// Natural length of a spring, or its stretch at the start: in the plane that may be negative.
+    pub(super) fn natural(&self, node: &Node, fields: &mut Fields, stretch: Need) -> Option<Rest> {
         match (fields.get("natural length"), fields.get("stretch")) {
             (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
-            (None, Some(n)) => self.number(n, Need::LENGTH).map(Rest::Stretch),
+            (None, Some(n)) => self.number(n, stretch).map(Rest::Stretch),
             _ => {
                 self.faults.hint(
                     node,

@@ -23,8 +23,9 @@ use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
 use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
-/// Are joints looked through for what they do not say or hold? Not in a page, whose sheet was drawn from a scene that was looked through.
-const LOOKED_THROUGH: bool = cfg!(feature = "program");
+/// Are joints looked through for what they do not say or hold, and motions for where they cannot be followed? Not in a page, whose sheet
+/// was drawn from a scene that was looked through.
+pub const LOOKED_THROUGH: bool = cfg!(feature = "program");
 
 /// Right-hand side of the forces.
 pub const CONSTANT: usize = 0;
@@ -332,8 +333,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Errors: joints that leave more than that, or hold it fast.
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
-        if LOOKED_THROUGH && let Some((joint, off_m)) = self.layout.parted(&poses) {
-            return Err(Refusal::Parted { joint, off_m, at_start: way.is_zero() });
+        let at_start = way.is_zero();
+        if LOOKED_THROUGH && let Some((joint, off_m)) = self.layout.parted(&poses, at_start) {
+            return Err(Refusal::Parted { joint, off_m, at_start });
         }
         let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         let leads = self.leads(&poses);
@@ -834,10 +836,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// [`Layout::in_line`].
     pub fn in_line(&self, way: T) -> bool {
-        self.layout.in_line(way)
+        LOOKED_THROUGH && self.layout.in_line(way)
     }
     /// The first way up to which a torsion spring is wound by half a turn.
     pub fn overwinds(&self, sense: f64, far: (T, T)) -> Option<T> {
+        if !LOOKED_THROUGH {
+            return None;
+        }
         let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
         let ways = all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, sense, far));
         ways.reduce(|one, other| if other.below(one) { other } else { one })
