@@ -1130,7 +1130,7 @@ impl SceneReader<'_> {
             attach: Attach::Wound(radius, Side::Top),
             forward,
             upright: None,
-                    tilt_deg: None,
+            tilt_deg: None,
         };
         let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
@@ -1172,8 +1172,10 @@ impl SceneReader<'_> {
             let wheels = wheel.turns && wheel.pin.is_none() && wheel.planar.is_none() && beside;
             // What moves the load forward moves the wheel forward.
             let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
-            wheels
-                .then_some((name.to_owned(), CordEnd { body: index, attach, forward: !same, upright: None, tilt_deg: None }))
+            wheels.then_some((
+                name.to_owned(),
+                CordEnd { body: index, attach, forward: !same, upright: None, tilt_deg: None },
+            ))
         };
         let mut list = Vec::new();
         for wheel in wheels {
@@ -1182,7 +1184,8 @@ impl SceneReader<'_> {
                 f.hint(wheel, told!("expected the rim or the axle of a wheel, found {}", wheel.kind()), hint);
                 continue;
             };
-            let from = CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None, tilt_deg: None };
+            let from =
+                CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None, tilt_deg: None };
             list.push(Cord { name, from, to: Far::Body(to), made: Made::Rests });
         }
         list
@@ -1205,7 +1208,8 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(node, "a light rod (from, to)", f)?;
         let name = self.tie_name(fields.get("name"), UNNAMED[1]);
         let like = "{body: front, tied at: centre, leaves: back}";
-        let [from, to] = ["from", "to"].map(|end| fields.need(end, like).and_then(|n| self.cord_end(n, bodies)));
+        let [from, to] =
+            ["from", "to"].map(|end| fields.need(end, like).and_then(|n| self.cord_end(n, bodies)));
         fields.close();
         let (from, to) = (from?, to?);
         // Each end by its line, and whether it leads up that.
@@ -1245,7 +1249,10 @@ impl SceneReader<'_> {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
         self.grows(growing, GivenForce::Pull(tie));
-        if WHOLE && from.is_some_and(|from| from.tilt_deg.is_some()) && (pulled.is_none() || growing.is_some()) {
+        if WHOLE
+            && from.is_some_and(|from| from.tilt_deg.is_some())
+            && (pulled.is_none() || growing.is_some())
+        {
             let hint = "`at an angle` stands beside `pulled with` and a constant force: what grows, and what ends at another body, a spring \
                         or a wall, leads along the surface";
             f.hint(node, "only a constant pull leads away from the surface", hint);
@@ -1296,7 +1303,11 @@ impl SceneReader<'_> {
         let body = &bodies[index];
         let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
         if WHOLE && let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
-            f.hint(n, told!("`{}` moves along no surface", body.name), "an angle to the surface is that of a pull on what lies there");
+            f.hint(
+                n,
+                told!("`{}` moves along no surface", body.name),
+                "an angle to the surface is that of a pull on what lies there",
+            );
         }
         if !body.particles.is_empty() {
             f.at(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));

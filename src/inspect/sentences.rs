@@ -245,7 +245,10 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (true, true) if !endless || pinned => {
             format!("the end is reached: it comes to rest after {available} {unit}")
         }
-        (false, true) if pinned => "the end is not reached: it does not come to rest in two turns, or not before a contact is lost".to_owned(),
+        (false, true) if pinned => {
+            "the end is not reached: it does not come to rest in two turns, or not before a contact is lost"
+                .to_owned()
+        }
         (false, true) if endless => "the end is not reached: it never comes to rest".to_owned(),
         (true, _) if endless && pinned => {
             format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")

@@ -292,7 +292,8 @@ impl Scene {
             return false;
         };
         let holds = |(j, other): (usize, &Joint)| {
-            let grounded = !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { rod: false, .. });
+            let grounded =
+                !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { rod: false, .. });
             j != joint && grounded && other.kind.spots().any(|spot| spot.body == at.body)
         };
         rolls || !self.bodies[at.body].turns || !self.joints.iter().enumerate().any(holds)

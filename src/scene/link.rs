@@ -160,9 +160,11 @@ impl Tie {
     /// A given pull that leads away from the surface of a body: the body, the force and the angle in degrees.
     pub const fn tilted(&self) -> Option<(usize, Num, Num)> {
         match self {
-            Self::Cord(Cord { from: CordEnd { body, tilt_deg: Some(tilt), .. }, to: Far::Pull(force), .. }) => {
-                Some((*body, *force, *tilt))
-            }
+            Self::Cord(Cord {
+                from: CordEnd { body, tilt_deg: Some(tilt), .. },
+                to: Far::Pull(force),
+                ..
+            }) => Some((*body, *force, *tilt)),
             _ => None,
         }
     }

@@ -11,8 +11,8 @@ use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::{
-    Branch, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
-    Surface,
+    Branch, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot,
+    Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -445,7 +445,8 @@ impl<'a, T: Real> Layout<'a, T> {
         if scene.joints.iter().any(|j| rolls(j) || tied(j)) {
             let first: Poses<T> = layout.poses(T::zero(), true)?;
             for (j, joint) in scene.joints.iter().enumerate() {
-                let from = |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
+                let from =
+                    |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
                 layout.starts[j] = match joint.kind {
                     JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } => {
                         dot(from(at, through_m), layout.lines[j])
@@ -659,7 +660,8 @@ impl<'a, T: Real> Layout<'a, T> {
     /// The places at the start of what the joints could place in two ways, where the bank does not say in which.
     pub fn choices(&self) -> Vec<Choice> {
         // What cords and light rods guide lies as it does at the start.
-        let still = self.scene.is_still() && self.scene.start_speeds().next().is_none() || self.first.is_some();
+        let still =
+            self.scene.is_still() && self.scene.start_speeds().next().is_none() || self.first.is_some();
         let steps = if still { self.planned(true).ok() } else { self.steps.clone() };
         let Some(steps) = steps else { return Vec::new() };
         let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
@@ -779,10 +781,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let ahead = X::with(way, || [T::of(1.0), T::zero()]);
                 let aside = (ahead * ahead).by(bend.scale2(-1));
                 let moved = plus(along_unit(*unit, ahead), along_unit(left(*unit), aside));
-                Pose {
-                    origin: plus(fixed(*from), moved),
-                    axis: self.axis(T::zero(), T::zero())?,
-                }
+                Pose { origin: plus(fixed(*from), moved), axis: self.axis(T::zero(), T::zero())? }
             }
             Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
                 let axis = lead()?;
@@ -954,9 +953,13 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn rolls(&self, body: usize) -> Option<Track<T>> {
         let layout = self.layout;
         layout.scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
-            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, rolls: true, .. }
-                if at.body == body =>
-            {
+            JointKind::Contact {
+                at,
+                radius_m,
+                surface: Surface::Line { through_m, .. },
+                rolls: true,
+                ..
+            } if at.body == body => {
                 let through = ground(layout.n, through_m);
                 let radius = layout.n.get(radius_m);
                 Some(Track { joint, at: self.spot(at), through, unit: layout.lines[joint], radius })
@@ -1043,7 +1046,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         if let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) {
             let gaps = steps.map(|step| {
                 let pose = self.layout.place(T::zero(), &step, &mut first.clone());
-                let near = |pose: Pose<T>| off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis);
+                let near =
+                    |pose: Pose<T>| off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis);
                 pose.map_or(f64::NAN, near)
             });
             meant ^= usize::from(gaps[1 - meant] < gaps[meant]);

@@ -656,7 +656,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         if !wanted.is_empty() {
             let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.springs.is_empty(), self.units.is_empty()) {
-                (true, _) if self.joint(|k| matches!(k, JointKind::Cord { rod: true, .. })) => "joined.rod_there",
+                (true, _) if self.joint(|k| matches!(k, JointKind::Cord { rod: true, .. })) => {
+                    "joined.rod_there"
+                }
                 (true, _) => "joined.cord_there",
                 (false, true) if twists => "joined.spring_moment",
                 (false, true) => "joined.spring_force",

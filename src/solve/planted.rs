@@ -204,7 +204,13 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
     }
     let mut scene = scene(vec![wheel], Vec::new(), 1.0);
     let radius_m = f(0.4);
-    scene.joints.push(joint(JointKind::Contact { at: spot(0, 0), radius_m, surface, rolls: true, teeth: false }));
+    scene.joints.push(joint(JointKind::Contact {
+        at: spot(0, 0),
+        radius_m,
+        surface,
+        rolls: true,
+        teeth: false,
+    }));
     let turn = Coordinate { body: 0, degree: Degree::Turn };
     scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
     scene.end = End::Angle(turn, f(end));
@@ -247,9 +253,7 @@ fn hanging() -> Scene {
 fn linked() -> Scene {
     let mut scene = hanging();
     scene.joints = [(0, [-0.3, 0.9]), (1, [1.1, 0.8])]
-        .map(|(point, place)| {
-            joint(JointKind::Cord { at: spot(0, point), place_m: place.map(f), rod: true })
-        })
+        .map(|(point, place)| joint(JointKind::Cord { at: spot(0, point), place_m: place.map(f), rod: true }))
         .to_vec();
     scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(8.0));
     scene

@@ -98,12 +98,31 @@ pub enum Far {
 
 #[derive(Clone)]
 pub enum Tie {
-    Rolls { body: usize, on: &'static str, mu_s: Option<Amount> },
-    Slips { body: usize, on: &'static str, mu_s: Amount, mu_k: Amount },
-    Slides { body: usize, mu_s: Option<Amount>, mu_k: Amount },
-    Cord { from: End, far: Far },
+    Rolls {
+        body: usize,
+        on: &'static str,
+        mu_s: Option<Amount>,
+    },
+    Slips {
+        body: usize,
+        on: &'static str,
+        mu_s: Amount,
+        mu_k: Amount,
+    },
+    Slides {
+        body: usize,
+        mu_s: Option<Amount>,
+        mu_k: Amount,
+    },
+    Cord {
+        from: End,
+        far: Far,
+    },
     /// A light rod between two centres.
-    Link { from: End, to: End },
+    Link {
+        from: End,
+        to: End,
+    },
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -505,7 +524,8 @@ fn stiffen(s: &mut Scene, seed: u64) {
         // Told upward, so that the positive senses do not matter.
         let level = |b: &Body| matches!(b.positive, Some("forward" | "right" | "back" | "left"));
         let like = one.way == other.way && one.way != Way::Axle && !level(one) && !level(other);
-        let sloped = !matches!(one.way, Way::Along(i) if surfaces[i].slope.is_none() && !surfaces[i].vertical);
+        let sloped =
+            !matches!(one.way, Way::Along(i) if surfaces[i].slope.is_none() && !surfaces[i].vertical);
         if like && sloped && lot.in_100(60) {
             let straight = |end: &End, leaves| End { wound: None, leaves, ..end.clone() };
             *tie = Tie::Link { from: straight(from, "up"), to: straight(to, "down") };

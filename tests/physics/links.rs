@@ -100,16 +100,20 @@ start: {beam: {angle: 0 deg, speed: v}}
 end: at once
 ";
     let scene = scene.replace("0.8 m - r", "L - r").replace("rod: 0.8 m", "rod: L");
-    each("L: m always 0.8; r: m 0.3 to 0.9 step 0.01; th: deg 5 to 40 step 1; v: m/s 1 to 4 step 0.1", &scene, |data, of| {
-        let (r, th, v) = (data("r"), data("th"), data("v"));
-        let half = 50.0 * (G * cosine(th) + v * v / r);
-        near(of("B.tension"), half, 1e-12);
-        near(of("D.tension"), half, 1e-12);
-        let (along, toward) = (-G * sine(th), v * v / r);
-        near(of("a_x"), along * cosine(th) - toward * sine(th), 1e-11);
-        near(of("a_y"), along * sine(th) + toward * cosine(th), 1e-11);
-        near(of("alpha"), 0.0, 1e-9);
-    });
+    each(
+        "L: m always 0.8; r: m 0.3 to 0.9 step 0.01; th: deg 5 to 40 step 1; v: m/s 1 to 4 step 0.1",
+        &scene,
+        |data, of| {
+            let (r, th, v) = (data("r"), data("th"), data("v"));
+            let half = 50.0 * (G * cosine(th) + v * v / r);
+            near(of("B.tension"), half, 1e-12);
+            near(of("D.tension"), half, 1e-12);
+            let (along, toward) = (-G * sine(th), v * v / r);
+            near(of("a_x"), along * cosine(th) - toward * sine(th), 1e-11);
+            near(of("a_y"), along * sine(th) + toward * cosine(th), 1e-11);
+            near(of("alpha"), 0.0, 1e-9);
+        },
+    );
 }
 
 /// The same motion as with a body for each link that has hardly any mass: speed, forces and turn, under way.
@@ -125,7 +129,10 @@ fn a_light_rod_is_the_limit_of_a_body() {
     let rod = |name: &str, [x, y]: [f64; 2], from: f64, angle: &str| {
         let (x, y): (f64, f64) = (from - x, -y);
         let length = x.hypot(y);
-        (format!("  {name}: {{mass: 1e-11 kg, shape: {{rod: {length} m}}, moves: in the plane{angle}}}"), y.atan2(x).to_degrees())
+        (
+            format!("  {name}: {{mass: 1e-11 kg, shape: {{rod: {length} m}}, moves: in the plane{angle}}}"),
+            y.atan2(x).to_degrees(),
+        )
     };
     let (one, first) = rod("one", a, 0.0, ", angle: from right");
     let (two, _) = rod("two", b, 1.0, "");
@@ -161,7 +168,8 @@ fn a_light_rod_is_the_limit_of_a_body() {
     let fits = |found: &&(Scene, Solved)| (of(found)("beam.omega") - of(&light)("omega")).abs() < 1e-5;
     let heavy = both.iter().find(fits).expect("one of the two places is that of the beam");
     let (light, heavy) = (of(&light), of(heavy));
-    for (one, other) in [("omega", "beam.omega"), ("v", "beam.v"), ("v_x", "beam.v_x"), ("rise", "beam.rise")] {
+    for (one, other) in [("omega", "beam.omega"), ("v", "beam.v"), ("v_x", "beam.v_x"), ("rise", "beam.rise")]
+    {
         near(light(one), heavy(other), 1e-6);
     }
     near(light("P.tension").abs(), heavy("P.pin_force"), 1e-6);
@@ -302,7 +310,9 @@ end: at once
     let straight = "a light rod is straight: its ends leave toward each other";
     let constant = "only a constant pull leads away from the surface";
     let tilted = |body: &str, leaves: &str, far: &str| {
-        format!("cord: {{from: {{body: {body}, tied at: centre, leaves: {leaves}, at an angle: 20 deg}}, {far}}}")
+        format!(
+            "cord: {{from: {{body: {body}, tied at: centre, leaves: {leaves}, at an angle: 20 deg}}, {far}}}"
+        )
     };
     for (tie, message) in [
         (link(&end("one", "forward"), &end("two", "forward")), straight),
@@ -311,7 +321,10 @@ end: at once
         (tilted("one", "forward", "pulled with: 5 N, growing by: 1 N/s"), constant),
         (tilted("one", "forward", "held: fast"), constant),
         (tilted("hung", "up", "pulled with: 5 N"), "`hung` moves along no surface"),
-        (tilted("one", "forward", "pulled with: 5 N").replace("20 deg", "95 deg"), "between -90 and 90 degrees"),
+        (
+            tilted("one", "forward", "pulled with: 5 N").replace("20 deg", "95 deg"),
+            "between -90 and 90 degrees",
+        ),
     ] {
         let text = bank("", &scene(&tie));
         let found = load::scenes_only(&text, "b.yaml").expect_err(&text).to_string();
@@ -341,7 +354,8 @@ end: {{angle: {{of: arm, reaches: phi}}}}
         let data = "m1: kg 1 to 4 step 0.1; m2: kg 2 to 5 step 0.1; r: m 0.08 to 0.12 step 0.01; R: m 0.3 to 0.4 step 0.01; M: N*m 3 to 6 step 0.1; phi: deg 100 to 350 step 10";
         each(data, &scene, |data, of| {
             let (r, far) = (data("r"), data("R") + sign * data("r"));
-            let inertia = data("m1") * far * far / 3.0 + data("m2") * (far * far + 0.5 * r * r * (far / r) * (far / r));
+            let inertia =
+                data("m1") * far * far / 3.0 + data("m2") * (far * far + 0.5 * r * r * (far / r) * (far / r));
             let omega = (2.0 * data("M") * data("phi").to_radians() / inertia).sqrt();
             near(of("arm.omega"), omega, 1e-11);
             near(of("gear.omega"), omega * far / r, 1e-11);
@@ -349,7 +363,8 @@ end: {{angle: {{of: arm, reaches: phi}}}}
             near(of("gear.alpha"), alpha * far / r * sign, 1e-10);
             near(of("ring.rim_force").abs(), 0.5 * data("m2") * r * alpha * far / r, 1e-10);
             // Across the arm its end drives the gear and the teeth hold it back, or the other way round on the far side of the ring.
-            let (across, along) = (data("m2") * far * alpha + 0.5 * data("m2") * far * alpha, data("m2") * far * omega * omega);
+            let (across, along) =
+                (data("m2") * far * alpha + 0.5 * data("m2") * far * alpha, data("m2") * far * omega * omega);
             near(of("A.pin_force"), across.hypot(along), 1e-10);
         });
     }
@@ -398,7 +413,9 @@ end: at once
         agree::solve(&bank.problems[0].cases[0].scene, &support::data(&bank.problems[0]))
     };
     assert!(scene("[1 m, 0.3 m]").is_ok());
-    let Err(Refusal::Parted { joint: 0, off_m, at_start: true }) = scene("[1 m, 0.9 m]") else { panic!("it is placed in the air") };
+    let Err(Refusal::Parted { joint: 0, off_m, at_start: true }) = scene("[1 m, 0.9 m]") else {
+        panic!("it is placed in the air")
+    };
     near(off_m, 0.6, 1e-9);
     let bar = |rest: &str| {
         solved(&format!(

@@ -147,9 +147,11 @@ impl SceneReader<'_> {
                 let message = told!("`{}` is no name for a joint", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
-            let Some(mut fields) =
-                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, links, rolls, meshes or slides)", f)
-            else {
+            let Some(mut fields) = Fields::open(
+                value,
+                "a joint (pins, hinges, welds, guides, ties, links, rolls, meshes or slides)",
+                f,
+            ) else {
                 continue;
             };
             let [pins, hinges, welds, guides, ties, links, rolls, meshes, slides] =
@@ -163,7 +165,8 @@ impl SceneReader<'_> {
                     touching.and_then(how)
                 }
                 _ if count != 1 => {
-                    let words = told!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
+                    let words =
+                        told!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
                     f.hint(value, told!("`{name}` has to say what it holds"), words);
                     None
                 }

@@ -289,7 +289,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         if !slipping.is_empty() {
             let kinetic_of = |t: usize, sense: f64| match &scene.ties[t] {
                 Tie::Slip { body, mu_k, .. } => {
-                    let most = plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(scene, &n, *body);
+                    let most =
+                        plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(scene, &n, *body);
                     Some(most.signed(sense))
                 }
                 _ => None,
