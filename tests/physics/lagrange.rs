@@ -1196,7 +1196,8 @@ impl<'s> System<'s> {
         }
         told.open = open;
         told.checks = checks;
-        if arrived {
+        // The friction of what is lifted off its surface would drive it: no account, and nothing is published of it.
+        if arrived && self.contacts.iter().all(|c| c.normal >= 0.0) {
             self.account(&q, at, u, u0, energy, told);
         }
     }

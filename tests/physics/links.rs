@@ -424,7 +424,7 @@ bodies: {{bar: {{mass: 3 kg, shape: {{rod: 1 m}}, moves: in the plane, angle: fr
 joints: {{A: {{pins: bar.A}}}}
 forces: [spring: {{on: bar.B, to: [1 m, -0.3 m], stiffness: 900 N/m, {rest}}}]
 start: {{bar: {{angle: 0 deg}}}}
-end: {{angle: {{of: bar, reaches: -3 deg}}}}
+end: {{angle: {{of: bar, reaches: 5 deg}}}}
 "
         ))
     };

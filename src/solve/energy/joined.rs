@@ -1066,7 +1066,8 @@ impl<'a, T: Real> Account<'a, T> {
             let jump = self.sets_off(&poses, true)?;
             let mut after = jump.clone();
             if !spin.is_zero() {
-                for (v, unit) in after.iter_mut().zip(self.rates(&poses)) {
+                // How it moves is told by what guides it on the way, as a light rod does.
+                for (v, unit) in after.iter_mut().zip(self.rates(&self.poses(T::zero())?)) {
                     *v = [0, 1, 2].map(|i| v[i].balance(unit[i] * spin));
                 }
             }
