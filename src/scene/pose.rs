@@ -1006,7 +1006,10 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 {
                     // Nothing moves the mass centre along the line.
                     let centre = self::along(layout.n, planar.centre);
-                    Step::Drops(guide, centre, from(guide.through, guide.unit))
+                    // Where it is told where its axis begins, its mass centre is so far ahead of that.
+                    let ahead = dot(axis(planar, &layout.start), guide.unit) * centre;
+                    let ahead = if origin.is_some() { ahead } else { T::zero() };
+                    Step::Drops(guide, centre, from(guide.through, guide.unit) + ahead)
                 }
                 (None, _, _, Some(place)) if self.at_start => {
                     Step::Leads(Held { at: [T::zero(); 2], place: Known::Fixed(place) })
