@@ -965,7 +965,11 @@ impl<'d, 'a> Plane<'d, 'a> {
                 self.open = scene.drifts().is_none();
                 let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
                 let across = dot(&from_axis(&axis, at), &left(unit)).times(&Factors::one().opposite());
-                let ahead = start.less(&dot(&axis, unit).times(&self.bodies[body].centre));
+                // At an instant its axis begins where it is placed.
+                let ahead = match origin {
+                    Some(_) if scene.end == End::AtOnce => start,
+                    _ => start.less(&dot(&axis, unit).times(&self.bodies[body].centre)),
+                };
                 plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
             }
             (None, _, Some(place)) if scene.end == End::AtOnce => {
