@@ -963,13 +963,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             (None, [(at, through, unit)], origin) => {
                 // Nothing moves the mass centre along the line.
                 self.open = scene.drifts().is_none();
+                let placed = origin.is_some() && scene.end == End::AtOnce;
                 let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
                 let across = dot(&from_axis(&axis, at), &left(unit)).times(&Factors::one().opposite());
                 // At an instant its axis begins where it is placed.
-                let ahead = match origin {
-                    Some(_) if scene.end == End::AtOnce => start,
-                    _ => start.less(&dot(&axis, unit).times(&self.bodies[body].centre)),
-                };
+                let centre = dot(&axis, unit).times(&self.bodies[body].centre);
+                let ahead = if placed { start } else { start.less(&centre) };
                 plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
             }
             (None, _, Some(place)) if scene.end == End::AtOnce => {
