@@ -862,8 +862,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let (scene, body) = (self.scene, self.lead);
         let Some(planar) = scene.planar(body) else { return beyond() };
         // What a cord or a light rod makes of a motion is placed by its length.
+        let several = scene.joints.iter().filter(|j| matches!(j.kind, JointKind::Cord { .. })).count() > 1;
         let beyond_it = |j: &crate::scene::Joint| match j.kind {
-            JointKind::Cord { .. } => self.moves,
+            // Of several the places that are no data would share their names.
+            JointKind::Cord { place_m, .. } => {
+                self.moves || several && place_m.iter().any(|x| matches!(x, Num::Fixed(_)))
+            }
             JointKind::Contact { teeth, .. } => teeth,
             _ => false,
         };
