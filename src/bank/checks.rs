@@ -476,8 +476,8 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     };
     let Some(quantity) = Quantity::from_name(bare) else {
         let hint = spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
-            let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
-            told!("quantities of this scene: {}", names.join(", "))
+            let names = || labels(scene).into_iter().map(|l| scene.name_of(l));
+            told!("quantities of this scene: {}", names().collect::<Vec<_>>().join(", "))
         });
         return Err((told!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
@@ -542,12 +542,12 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     if !scene.is_still() || of_particles || of_pins {
         return why(quantity).to_owned();
     }
-    let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+    let names = || labels(scene).into_iter().map(|l| scene.name_of(l));
     let (end, what) = match scene.end {
         End::Equilibrium => ("equilibrium", "at rest there"),
         _ => ("at once", "at the start"),
     };
-    told!("with `end: {end}` only what holds {what} is asked: {}", names.join(", "))
+    told!("with `end: {end}` only what holds {what} is asked: {}", names().collect::<Vec<_>>().join(", "))
 }
 
 /// What a quantity needs, for hints.
@@ -712,6 +712,7 @@ fn of_kind(scene: &Scene) -> Vec<Label> {
             }
             Tie::Cord(c) => match c.to {
                 Far::Pull(_) if !moves => {}
+                Far::Pull(_) if tie.tilted().is_some() => add(Owner::Tie(t), &[Q::WorkPull, Q::PowerPull]),
                 Far::Pull(_) => add(Owner::Tie(t), &[Q::CordTravel, Q::WorkPull, Q::PowerPull]),
                 Far::Spring { .. } => {
                     add(Owner::Tie(t), &[Q::Tension]);
@@ -732,6 +733,7 @@ fn of_kind(scene: &Scene) -> Vec<Label> {
         && scene.couples.is_empty()
         && scene.growths.is_empty()
         && scene.ties.iter().any(|t| matches!(t, Tie::Roll { .. }))
+        && scene.ties.iter().all(|t| t.tilted().is_none())
         && scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if pulled(c)))
     {
         add(Owner::Body(0), &[Q::KBound]);

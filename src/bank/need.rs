@@ -21,6 +21,7 @@ const ANY: Range = (f64::is_finite, "finite");
 const NOT_NEGATIVE: Range = (|x| x.is_finite() && x >= 0.0, "not negative");
 const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0");
 const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees");
+const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees");
 const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees");
 
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
@@ -43,10 +44,12 @@ impl Need {
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
     pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
+    pub const STRETCH: Self = need("a stretch, negative of what is compressed,", "m", ANY, "0.1 m");
     pub const TURN: Self = need("an angle", "rad", NOT_NEGATIVE, "3 rad");
     pub const PLACE: Self = need("a place", "m", ANY, "0.25 m");
     pub const TIME: Self = need("a time", "s", NOT_NEGATIVE, "2 s");
     pub const ANGLE: Self = need("an angle", "deg", A_TURN, "30 deg");
+    pub const TILT: Self = need("an angle to the surface", "deg", ACUTE, "30 deg");
     pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
     pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");
     pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");

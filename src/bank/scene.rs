@@ -124,6 +124,8 @@ pub fn read(
 
 /// The fields that give a body its inertia, of which it has one.
 const INERTIA: [&str; 4] = ["shape", "radius of gyration", "moment of inertia", "parts"];
+/// What cords and light rods are called that have no name.
+const UNNAMED: [&str; 2] = ["cord", "link"];
 /// How a body on a fixed axle is written.
 const FIXED: &str = "moves: about a fixed axle";
 
@@ -246,6 +248,7 @@ impl SceneReader<'_> {
             span: Span::default(),
             formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
         };
+        scene.still_turns();
         if let Some(n) = next_node {
             let next = self.next(n, node, &scene, gravity)?;
             scene.formulas.others.push((AsIf::Next, next));
@@ -302,8 +305,11 @@ impl SceneReader<'_> {
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
             let hint = spell::did_you_mean(text, known.clone()).unwrap_or_else(|| {
-                let known: Vec<&str> = known.collect();
-                told!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
+                told!(
+                    "symbols: {}; or a constant such as `{}`",
+                    known.collect::<Vec<_>>().join(", "),
+                    need.example
+                )
             });
             f.hint(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
             return None;
@@ -925,6 +931,7 @@ impl SceneReader<'_> {
             let tie = match word {
                 "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
                 "cord" => self.cord(value, bodies, ties.len()).map(Tie::Cord),
+                "link" => self.link(value, bodies).map(Tie::Cord),
                 "meshes" | "belt" => {
                     let made = if word == "belt" { Made::Belt } else { Made::Teeth };
                     let like = ties.iter().filter(|t| matches!(t, Tie::Cord(c) if c.made == made)).count();
@@ -934,7 +941,7 @@ impl SceneReader<'_> {
                     self.unknown(
                         key,
                         "tie",
-                        &["rolls", "slips", "slides", "touches", "cord", "meshes", "belt", "rests"],
+                        &["rolls", "slips", "slides", "touches", "cord", "link", "meshes", "belt", "rests"],
                     );
                     None
                 }
@@ -950,24 +957,22 @@ impl SceneReader<'_> {
                 );
             }
             if let Tie::Cord(c) = &tie
-                && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name && c.name != "cord"))
+                && !UNNAMED.contains(&c.name.as_str())
+                && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name))
             {
                 f.hint(item, told!("two cords are called `{}`", c.name), "give each its own name");
             }
             ties.push(tie);
         }
-        let unnamed: Vec<usize> = ties
-            .iter()
-            .enumerate()
-            .filter(|(_, t)| matches!(t, Tie::Cord(c) if c.name == "cord" && !matches!(c.to, Far::Pull(_))))
-            .map(|(i, _)| i)
-            .collect();
-        if unnamed.len() > 1 {
-            // Several tensions need names; number the cords in the order of the file.
-            for (n, i) in unnamed.into_iter().enumerate() {
-                if let Tie::Cord(c) = &mut ties[i] {
-                    c.name = format!("cord{}", n + 1);
-                }
+        for name in UNNAMED {
+            let unnamed = ties.iter_mut().filter_map(|t| match t {
+                Tie::Cord(c) if c.name == name && !matches!(c.to, Far::Pull(_)) => Some(c),
+                _ => None,
+            });
+            let unnamed: Vec<&mut Cord> = unnamed.collect();
+            if unnamed.len() > 1 {
+                // Several tensions need names; number the cords in the order of the file.
+                unnamed.into_iter().enumerate().for_each(|(n, c)| c.name = format!("{name}{}", n + 1));
             }
         }
         ties
@@ -1069,7 +1074,6 @@ impl SceneReader<'_> {
         let law = |with, name| halves(name).map(|halves| Law { with, halves });
         let found = law(Grows::Time, "t").or_else(|| law(Grows::Place, place));
         if found.is_none() {
-            let words: Vec<String> = ["t", place].iter().flat_map(|name| powers(name)).collect();
             let what = if place == "x" {
                 "x is the way of its point along it"
             } else {
@@ -1078,7 +1082,10 @@ impl SceneReader<'_> {
             self.faults.hint(
                 node,
                 told!("expected what it grows with, found {}", node.kind()),
-                told!("one of {}; {what} since the start", words.join(", ")),
+                told!(
+                    "one of {}; {what} since the start",
+                    ["t", place].iter().flat_map(|name| powers(name)).collect::<Vec<_>>().join(", ")
+                ),
             );
         }
         found
@@ -1123,6 +1130,7 @@ impl SceneReader<'_> {
             attach: Attach::Wound(radius, Side::Top),
             forward,
             upright: None,
+            tilt_deg: None,
         };
         let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
@@ -1164,8 +1172,10 @@ impl SceneReader<'_> {
             let wheels = wheel.turns && wheel.pin.is_none() && wheel.planar.is_none() && beside;
             // What moves the load forward moves the wheel forward.
             let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
-            wheels
-                .then_some((name.to_owned(), CordEnd { body: index, attach, forward: !same, upright: None }))
+            wheels.then_some((
+                name.to_owned(),
+                CordEnd { body: index, attach, forward: !same, upright: None, tilt_deg: None },
+            ))
         };
         let mut list = Vec::new();
         for wheel in wheels {
@@ -1174,25 +1184,53 @@ impl SceneReader<'_> {
                 f.hint(wheel, told!("expected the rim or the axle of a wheel, found {}", wheel.kind()), hint);
                 continue;
             };
-            let from = CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None };
+            let from =
+                CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None, tilt_deg: None };
             list.push(Cord { name, from, to: Far::Body(to), made: Made::Rests });
         }
         list
     }
 
+    /// The name of a cord or a light rod.
+    fn tie_name(&self, node: Option<&Node>, unnamed: &str) -> Option<String> {
+        let Some(node) = node else { return Some(unnamed.to_owned()) };
+        let name = node.text().filter(|t| !WHOLE || plain_name(t));
+        if name.is_none() {
+            let message = told!("{} is no name for a {unnamed}", node.kind());
+            self.faults.hint(node, message, "letters, digits and `_`");
+        }
+        name.map(str::to_owned)
+    }
+
+    /// A light rod between the centres of two bodies that move along one line.
+    fn link(&self, node: &Node, bodies: &[Body]) -> Option<Cord> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a light rod (from, to)", f)?;
+        let name = self.tie_name(fields.get("name"), UNNAMED[1]);
+        let like = "{body: front, tied at: centre, leaves: back}";
+        let [from, to] =
+            ["from", "to"].map(|end| fields.need(end, like).and_then(|n| self.cord_end(n, bodies)));
+        fields.close();
+        let (from, to) = (from?, to?);
+        // Each end by its line, and whether it leads up that.
+        let up = |end: CordEnd| {
+            let line = bodies[end.body].line.filter(|_| end.attach == Attach::Centre);
+            line.map(|line| (line.slope, end.forward == line.forward_up))
+        };
+        let straight = || matches!((up(from), up(to)), (Some((a, x)), Some((b, y))) if a == b && x != y);
+        if WHOLE && (from.body == to.body || !straight()) {
+            let hint = "both bodies move along the same surface, or both vertically, each end is `tied at: centre`, and of two that count \
+                        positive alike one end leaves `forward`, the other `back`; round a corner only a `cord` goes";
+            f.hint(node, "a light rod is straight: its ends leave toward each other", hint);
+            return None;
+        }
+        Some(Cord { name: name?, from, to: Far::Body(to), made: Made::Link })
+    }
+
     fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a cord (from, and where it goes)", f)?;
-        let name = match fields.get("name") {
-            None => "cord".to_owned(),
-            Some(n) => match n.text().filter(|t| plain_name(t)) {
-                Some(t) => t.to_owned(),
-                None => {
-                    f.hint(n, told!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
-                    return None;
-                }
-            },
-        };
+        let name = self.tie_name(fields.get("name"), UNNAMED[0])?;
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}")
             .and_then(|n| self.cord_end(n, bodies));
@@ -1211,6 +1249,14 @@ impl SceneReader<'_> {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
         self.grows(growing, GivenForce::Pull(tie));
+        if WHOLE
+            && from.is_some_and(|from| from.tilt_deg.is_some())
+            && (pulled.is_none() || growing.is_some())
+        {
+            let hint = "`at an angle` stands beside `pulled with` and a constant force: what grows, and what ends at another body, a spring \
+                        or a wall, leads along the surface";
+            f.hint(node, "only a constant pull leads away from the surface", hint);
+        }
         let far = if let Some(n) = pulled {
             self.number(n, Need::FORCE).map(Far::Pull)
         } else if let Some(n) = to {
@@ -1251,9 +1297,18 @@ impl SceneReader<'_> {
         let wound = fields.get("wound on");
         let tied = fields.get("tied at");
         let leaves = fields.need("leaves", if tied.is_some() { "forward" } else { "top forward" });
+        let tilted = fields.get("at an angle");
         fields.close();
         let index = body?;
         let body = &bodies[index];
+        let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
+        if WHOLE && let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
+            f.hint(
+                n,
+                told!("`{}` moves along no surface", body.name),
+                "an angle to the surface is that of a pull on what lies there",
+            );
+        }
         if !body.particles.is_empty() {
             f.at(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
             return None;
@@ -1285,7 +1340,8 @@ impl SceneReader<'_> {
                     _ => None,
                 });
                 let upright = upright.filter(|_| body.line.is_none());
-                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward, upright })
+                let attach = Attach::Wound(radius?, side);
+                Some(CordEnd { body: index, attach, forward, upright, tilt_deg: tilt })
             }
             (None, Some(n)) => {
                 self.word(
@@ -1312,7 +1368,7 @@ impl SceneReader<'_> {
                         &[("forward", true), ("back", false), up, down],
                     )
                 }?;
-                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None })
+                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None, tilt_deg: tilt })
             }
             _ => {
                 f.hint(
@@ -1425,7 +1481,7 @@ impl SceneReader<'_> {
         let at = self.need_number(&mut fields, "at", "b", Need::RADIUS);
         let anchor = fields.need("anchor", "[x_A, y_A]").and_then(|n| self.place(n));
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let rest = self.natural(node, &mut fields);
+        let rest = self.natural(node, &mut fields, Need::LENGTH);
         fields.close();
         let Some(body) = body else { return };
         let name = bodies[body].name.clone();
@@ -1510,11 +1566,11 @@ impl SceneReader<'_> {
                 let text = n.text().unwrap_or("").trim();
                 let found = bodies[body].particles.iter().position(|p| p.name == text);
                 if found.is_none() {
-                    let names: Vec<&str> = bodies[body].particles.iter().map(|p| p.name.as_str()).collect();
+                    let names = || bodies[body].particles.iter().map(|p| p.name.as_str());
                     f.hint(
                         n,
                         told!("expected a particle, found {}", n.kind()),
-                        told!("particles: {}", names.join(", ")),
+                        told!("particles: {}", names().collect::<Vec<_>>().join(", ")),
                     );
                 }
                 found
@@ -1614,10 +1670,10 @@ impl SceneReader<'_> {
         let wound: Vec<(String, usize, Num)> = wound.collect();
         let Some((_, body, radius)) = wound.iter().find(|(name, ..)| Some(name.as_str()) == cord.text())
         else {
-            let names: Vec<&str> = wound.iter().map(|(name, ..)| name.as_str()).collect();
+            let names = || wound.iter().map(|(name, ..)| name.as_str());
             let message =
                 told!("`{}` is no cord that is wound on a body", shorten(cord.text().unwrap_or("")));
-            self.faults.hint(cord, message, told!("wound cords: {}", names.join(", ")));
+            self.faults.hint(cord, message, told!("wound cords: {}", names().collect::<Vec<_>>().join(", ")));
             return None;
         };
         let angle = self.over(by, self.named(*radius), Need::TURN);

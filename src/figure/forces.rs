@@ -576,12 +576,12 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
                         forces.push(force(at, rubs, direction * up, name(j, "F")).of(Role::Friction));
                     }
                 }
-                JointKind::Contact { radius_m, surface, rolls, .. } => {
+                JointKind::Contact { radius_m, surface, rolls, teeth, .. } => {
                     let normal = plane.normal(view, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
                     forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
-                        let rubs = found(Quantity::Friction);
+                        let rubs = found(if teeth { Quantity::RimForce } else { Quantity::Friction });
                         forces.push(force(foot, rubs, normal.right(), name(j, "F")).of(Role::Friction));
                     }
                 }

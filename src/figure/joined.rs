@@ -545,9 +545,14 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
                 }
             }
         }
-        JointKind::Cord { at, place_m } => {
+        JointKind::Cord { at, place_m, rod } => {
             let (near, far) = (plane.spot(view, &plane.start, at), ground(view, place_m) * plane.scale);
-            board.line(near, far, Role::Cord);
+            if rod {
+                board.line(near, far, Role::Body);
+                [near, far].into_iter().for_each(|end| board.dot(end));
+            } else {
+                board.line(near, far, Role::Cord);
+            }
             crate::figure::parts::wall(board, far, (far - near).unit(), -14.0, 14.0);
         }
     }
@@ -855,8 +860,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 let what = if one_sided { "touches" } else { "guide" };
                 say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
             }
-            JointKind::Contact { at, radius_m, surface, rolls } => {
+            JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
                 let what = match rolls {
+                    true if teeth => "meshes",
                     true => "rolls",
                     false if view.of(radius_m) == 0.0 => "slides_itself",
                     false => "slides",
@@ -878,8 +884,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
                 };
                 say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
             }
-            JointKind::Cord { at, place_m } => {
-                say("cord", &[("point", &called(at)), ("place", &place(place_m))])
+            JointKind::Cord { at, place_m, rod } => {
+                let what = if rod { "rod" } else { "cord" };
+                say(what, &[("point", &called(at)), ("place", &place(place_m))])
             }
         });
     }

@@ -528,6 +528,10 @@ impl Builder<'_> {
             None if end.forward => placed.forward,
             None => -placed.forward,
         });
+        let towards = end.tilt_deg.map_or(towards, |tilt| {
+            let tilt = self.view.of(tilt);
+            placed.direction(if end.forward { tilt } else { 180.0 - tilt })
+        });
         let (at, _) = self.attach(&placed, end, towards);
         let mut pieces: Vec<CordPiece> = self.wound(&placed, end, towards).into_iter().collect();
         let from = Self::visible(&placed, end, at, towards);

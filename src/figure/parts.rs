@@ -1,11 +1,14 @@
 //! What the pictures of a scene are made of: the outline of a body, surfaces, supports, cords and springs.
 use crate::figure::layout::{self, BodyLook, CordPiece, CordStop, Ground, Placed, SceneLayout};
 use crate::figure::view::SceneView;
-use crate::picture::board::{Board, TEXT};
+use crate::picture::board::{Board, LabelTie, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
-use crate::scene::{Far, GivenForce, Num, Slope, Tie};
+use crate::scene::{Far, GivenForce, Made, Num, Slope, Tie};
 use std::f64::consts::PI;
+
+/// Radius at which the angle of a pull is drawn.
+const TILT: f64 = 34.0;
 
 /// The body's outer edge.
 pub fn outline(board: &mut Board, p: &Placed) {
@@ -155,8 +158,13 @@ pub fn wall(board: &mut Board, at: Vec2, towards: Vec2, from: f64, to: f64) {
 
 /// A cord with what it ends at.
 pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layout::CordRun) {
+    let link = matches!(view.scene.ties.get(run.tie), Some(Tie::Cord(c)) if c.made == Made::Link);
     for piece in &run.pieces {
         match *piece {
+            CordPiece::Straight(a, b) if link => {
+                board.line(a, b, Role::Body);
+                [a, b].into_iter().for_each(|end| board.dot(end));
+            }
             CordPiece::Straight(a, b) => board.line(a, b, Role::Cord),
             CordPiece::Round(c, r, a, b) => board.arc(c, r, a, b, Role::Cord),
             CordPiece::Post(a, b) => board.line(a, b, Role::Ground),
@@ -170,6 +178,17 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
             if let Far::Pull(n) = tie.to {
                 let towards = run.leaves.1;
                 let over = standing.map_or(towards.left(), |p| p.top);
+                if let (Some(tilt), Some(p)) = (tie.from.tilt_deg, standing) {
+                    // The angle to a parallel to the surface.
+                    let level = if tie.from.forward { p.forward } else { -p.forward };
+                    board.line(a, a + level * (TILT + 14.0), Role::Ghost);
+                    let (from, to) = (level.angle_of(), towards.angle_of());
+                    let turn = (to - from + 3.0 * PI).rem_euclid(2.0 * PI) - PI;
+                    board.arc(a, TILT, from, from + turn, Role::Dimension);
+                    let middle = (level + towards).unit();
+                    let spots = [6.0, 14.0, 24.0].map(|far| (a + middle * (TILT + far), middle)).to_vec();
+                    board.label(vec![view.label(tilt, "°")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
+                }
                 board.wish(
                     view.force_label(GivenForce::Pull(run.tie), n, "N"),
                     vec![(b, towards), (a.middle(b), over), (a.middle(b), -over)],

@@ -199,7 +199,13 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         out.push(match cord.to {
             Far::Pull(n) => {
                 let force = view.growing(GivenForce::Pull(i), n).unwrap_or_else(|| text(view, n, "N"));
-                say("pull", &[("place", &place), ("force", &force)])
+                match cord.from.tilt_deg {
+                    Some(tilt) => {
+                        let angle = text(view, tilt, "°");
+                        say("tilted", &[("place", &place), ("force", &force), ("angle", &angle)])
+                    }
+                    None => say("pull", &[("place", &place), ("force", &force)]),
+                }
             }
             Far::Fixed => say("fixed", &[("place", &place)]),
             Far::Spring { stiffness_n_m, stretch_m, .. } => say(
@@ -217,6 +223,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                     Made::Teeth => "meshes",
                     Made::Belt => "belt",
                     Made::Rests => "rests",
+                    Made::Link => "link",
                     Made::Cord if guide => "over",
                     Made::Cord => "joins",
                 };

@@ -452,7 +452,7 @@ fn unwound(board: &mut Board, view: &SceneView, plan: &SceneLayout, (body, sense
     let (Some(radius), Some(run), None) = (rolling, runs.next(), runs.next()) else { return };
     let (CordStop::Pull(end, _) | CordStop::Spring(end, ..)) = run.stop else { return };
     let Some(action) = view.scene.ties[run.tie].actions().next() else { return };
-    let Some((arm, turn)) = action.arm else { return };
+    let (Some((arm, turn)), None) = (action.arm, action.tilt_deg) else { return };
     let ratio = action.along + turn * view.of(arm) / radius;
     let symbol = names::free(view.problem, &[r"\gamma".to_owned(), "n".to_owned()]);
     let mut label = symbol::symbol(&symbol);

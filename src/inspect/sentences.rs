@@ -244,7 +244,10 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (true, true) if !endless || pinned => {
             format!("the end is reached: it comes to rest after {available} {unit}")
         }
-        (false, true) if pinned => "the end is not reached: it does not come to rest in two turns".to_owned(),
+        (false, true) if pinned => {
+            "the end is not reached: it does not come to rest in two turns, or not before a contact is lost"
+                .to_owned()
+        }
         (false, true) if endless => "the end is not reached: it never comes to rest".to_owned(),
         (true, _) if endless && pinned => {
             format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")
@@ -541,7 +544,7 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         )),
         Refusal::Unplaced(index) => one(format!(
             "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
-             place and either guided at another point or hinged there to a second such body; a cord places none",
+             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
             body(scene, *index)
         )),
         Refusal::Crossed(Choice { at, here, there, .. }) => one(format!(

@@ -117,7 +117,8 @@ impl<V: Copy> Formula<V> {
                     (stack[top], scales[top]) = (value, scale);
                 }
                 Step::Negate => stack[b] = -stack[b],
-                Step::Sqrt if stack[b].sign() < 0.0 => stack[b] = T::of(f64::NAN),
+                // What is known to no radius decides nothing here: its root has none either.
+                Step::Sqrt if stack[b].f64() < 0.0 => stack[b] = T::of(f64::NAN),
                 Step::Sqrt => stack[b] = stack[b].root(),
                 Step::Abs => stack[b] = stack[b].abs(),
                 Step::Sin => stack[b] = sine_cosine(stack[b]).0,

@@ -131,6 +131,7 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
                 if let Far::Body(end) = &c.to {
                     wound(end.attach);
                 }
+                c.from.tilt_deg.iter().for_each(|tilt| tell(*tilt, Rule::Angle));
                 match &c.to {
                     Far::Pull(p) => tell(*p, NotNegative),
                     Far::Spring { stiffness_n_m, stretch_m, .. } => {
@@ -208,8 +209,11 @@ fn joint_rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
     }
     for strut in &scene.struts {
         tell(strut.stiffness_n_m, Rule::Positive);
-        let (Rest::Length(l) | Rest::Stretch(l)) = strut.rest;
-        tell(l, if strut.twists() { Rule::Angle } else { Rule::NotNegative });
+        match strut.rest {
+            Rest::Length(l) | Rest::Stretch(l) if strut.twists() => tell(l, Rule::Angle),
+            Rest::Length(l) => tell(l, Rule::NotNegative),
+            Rest::Stretch(x) => tell(x, Rule::Finite),
+        }
         match strut.to {
             StrutEnd::Ground(place) => place.iter().for_each(|x| tell(*x, Rule::Finite)),
             StrutEnd::Spot(_) | StrutEnd::Twist => {}

@@ -87,8 +87,8 @@ quantities! {
     Normal "normal" "N" Magnitude "normal force of the surface";
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
     T "t" "s" Magnitude "time from the start to the end";
-    Tension "tension" "N" Signed "tension of the cord at the end";
-    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims, or along the surface between a body and the wheel that it rests on; of a belt the difference of its two tensions";
+    Tension "tension" "N" Signed "tension of the cord at the end, of a light rod its force, positive if it pulls";
+    RimForce "rim_force" "N" Magnitude "force between the teeth of two gears along their rims, or along the surface between a body and the wheel that it rests on; of a belt the difference of its two tensions; of a joint on the gear, positive to the right of the direction to its centre";
     CordTravel "cord_travel" "m" Magnitude "distance that the pulled end of the cord moves";
     SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
     SlipSpeed "slip_speed" "m/s" Magnitude "speed at which the contact slips at the start, a magnitude";
@@ -292,7 +292,8 @@ impl Scene {
             return false;
         };
         let holds = |(j, other): (usize, &Joint)| {
-            let grounded = !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { .. });
+            let grounded =
+                !matches!(other.kind, JointKind::Hinge { .. } | JointKind::Cord { rod: false, .. });
             j != joint && grounded && other.kind.spots().any(|spot| spot.body == at.body)
         };
         rolls || !self.bodies[at.body].turns || !self.joints.iter().enumerate().any(holds)
@@ -439,13 +440,14 @@ impl Scene {
         }
     }
     /// Is this a number that is never negative, or no number at all? The normal force of a guide that holds on both sides is
-    /// positive to the left of its direction.
+    /// positive to the left of its direction, a force along a rim to the right of the direction out of what it meshes with.
     pub fn is_magnitude(&self, label: Label) -> bool {
         let two_sided = match label.of {
             Owner::Joint(j) => matches!(self.joints.get(j), Some(joint) if !joint.kind.only_pushes()),
             _ => false,
         };
-        label.quantity.is_magnitude() && !(two_sided && label.quantity == Quantity::Normal)
+        let signed = matches!(label.quantity, Quantity::Normal | Quantity::RimForce);
+        label.quantity.is_magnitude() && !(two_sided && signed)
     }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {

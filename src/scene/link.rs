@@ -57,6 +57,8 @@ pub enum Made {
     /// A cord, which pulls.
     #[default]
     Cord,
+    /// A light rod, which pushes as well.
+    Link,
     /// The teeth of two gears.
     Teeth,
     /// A belt that runs around two wheels and does not slip.
@@ -68,7 +70,7 @@ pub enum Made {
 impl Cord {
     /// What is asked of its force.
     pub fn force(&self) -> Quantity {
-        if self.made == Made::Cord { Quantity::Tension } else { Quantity::RimForce }
+        if matches!(self.made, Made::Cord | Made::Link) { Quantity::Tension } else { Quantity::RimForce }
     }
 }
 
@@ -85,6 +87,8 @@ pub struct CordEnd {
     /// Does it leave a fixed axle upward, or downward? To the motion `front down` is what `top forward` is: only the force of the axle
     /// and pictures tell them apart.
     pub upright: Option<bool>,
+    /// Degrees by which a cord that is pulled with a given force leads away from the surface of its body; `None`: along it.
+    pub tilt_deg: Option<Num>,
 }
 
 /// How a cord holds a body.
@@ -135,6 +139,8 @@ pub struct Action {
     pub along: f64,
     /// Arm about the mass centre: a radius, m, and the sense in which the force turns; `None` at the centre.
     pub arm: Option<(Num, f64)>,
+    /// Degrees by which it leads away from the surface; `None`: along the line.
+    pub tilt_deg: Option<Num>,
 }
 
 impl CordEnd {
@@ -146,18 +152,31 @@ impl CordEnd {
             Attach::Wound(radius, Side::Top) => Some((radius, along)),
             Attach::Wound(radius, Side::Bottom) => Some((radius, -along)),
         };
-        Action { body: self.body, along, arm }
+        Action { body: self.body, along, arm, tilt_deg: self.tilt_deg }
     }
 }
 
 impl Tie {
+    /// A given pull that leads away from the surface of a body: the body, the force and the angle in degrees.
+    pub const fn tilted(&self) -> Option<(usize, Num, Num)> {
+        match self {
+            Self::Cord(Cord {
+                from: CordEnd { body, tilt_deg: Some(tilt), .. },
+                to: Far::Pull(force),
+                ..
+            }) => Some((*body, *force, *tilt)),
+            _ => None,
+        }
+    }
     /// The forces of the tie on its bodies: one of a contact, one for each end of a cord that is at a body.
     pub fn actions(&self) -> impl Iterator<Item = Action> {
         let [one, other] = match self {
             Self::Roll { body, radius_m, .. } | Self::Slip { body, radius_m, .. } => {
-                [Some(Action { body: *body, along: 1.0, arm: Some((*radius_m, -1.0)) }), None]
+                [Some(Action { body: *body, along: 1.0, arm: Some((*radius_m, -1.0)), tilt_deg: None }), None]
             }
-            Self::Slide { body, .. } => [Some(Action { body: *body, along: 1.0, arm: None }), None],
+            Self::Slide { body, .. } => {
+                [Some(Action { body: *body, along: 1.0, arm: None, tilt_deg: None }), None]
+            }
             Self::Cord(cord) => match &cord.to {
                 Far::Body(end) => [Some(cord.from.action()), Some(end.action())],
                 Far::Pull(_) | Far::Spring { .. } | Far::Fixed => [Some(cord.from.action()), None],

@@ -132,13 +132,17 @@ pub enum JointKind {
         surface: Surface,
         /// Does it roll without slipping?
         rolls: bool,
+        /// By teeth, which press along the rim alone?
+        teeth: bool,
     },
-    /// A cord of constant length from the point to a fixed place, m.
+    /// A cord of constant length from the point to a fixed place, m; or a light rod, pinned at both ends.
     Cord {
         /// The point.
         at: Spot,
         /// The place.
         place_m: [Num; 2],
+        /// Is it a rod, which pushes as well as it pulls?
+        rod: bool,
     },
 }
 
@@ -170,6 +174,7 @@ impl JointKind {
             Self::Hinge { turned_deg: Some(_), .. } => &[Quantity::PinX, Quantity::PinY, Quantity::Moment],
             Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::PinX, Quantity::PinY],
             Self::Guide { .. } | Self::Contact { rolls: false, .. } => &[Quantity::Normal],
+            Self::Contact { teeth: true, .. } => &[Quantity::RimForce],
             Self::Contact { .. } => &[Quantity::Normal, Quantity::Friction],
             Self::Cord { .. } => &[Quantity::Tension],
         }
@@ -183,11 +188,11 @@ impl JointKind {
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {
-        matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { .. })
+        matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { teeth: false, .. })
     }
     /// Can it only push, or only pull?
     pub const fn is_one_sided(&self) -> bool {
-        self.only_pushes() || matches!(self, Self::Cord { .. })
+        self.only_pushes() || matches!(self, Self::Cord { rod: false, .. })
     }
     /// A point that rubs in a guide, and does the guide hold it on both sides?
     pub const fn rubs(&self) -> Option<(Spot, bool)> {
@@ -245,6 +250,37 @@ pub struct Strut {
 }
 
 impl Scene {
+    /// Bodies in the plane that are held and pushed at their mass centres alone keep from turning: nothing has a moment about these.
+    pub fn still_turns(&mut self) {
+        // What acts at points, and the bodies that something turns, or that are said to.
+        let mut acts: Vec<Spot> = self.pushes.iter().map(|push| push.at).collect();
+        let mut turned: Vec<usize> = self.couples.iter().map(|couple| couple.body).collect();
+        turned.extend(self.start_speeds().map(|(c, _)| c.body));
+        for joint in &self.joints {
+            let turns = matches!(
+                joint.kind,
+                JointKind::Hinge { turned_deg: Some(_), .. } | JointKind::Contact { rolls: true, .. }
+            );
+            for spot in joint.kind.spots() {
+                acts.push(spot);
+                turned.extend(turns.then_some(spot.body));
+            }
+        }
+        for strut in &self.struts {
+            acts.push(strut.at);
+            match strut.to {
+                StrutEnd::Spot(to) => acts.push(to),
+                StrutEnd::Twist => turned.push(strut.at.body),
+                StrutEnd::Ground(_) | StrutEnd::Guide { .. } => {}
+            }
+        }
+        for (b, body) in self.bodies.iter_mut().enumerate() {
+            let Some(planar) = body.planar.as_ref().filter(|p| p.start_deg.is_none()) else { continue };
+            let centre = [planar.centre, Place::At(Num::Fixed(0.0))];
+            let off = |spot: &Spot| spot.body == b && planar.points[spot.point].1 != centre;
+            body.turns &= turned.contains(&b) || acts.iter().any(off);
+        }
+    }
     /// Is a torsion spring wound by half a turn or more at the start, as far as the data say it?
     pub fn is_overwound(&self, data: &[f64]) -> bool {
         let wound = |strut: &Strut| match (strut.rest, self.planar(strut.at.body)?.start_deg) {

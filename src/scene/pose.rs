@@ -4,14 +4,15 @@
 //! One body leads: its angle is given. It hangs on a pin, or slides with two points in two guides, or with one in a guide while
 //! nothing moves its mass centre along it. Each other body is placed by what already has a place: hinged there and guided at
 //! another point (a circle and a line), or hinged there and to a second body that is (two circles). A wheel that rolls on a line
-//! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre.
+//! turns with the way of its centre; one that leads on a cylinder is told by the angle of its centre. A cord or a light rod guides
+//! its point on a circle, as long as it is at the start.
 use crate::num::half::Half;
 use crate::num::jet::Followed;
 use crate::num::plant::plant;
 use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::{
-    Branch, Coordinate, Degree, End, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
-    Surface,
+    Branch, Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot,
+    Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -236,12 +237,15 @@ pub struct Layout<'a, T: Real> {
     pub lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
     pub pushes: SmallVec<[[T; 2]; 2]>,
-    /// For each joint: how far along its line a wheel is at the start that rolls on it.
+    /// For each joint: how far along its line a wheel is at the start that rolls on it, or how long a cord or a light rod is.
     starts: SmallVec<[T; 4]>,
+    /// Where everything is at the start, if cords or light rods guide on the way.
+    first: Option<Poses<T>>,
     /// The cylinder on which the leading body moves.
     arc: Option<Arc<T>>,
-    /// Where an instant is asked and two guides carry the leading body along without a turn: their direction.
-    glide: Option<[T; 2]>,
+    /// Where an instant is asked and two guides carry the leading body along without a turn: their direction, and how much its way
+    /// bends to the left of it.
+    glide: Option<([T; 2], T)>,
     /// How the bodies are placed on the way, one after the other; `None` if the joints do not place all.
     steps: Option<Steps<T>>,
 }
@@ -292,8 +296,8 @@ enum Step<T> {
     Wheel(Track<T>, T),
     /// It leads about a point.
     Leads(Held<T>),
-    /// It leads by its way along two guides, from this place in this direction.
-    Glides([T; 2], [T; 2]),
+    /// It leads by its way along two guides, from this place in this direction, on a way that bends so to its left at the start.
+    Glides([T; 2], [T; 2], T),
     /// It leads in two guides, on this side where one of them is a circle.
     Slides([Guided<T>; 2], f64),
     /// It leads in a guide along which nothing moves its mass centre, which is so far along its axis: from so far along the guide.
@@ -304,6 +308,9 @@ enum Step<T> {
     Still(Held<T>, [T; 2]),
     /// It rolls on a line, and its axis has this direction at the start.
     Rolls(Held<T>, Track<T>, [T; 2]),
+    /// Its centre goes about the axis of a gear with the turn of the leading body, and it meshes there: how far it turns per turn of that,
+    /// and the direction of its axis at the start.
+    Orbits(Held<T>, T, [T; 2]),
     /// Another point of it is guided, on this side.
     Rod(Held<T>, Guided<T>, f64),
     /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
@@ -334,6 +341,26 @@ pub struct Arc<T> {
     pub apart: T,
     /// Angle that the body turns per angle of its centre, counted alike; 0 for what only slides.
     pub ratio: T,
+}
+
+impl<T: Real> Arc<T> {
+    /// The cylinder of this joint.
+    fn of(scene: &Scene, n: &Numbers<T>, joint: usize) -> Option<Self> {
+        let JointKind::Contact {
+            radius_m,
+            surface: Surface::Arc { centre_m, radius_m: arc, inside },
+            rolls,
+            ..
+        } = scene.joints[joint].kind
+        else {
+            return None;
+        };
+        let (own, arc) = (n.get(radius_m), n.get(arc));
+        let apart = if inside { own - arc } else { arc + own };
+        let ratio = plant!("pose: turn of a wheel on a cylinder", apart / own);
+        let ratio = if rolls { ratio } else { T::zero() };
+        Some(Self { joint, axis: ground(n, centre_m), apart: apart.abs(), ratio })
+    }
 }
 
 /// A surface where a body touches it.
@@ -395,21 +422,11 @@ impl<'a, T: Real> Layout<'a, T> {
             }
             _ => none,
         };
-        let arc = scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
-            JointKind::Contact {
-                at,
-                radius_m,
-                surface: Surface::Arc { centre_m, radius_m: arc, inside },
-                rolls,
-            } if at.body == lead && scene.leads_on_arc(joint) => {
-                let (own, arc) = (n.get(radius_m), n.get(arc));
-                let apart = if inside { own - arc } else { arc + own };
-                let ratio = plant!("pose: turn of a wheel on a cylinder", apart / own);
-                let ratio = if rolls { ratio } else { T::zero() };
-                Some(Arc { joint, axis: ground(n, centre_m), apart: apart.abs(), ratio })
-            }
-            _ => None,
-        });
+        let leads = |(joint, j): (usize, &Joint)| {
+            let first = j.kind.spots().next().filter(|at| at.body == lead && scene.leads_on_arc(joint));
+            first.and_then(|_| Arc::of(scene, n, joint))
+        };
+        let arc = scene.joints.iter().enumerate().find_map(leads);
         let mut layout = Self {
             scene,
             n,
@@ -418,18 +435,30 @@ impl<'a, T: Real> Layout<'a, T> {
             lines: scene.joints.iter().map(|j| line(&j.kind)).collect(),
             pushes: scene.pushes.iter().map(|p| direction(n, p.direction_deg)).collect(),
             starts: scene.joints.iter().map(|_| T::zero()).collect(),
+            first: None,
             arc,
             glide: None,
             steps: None,
         };
-        if scene.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { rolls: true, .. })) {
+        let tied = |j: &Joint| matches!(j.kind, JointKind::Cord { .. });
+        let rolls = |j: &Joint| matches!(j.kind, JointKind::Contact { rolls: true, .. });
+        if scene.joints.iter().any(|j| rolls(j) || tied(j)) {
             let first: Poses<T> = layout.poses(T::zero(), true)?;
             for (j, joint) in scene.joints.iter().enumerate() {
-                if let JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } = joint.kind {
-                    let centre = first[at.body].point(of_spot(scene, n, at));
-                    layout.starts[j] = dot(less(centre, ground(n, through_m)), layout.lines[j]);
-                }
+                let from =
+                    |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
+                layout.starts[j] = match joint.kind {
+                    JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } => {
+                        dot(from(at, through_m), layout.lines[j])
+                    }
+                    JointKind::Cord { at, place_m, .. } => {
+                        let apart = from(at, place_m);
+                        dot(apart, apart).root()
+                    }
+                    _ => T::zero(),
+                };
             }
+            layout.first = scene.joints.iter().any(tied).then_some(first);
         }
         layout.glide = layout.carried();
         layout.steps = layout.planned(false).ok();
@@ -440,22 +469,34 @@ impl<'a, T: Real> Layout<'a, T> {
         self.arc.as_ref()
     }
     /// The direction in which two guides carry the leading body: what leads is then its way in it, m.
-    pub const fn glide(&self) -> Option<[T; 2]> {
-        self.glide
+    pub fn glide(&self) -> Option<[T; 2]> {
+        self.glide.map(|(along, _)| along)
     }
-    fn carried(&self) -> Option<[T; 2]> {
+    fn carried(&self) -> Option<([T; 2], T)> {
         let placed = smallvec![false; self.scene.bodies.len()];
         let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
-        let mut lines =
-            self.scene.joints.iter().zip(&self.lines).filter_map(|(joint, line)| match joint.kind {
-                JointKind::Guide { at, .. } if at.body == self.lead => Some(*line),
-                _ => None,
-            });
+        // The direction of each guide, and how much the way bends there to its left: across a cord about its fixed end.
+        let mut lines = self.scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
+            JointKind::Guide { at, .. } if at.body == self.lead => Some((self.lines[j], T::zero())),
+            JointKind::Cord { at, place_m, .. } if at.body == self.lead => {
+                let near = self.first.as_ref()?[at.body].point(of_spot(self.scene, self.n, at));
+                let per = T::of(1.0) / self.starts[j];
+                Some((left(less(near, ground(self.n, place_m))).map(|x| x * per), per))
+            }
+            _ => None,
+        });
         let (first, second) = (lines.next()?, lines.next()?);
         let free = held.is_none() && self.arc.is_none() && self.scene.driven().is_none();
-        let along = parallel(first, second) && lines.all(|line| parallel(first, line));
+        // Where their ways bend differently, a body that moves turns at the next instant.
+        let still = self.scene.starts_from_rest();
+        let like = |(line, bend): ([T; 2], T)| {
+            let bend = bend.signed(dot(first.0, line).sign());
+            parallel(first.0, line) && (still || (bend - first.1).size() <= MET * first.1.size())
+        };
         let instant = matches!(self.scene.end, End::AtOnce);
-        (free && along && instant).then(|| first.map(|x| x.signed(upward(first))))
+        let up = upward(first.0);
+        (free && like(second) && lines.all(like) && instant)
+            .then(|| (first.0.map(|x| x.signed(up)), first.1.signed(up)))
     }
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
@@ -530,12 +571,13 @@ impl<'a, T: Real> Layout<'a, T> {
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
     }
     /// The first joint that does not hold where everything is, and by how much, m: what placed the bodies is not asked. A cord has
-    /// the length that it has at the start.
-    pub fn parted(&self, poses: &Poses<T>) -> Option<(usize, f64)> {
+    /// the length that it has at the start. There a joint must leave a body where it is said to be placed.
+    pub fn parted(&self, poses: &Poses<T>, at_start: bool) -> Option<(usize, f64)> {
         let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
         let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
         let size = size(self.scene, self.n);
-        let parts = self.scene.joints.iter().zip(&self.lines).map(|(joint, line)| match joint.kind {
+        let parts = self.scene.joints.iter().zip(&self.lines).enumerate();
+        let parts = parts.map(|(j, (joint, line))| match joint.kind {
             JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
             JointKind::Hinge { one, other, turned_deg } => {
                 let turned = turned_deg.map_or(0.0, |by| {
@@ -548,17 +590,26 @@ impl<'a, T: Real> Layout<'a, T> {
             JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
                 (aside(*line, at, through_m) - self.n.get(radius_m)).size()
             }
-            JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } => {
-                let [x, y] = less(place(at), ground(self.n, centre_m));
-                ((x.square() + y.square()).root() - self.apart(&joint.kind).unwrap_or_else(T::zero)).size()
+            JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. }
+            | JointKind::Cord { at, place_m: middle, .. } => {
+                let [x, y] = less(place(at), ground(self.n, middle));
+                ((x.square() + y.square()).root() - self.apart(j).unwrap_or_else(T::zero)).size()
             }
-            JointKind::Cord { .. } => 0.0,
         });
-        parts.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
+        let moved = |joint: &Joint| {
+            let own = joint.kind.spots().filter_map(|spot| {
+                let place = self.scene.planar(spot.body)?.origin_m.filter(|_| at_start)?;
+                Some(off(poses[spot.body].origin, ground(self.n, place)))
+            });
+            own.fold(0.0, f64::max)
+        };
+        let all = parts.zip(self.scene.joints.iter().map(moved)).map(|(apart, moved)| apart + moved);
+        all.enumerate().find(|(_, off)| off.is_nan() || *off > MET * size)
     }
-    /// How far the centre of a body is from the axis of the cylinder that it touches.
-    fn apart(&self, kind: &JointKind) -> Option<T> {
-        match *kind {
+    /// How far the centre of a body is from the axis of the cylinder that it touches, or a point from where its cord is tied.
+    fn apart(&self, joint: usize) -> Option<T> {
+        match self.scene.joints[joint].kind {
+            JointKind::Cord { .. } => Some(self.starts[joint]),
             JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
                 let (own, arc) = (self.n.get(radius_m), self.n.get(arc));
                 Some(if inside { (own - arc).abs() } else { arc + own })
@@ -608,7 +659,9 @@ impl<'a, T: Real> Layout<'a, T> {
 
     /// The places at the start of what the joints could place in two ways, where the bank does not say in which.
     pub fn choices(&self) -> Vec<Choice> {
-        let still = self.scene.is_still() && self.scene.start_speeds().next().is_none();
+        // What cords and light rods guide lies as it does at the start.
+        let still =
+            self.scene.is_still() && self.scene.start_speeds().next().is_none() || self.first.is_some();
         let steps = if still { self.planned(true).ok() } else { self.steps.clone() };
         let Some(steps) = steps else { return Vec::new() };
         let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
@@ -724,12 +777,11 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(lead()?, track.at, centre)
             }
             Step::Leads(held) => Pose::through(lead()?, held.at, place(held, poses)),
-            Step::Glides(from, unit) => {
+            Step::Glides(from, unit, bend) => {
                 let ahead = X::with(way, || [T::of(1.0), T::zero()]);
-                Pose {
-                    origin: plus(fixed(*from), along_unit(*unit, ahead)),
-                    axis: self.axis(T::zero(), T::zero())?,
-                }
+                let aside = (ahead * ahead).by(bend.scale2(-1));
+                let moved = plus(along_unit(*unit, ahead), along_unit(left(*unit), aside));
+                Pose { origin: plus(fixed(*from), moved), axis: self.axis(T::zero(), T::zero())? }
             }
             Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
                 let axis = lead()?;
@@ -783,6 +835,12 @@ impl<'a, T: Real> Layout<'a, T> {
                 let [rate, second] = turned.derivatives();
                 Pose::through(turning(now, rate, second), held.at, place)
             }
+            Step::Orbits(held, ratio, [c, s]) => {
+                let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
+                let (sine, cosine) = trig::turn((way * *ratio).signed(sense));
+                let now = [*c * cosine - *s * sine, *s * cosine + *c * sine];
+                Pose::through(turning(now, ratio.signed(sense), T::zero()), held.at, place(held, poses))
+            }
             Step::Rod(held, guide, branch) => {
                 let place = place(held, poses);
                 let apart = [guide.at[0] - held.at[0], guide.at[1] - held.at[1]];
@@ -806,6 +864,9 @@ impl<'a, T: Real> Layout<'a, T> {
         })
     }
 }
+
+/// Where a body lies by default, and the other side.
+const SIDES: [f64; 2] = [1.0, -1.0];
 
 /// 1 where a body lies on the side where it lies by default, else -1.
 fn branch(planar: &Planar) -> f64 {
@@ -849,9 +910,10 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     }
     /// Points of a body that are guided, itself or by what is hinged there.
     fn guided(&self, body: usize) -> impl Iterator<Item = Guided<T>> {
-        let joints = self.layout.scene.joints.iter().zip(&self.layout.lines);
-        joints.filter_map(move |(joint, unit)| {
+        let joints = self.layout.scene.joints.iter().zip(&self.layout.lines).enumerate();
+        joints.filter_map(move |(j, (joint, unit))| {
             let (at, through) = match joint.kind {
+                JointKind::Cord { at, place_m, .. } if !self.at_start => (at, ground(self.layout.n, place_m)),
                 JointKind::Guide { at, through_m, .. } => (at, ground(self.layout.n, through_m)),
                 // The centre of a wheel is a radius off the line.
                 JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
@@ -864,7 +926,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 _ => return None,
             };
             let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
-            let ring = self.layout.apart(&joint.kind);
+            let ring = self.layout.apart(j);
             Some(Guided { at: self.spot(own), through, unit: *unit, ring })
         })
     }
@@ -891,9 +953,13 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn rolls(&self, body: usize) -> Option<Track<T>> {
         let layout = self.layout;
         layout.scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
-            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, rolls: true }
-                if at.body == body =>
-            {
+            JointKind::Contact {
+                at,
+                radius_m,
+                surface: Surface::Line { through_m, .. },
+                rolls: true,
+                ..
+            } if at.body == body => {
                 let through = ground(layout.n, through_m);
                 let radius = layout.n.get(radius_m);
                 Some(Track { joint, at: self.spot(at), through, unit: layout.lines[joint], radius })
@@ -927,19 +993,24 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
+                (None, _, _, Some(place)) if let Some((unit, bend)) = layout.glide => {
+                    Step::Glides(place, unit, bend)
+                }
                 (None, Some(one), Some(other), _)
                     if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
                 {
-                    Step::Slides([one, other], branch(planar))
+                    self.sided(body, SIDES.map(|side| Step::Slides([one, other], side)))?
                 }
                 (None, Some(guide), None, _)
                     if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
                 {
                     // Nothing moves the mass centre along the line.
                     let centre = self::along(layout.n, planar.centre);
-                    Step::Drops(guide, centre, from(guide.through, guide.unit))
+                    // Where it is told where its axis begins, its mass centre is so far ahead of that.
+                    let ahead = dot(axis(planar, &layout.start), guide.unit) * centre;
+                    let ahead = if origin.is_some() { ahead } else { T::zero() };
+                    Step::Drops(guide, centre, from(guide.through, guide.unit) + ahead)
                 }
-                (None, _, _, Some(place)) if layout.glide.is_some() => Step::Glides(place, layout.glide?),
                 (None, _, _, Some(place)) if self.at_start => {
                     Step::Leads(Held { at: [T::zero(); 2], place: Known::Fixed(place) })
                 }
@@ -948,6 +1019,43 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         };
         self.add(body, step);
         Some(())
+    }
+
+    /// How far a gear turns per turn of the leading body, which is pinned at the axis of the fixed gear with which it meshes and carries
+    /// its centre.
+    fn orbits(&self, body: usize, held: &Held<T>) -> Option<T> {
+        let layout = self.layout;
+        let lead = |spot: &Spot| spot.body == layout.lead;
+        let arc = (0..layout.scene.joints.len()).find_map(|joint| {
+            let own = layout.scene.joints[joint].kind.spots().next().filter(|at| at.body == body)?;
+            let [along, aside] = self.spot(own);
+            let at = along.same(held.at[0]) && aside.same(held.at[1]);
+            let meshes = matches!(layout.scene.joints[joint].kind, JointKind::Contact { teeth: true, .. });
+            Arc::of(layout.scene, layout.n, joint).filter(|_| at && meshes)
+        })?;
+        let pinned = layout.scene.joints.iter().any(|joint| match joint.kind {
+            JointKind::Pin { at, place_m } if lead(&at) => {
+                off(ground(layout.n, place_m), arc.axis) <= MET * arc.apart.size()
+            }
+            _ => false,
+        });
+        let carried = matches!(held.place, Known::Of(by, _) if by == layout.lead);
+        (pinned && carried && layout.arc.is_none()).then_some(arc.ratio)
+    }
+
+    /// How a body is placed, of two ways the one that is meant; where cords or light rods guide, that in which it is at the start.
+    fn sided(&self, body: usize, steps: [Step<T>; 2]) -> Option<Step<T>> {
+        let mut meant = usize::from(branch(self.planar(body)?) < 0.0);
+        if let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) {
+            let gaps = steps.map(|step| {
+                let pose = self.layout.place(T::zero(), &step, &mut first.clone());
+                let near =
+                    |pose: Pose<T>| off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis);
+                pose.map_or(f64::NAN, near)
+            });
+            meant ^= usize::from(gaps[1 - meant] < gaps[meant]);
+        }
+        Some(steps[meant])
     }
 
     /// How a body is placed that is welded to one that has a place.
@@ -991,8 +1099,11 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         {
             return Some(Step::Rolls(held, track, start()));
         }
+        if let Some(ratio) = self.orbits(body, &held) {
+            return Some(Step::Orbits(held, ratio, start()));
+        }
         if let Some(guide) = self.guided(body).next() {
-            return Some(Step::Rod(held, guide, branch(planar)));
+            return self.sided(body, SIDES.map(|side| Step::Rod(held, guide, side)));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {

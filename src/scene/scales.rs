@@ -335,4 +335,5 @@ fn of_end(end: &mut CordEnd, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     if let Attach::Wound(radius, _) = &mut end.attach {
         tell(radius, "m");
     }
+    end.tilt_deg.iter_mut().for_each(|tilt| tell(tilt, "1"));
 }

@@ -57,12 +57,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             return;
         }
         self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
-        let kinds: [(&str, IsKind); 5] = [
+        let kinds: [(&str, IsKind); 6] = [
             ("pin", |k| matches!(k, JointKind::Pin { .. })),
             ("hinge", |k| matches!(k, JointKind::Hinge { .. })),
             ("across", |k| matches!(k, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })),
             ("roll", |k| matches!(k, JointKind::Contact { rolls: true, .. })),
-            ("cord", |k| matches!(k, JointKind::Cord { .. })),
+            ("cord", |k| matches!(k, JointKind::Cord { rod: false, .. })),
+            ("rod", |k| matches!(k, JointKind::Cord { rod: true, .. })),
         ];
         let kinds: Vec<String> = kinds
             .into_iter()
@@ -154,7 +155,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         let (mut pressed, mut taut) = (Vec::new(), Vec::new());
         for (j, joint) in scene.joints.iter().enumerate() {
             let (quantity, list) = match joint.kind {
-                JointKind::Cord { .. } => (Quantity::Tension, &mut taut),
+                JointKind::Cord { rod: false, .. } => (Quantity::Tension, &mut taut),
                 kind if kind.only_pushes() => (Quantity::Normal, &mut pressed),
                 _ => continue,
             };
@@ -648,6 +649,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         if !wanted.is_empty() {
             let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.springs.is_empty(), self.units.is_empty()) {
+                (true, _) if self.joint(|k| matches!(k, JointKind::Cord { rod: true, .. })) => {
+                    "joined.rod_there"
+                }
                 (true, _) => "joined.cord_there",
                 (false, true) if twists => "joined.spring_moment",
                 (false, true) => "joined.spring_force",

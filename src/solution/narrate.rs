@@ -409,8 +409,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             }
             if !cords.is_empty() {
                 let loads = |t: usize| matches!(&self.scene.ties[t], Tie::Cord(c) if c.made == Made::Rests);
+                let rod = |t: usize| matches!(&self.scene.ties[t], Tie::Cord(c) if c.made == Made::Link);
                 let what = match () {
                     () if cords.iter().all(|t| self.is_cord(*t)) => "cords",
+                    () if cords.iter().all(|t| self.is_cord(*t) || rod(*t)) => "links",
                     () if cords.iter().all(|t| loads(*t)) => "loads",
                     () => "rims",
                 };

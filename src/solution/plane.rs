@@ -434,6 +434,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 radius_m,
                 surface: Surface::Arc { centre_m, radius_m: arc, inside },
                 rolls,
+                ..
             } if at.body == self.lead => Some((at, radius_m, centre_m, arc, inside, rolls)),
             _ => None,
         })
@@ -795,6 +796,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 radius_m,
                 surface: Surface::Line { through_m, direction_deg },
                 rolls: true,
+                ..
             } if at.body == body => Some((
                 self.of_spot(at),
                 self.ground(through_m),
@@ -920,6 +922,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn place_lead(&mut self) -> Result<(), DerivationStop> {
         let (scene, body) = (self.scene, self.lead);
         let Some(planar) = scene.planar(body) else { return beyond() };
+        // What a cord or a light rod makes of a motion is placed by its length.
+        let several = scene.joints.iter().filter(|j| matches!(j.kind, JointKind::Cord { .. })).count() > 1;
+        let beyond_it = |j: &crate::scene::Joint| match j.kind {
+            // Of several the places that are no data would share their names.
+            JointKind::Cord { place_m, .. } => {
+                self.moves || several && place_m.iter().any(|x| matches!(x, Num::Fixed(_)))
+            }
+            JointKind::Contact { teeth, .. } => teeth,
+            _ => false,
+        };
+        if scene.joints.iter().any(beyond_it) {
+            return Err(Beyond::Mechanism.into());
+        }
         let tex = self.free(&[r"\phi", r"\theta", r"\varphi"]);
         let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
         let name = match (planar.start_deg, scene.end) {
@@ -1002,9 +1017,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             (None, [(at, through, unit)], origin) => {
                 // Nothing moves the mass centre along the line.
                 self.open = scene.drifts().is_none();
+                let placed = origin.is_some() && scene.end == End::AtOnce;
                 let start = origin.map_or_else(Line::default, |o| dot(&less(&o, through), unit));
                 let across = dot(&from_axis(&axis, at), &left(unit)).times(&Factors::one().opposite());
-                let ahead = start.less(&dot(&axis, unit).times(&self.bodies[body].centre));
+                // At an instant its axis begins where it is placed.
+                let centre = dot(&axis, unit).times(&self.bodies[body].centre);
+                let ahead = if placed { start } else { start.less(&centre) };
                 plus(through, &plus(&along(&ahead, unit), &along(&across, &left(unit))))
             }
             (None, _, Some(place)) if scene.end == End::AtOnce => {
@@ -1545,7 +1563,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 JointKind::Contact { at, radius_m, surface, .. } => {
                     self.touch(j, &forces, at, radius_m, surface)
                 }
-                JointKind::Cord { at, place_m } => {
+                JointKind::Cord { at, place_m, .. } => {
                     let apart = less(&self.ground(place_m), &self.spot(at));
                     let apart = self.places(&apart, self.here);
                     let is = self.size(&apart);

@@ -529,7 +529,11 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let pressed = body.line.is_some_and(|l| l.surface) && scene.tells(normal_of);
         let normal = pressed.then(|| {
             let n = draft.named(&[&tagged("N", if surfaces > 1 { &tag } else { "" }), "N_s"], "N");
-            (n, mass.expr() * (&g * level + out))
+            let lifts = scene.ties.iter().filter_map(Tie::tilted).filter(|(on, ..)| *on == i);
+            let lifts = lifts.map(|(_, force, tilt)| {
+                draft.number(force, "P", "N") * sine(draft.number(tilt, r"\beta", "deg"))
+            });
+            (n, lifts.fold(mass.expr() * (&g * level + out), |left, lift| left - lift))
         });
         parts.push(BodyTerms {
             label: names::body(draft.words, draft.scene, i),
@@ -553,7 +557,8 @@ fn levers(draft: &mut Draft, action: &crate::scene::Action) -> [Factors; 2] {
         None => Factors::zero(),
         Some((radius, sense)) => Factors::of(&draft.number(radius, "R", "m")).signed(sign(sense)),
     };
-    [Factors::one().signed(sign(action.along)), arm]
+    let share = action.tilt_deg.map_or(ONE, |tilt| cosine(draft.number(tilt, r"\beta", "deg")));
+    [share.factors().signed(sign(action.along)), arm]
 }
 
 /// The same of a cord's end.

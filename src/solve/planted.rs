@@ -39,7 +39,7 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
     let attach = wound.map_or(Attach::Centre, |r| {
         Attach::Wound(f(r.abs()), if r > 0.0 { Side::Top } else { Side::Bottom })
     });
-    CordEnd { body, attach, forward, upright: None }
+    CordEnd { body, attach, forward, upright: None, tilt_deg: None }
 }
 
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
@@ -204,7 +204,13 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
     }
     let mut scene = scene(vec![wheel], Vec::new(), 1.0);
     let radius_m = f(0.4);
-    scene.joints.push(joint(JointKind::Contact { at: spot(0, 0), radius_m, surface, rolls: true }));
+    scene.joints.push(joint(JointKind::Contact {
+        at: spot(0, 0),
+        radius_m,
+        surface,
+        rolls: true,
+        teeth: false,
+    }));
     let turn = Coordinate { body: 0, degree: Degree::Turn };
     scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
     scene.end = End::Angle(turn, f(end));
@@ -238,8 +244,18 @@ fn hanging() -> Scene {
     if let Some(planar) = &mut scene.bodies[0].planar {
         planar.origin_m = Some([f(0.0), f(0.0)]);
     }
-    scene.joints.push(joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.3), f(0.9)] }));
+    scene.joints.push(joint(JointKind::Cord { at: spot(0, 0), place_m: [f(0.3), f(0.9)], rod: false }));
     scene.end = End::AtOnce;
+    scene
+}
+
+/// A rod on two light rods of unlike lengths, on the way.
+fn linked() -> Scene {
+    let mut scene = hanging();
+    scene.joints = [(0, [-0.3, 0.9]), (1, [1.1, 0.8])]
+        .map(|(point, place)| joint(JointKind::Cord { at: spot(0, point), place_m: place.map(f), rod: true }))
+        .to_vec();
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(8.0));
     scene
 }
 
@@ -400,6 +416,21 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("slider-crank", linkage(true)),
         ("rod on a cord", hanging()),
         ("rod on a cord, struck", struck(hanging())),
+        ("rod on two light rods", linked()),
+        ("pulled at an angle, slipping", {
+            let mut pull = cord((0, Some(0.4), true), Far::Pull(f(400.0)));
+            if let Tie::Cord(cord) = &mut pull {
+                cord.from.tilt_deg = Some(f(20.0));
+            }
+            scene(vec![wheel()], vec![slip(0.2, 0.15), pull], 1.0)
+        }),
+        ("pulled at an angle, rolling", {
+            let mut pull = cord((0, None, true), Far::Pull(f(300.0)));
+            if let Tie::Cord(cord) = &mut pull {
+                cord.from.tilt_deg = Some(f(20.0));
+            }
+            scene(vec![wheel()], vec![roll(0.2), pull], 1.0)
+        }),
         ("slider-crank, struck", struck(linkage(true))),
         ("slider-crank, driven", {
             let mut scene = linkage(true);

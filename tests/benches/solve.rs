@@ -36,6 +36,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
                     attach: Attach::Wound(d(1), Side::Top),
                     forward: true,
                     upright: None,
+                    tilt_deg: None,
                 },
                 to: Far::Pull(d(6)),
                 made: Made::Cord,

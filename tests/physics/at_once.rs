@@ -278,7 +278,7 @@ fn composed(dice: &mut Dice) -> Scene {
         } else {
             Attach::Centre
         };
-        CordEnd { body, attach, forward: dice.one_in(2), upright: None }
+        CordEnd { body, attach, forward: dice.one_in(2), upright: None, tilt_deg: None }
     };
     for b in 1..count {
         if !dice.one_in(4) {

@@ -84,6 +84,8 @@ pub struct End {
     /// `None`: tied at the centre.
     pub wound: Option<&'static str>,
     pub leaves: &'static str,
+    /// Degrees away from the surface.
+    pub tilt: Option<i8>,
 }
 
 #[derive(Clone)]
@@ -96,10 +98,31 @@ pub enum Far {
 
 #[derive(Clone)]
 pub enum Tie {
-    Rolls { body: usize, on: &'static str, mu_s: Option<Amount> },
-    Slips { body: usize, on: &'static str, mu_s: Amount, mu_k: Amount },
-    Slides { body: usize, mu_s: Option<Amount>, mu_k: Amount },
-    Cord { from: End, far: Far },
+    Rolls {
+        body: usize,
+        on: &'static str,
+        mu_s: Option<Amount>,
+    },
+    Slips {
+        body: usize,
+        on: &'static str,
+        mu_s: Amount,
+        mu_k: Amount,
+    },
+    Slides {
+        body: usize,
+        mu_s: Option<Amount>,
+        mu_k: Amount,
+    },
+    Cord {
+        from: End,
+        far: Far,
+    },
+    /// A light rod between two centres.
+    Link {
+        from: End,
+        to: End,
+    },
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -271,7 +294,7 @@ impl Maker<'_> {
                     _ => self.lot.of(&plain),
                 },
             };
-            return End { body, wound: Some(radius), leaves };
+            return End { body, wound: Some(radius), leaves, tilt: None };
         }
         let level = matches!(b.way, Way::Along(s) if surfaces[s].slope.is_none() && !surfaces[s].vertical);
         let leaves = if level {
@@ -279,7 +302,7 @@ impl Maker<'_> {
         } else {
             self.lot.of(&["forward", "back", "up", "down"])
         };
-        End { body, wound: None, leaves }
+        End { body, wound: None, leaves, tilt: None }
     }
 }
 
@@ -470,9 +493,44 @@ pub fn scene(seed: u64) -> Scene {
         heading,
         constructs: Vec::new(),
     };
+    pull_aside(&mut scene, seed);
+    stiffen(&mut scene, seed);
     scene.constructs = constructs(&scene);
     // Radii that nothing uses are no data.
     scene
+}
+
+/// Some pulls lead away from their surfaces, or toward them.
+fn pull_aside(s: &mut Scene, seed: u64) {
+    let mut lot = Lot::new(seed ^ 0x7117_ed00);
+    let Scene { bodies, ties, .. } = s;
+    for tie in ties {
+        if let Tie::Cord { from, far: Far::Pulled(_) } = tie
+            && matches!(bodies[from.body].way, Way::Along(_))
+            && lot.in_100(40)
+        {
+            from.tilt = Some(i8::try_from(lot.below(120)).expect("small") - 40);
+        }
+    }
+}
+
+/// Some cords that run straight from one centre to another are light rods.
+fn stiffen(s: &mut Scene, seed: u64) {
+    let mut lot = Lot::new(seed ^ 0x0571_ff00);
+    let Scene { bodies, surfaces, ties, .. } = s;
+    for tie in ties {
+        let Tie::Cord { from, far: Far::To(to) } = tie else { continue };
+        let (one, other) = (&bodies[from.body], &bodies[to.body]);
+        // Told upward, so that the positive senses do not matter.
+        let level = |b: &Body| matches!(b.positive, Some("forward" | "right" | "back" | "left"));
+        let like = one.way == other.way && one.way != Way::Axle && !level(one) && !level(other);
+        let sloped =
+            !matches!(one.way, Way::Along(i) if surfaces[i].slope.is_none() && !surfaces[i].vertical);
+        if like && sloped && lot.in_100(60) {
+            let straight = |end: &End, leaves| End { wound: None, leaves, ..end.clone() };
+            *tie = Tie::Link { from: straight(from, "up"), to: straight(to, "down") };
+        }
+    }
 }
 
 fn constructs(s: &Scene) -> Vec<&'static str> {
@@ -491,6 +549,8 @@ fn constructs(s: &Scene) -> Vec<&'static str> {
             Tie::Rolls { .. } => "rolls",
             Tie::Slips { .. } => "slips",
             Tie::Slides { .. } => "slides",
+            Tie::Cord { from: End { tilt: Some(_), .. }, .. } => "pull at an angle",
+            Tie::Link { .. } => "light rod",
             Tie::Cord { far: Far::Pulled(_), .. } => "pull",
             Tie::Cord { far: Far::To(_), .. } => "cord between bodies",
             Tie::Cord { far: Far::Fast, .. } => "cord held fast",
@@ -574,6 +634,7 @@ pub fn yaml(s: &Scene) -> String {
             Tie::Rolls { body: b, on, .. } | Tie::Slips { body: b, on, .. } => *b == body && *on == radius,
             Tie::Slides { .. } => false,
             Tie::Cord { from, far } => at(from) || matches!(far, Far::To(to) if at(to)),
+            Tie::Link { .. } => false,
         })
     };
     for (i, b) in s.bodies.iter().enumerate() {
@@ -629,9 +690,10 @@ pub fn yaml(s: &Scene) -> String {
     for t in &s.ties {
         let end = |e: &End| {
             let name = &s.bodies[e.body].name;
+            let tilt = e.tilt.map(|tilt| format!(", at an angle: {tilt} deg")).unwrap_or_default();
             match e.wound {
-                Some(r) => format!("{{body: {name}, wound on: {r}, leaves: {}}}", e.leaves),
-                None => format!("{{body: {name}, tied at: centre, leaves: {}}}", e.leaves),
+                Some(r) => format!("{{body: {name}, wound on: {r}, leaves: {}{tilt}}}", e.leaves),
+                None => format!("{{body: {name}, tied at: centre, leaves: {}{tilt}}}", e.leaves),
             }
         };
         let line = match t {
@@ -648,6 +710,7 @@ pub fn yaml(s: &Scene) -> String {
                 let mu = mu_s.as_ref().map(|m| format!(", mu_s: {}", say(m, &mut data))).unwrap_or_default();
                 format!("slides: {{body: {}, mu_k: {mu_k}{mu}}}", s.bodies[*body].name)
             }
+            Tie::Link { from, to } => format!("link: {{from: {}, to: {}}}", end(from), end(to)),
             Tie::Cord { from, far } => {
                 let far = match far {
                     Far::Pulled(p) => format!("pulled with: {}", say(p, &mut data)),

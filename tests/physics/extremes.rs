@@ -172,8 +172,13 @@ fn scene(kind: Kind) -> Scene {
     let d = Num::Datum;
     let along = Coordinate { body: 0, degree: Degree::Along };
     let cord = |radius, to| {
-        let from =
-            CordEnd { body: 0, attach: Attach::Wound(d(radius), Side::Top), forward: true, upright: None };
+        let from = CordEnd {
+            body: 0,
+            attach: Attach::Wound(d(radius), Side::Top),
+            forward: true,
+            upright: None,
+            tilt_deg: None,
+        };
         Tie::Cord(Cord { name: "cord".into(), from, to, made: slipstick::scene::Made::Cord })
     };
     let (ties, end, heading) = match kind {

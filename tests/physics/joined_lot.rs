@@ -56,7 +56,8 @@ pub enum Hold {
     Weld(Spot, Spot, f64),
     /// Point, a place and the direction of the line, does it only push, friction.
     Guide(Spot, V2, f64, bool, Option<f64>),
-    Cord(Spot, V2),
+    /// Point and place; is it a light rod, which pushes too?
+    Cord(Spot, V2, bool),
     /// Centre, radius, does it roll; a line, the left side of which is free.
     Line(Spot, f64, bool, V2, f64),
     /// The same on a cylinder: its axis and its radius, and is the body inside, or a hoop about it?
@@ -244,8 +245,9 @@ impl Machine {
                 }
                 text
             }
-            Hold::Cord(at, place) => {
-                format!("ties: {}, to: {}", self.spot_text(*at), self.place(lot, *place))
+            Hold::Cord(at, place, rod) => {
+                let word = if *rod { "links" } else { "ties" };
+                format!("{word}: {}, to: {}", self.spot_text(*at), self.place(lot, *place))
             }
             Hold::Line(at, radius, rolls, through, direction) => {
                 let direction = self.number(lot, *direction, 0, "deg");
@@ -332,7 +334,7 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         start_text: Vec::new(),
         data: Vec::new(),
     };
-    let at_once = match l.below(11) {
+    let at_once = match if seed % 8 == 5 { 11 } else { l.below(11) } {
         0 => slots(&mut m, l)?,
         1 => ladder(&mut m, l),
         2 => on_a_floor(&mut m, l),
@@ -341,6 +343,7 @@ pub fn machine(seed: u64) -> Option<(Machine, Lot)> {
         6 => four_bars(&mut m, l)?,
         7 => on_a_line(&mut m, l),
         8 | 9 => on_a_cylinder(&mut m, l),
+        11 => on_links(&mut m, l)?,
         _ => let_go(&mut m, l),
     };
     if l.in_100(20) {
@@ -564,6 +567,34 @@ fn on_a_cylinder(m: &mut Machine, l: &mut Lot) -> bool {
     false
 }
 
+/// Two light rods or cords to fixed places, or one and a guide.
+fn on_links(m: &mut Machine, l: &mut Lot) -> Option<bool> {
+    m.kind = "on links";
+    let reach = grid(l, 0.3, 2.0, 2);
+    let at = place(l);
+    bar(m, l, reach, true, &format!(", placed: [{:.2} m, {:.2} m]", at[0], at[1]));
+    m.put(0, on(0.0), at, m.axis(m.angle));
+    let ends = [on(0.0), on(reach)];
+    let guided = l.below(4);
+    for (i, end) in ends.into_iter().enumerate() {
+        let near = m.at((0, end));
+        if i == guided {
+            let words = [0.0, -90.0, grid(l, 1.0, 89.0, 0)];
+            let direction = l.of(&words);
+            let through = if i == 0 { at } else { return None };
+            m.hold(l, Hold::Guide((0, end), through, direction, false, None));
+            continue;
+        }
+        let far = place(l);
+        if length(plus(far, -1.0, near)) < 0.2 {
+            return None;
+        }
+        let rod = l.in_100(70);
+        m.hold(l, Hold::Cord((0, end), far, rod));
+    }
+    Some(false)
+}
+
 /// Let go at an instant: one to three bodies on cords, pins and hinges, with whatever freedoms that leaves.
 fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
     m.kind = "let go";
@@ -578,7 +609,7 @@ fn let_go(m: &mut Machine, l: &mut Lot) -> bool {
         1 => {
             let far = plus(at, 1.0, [grid(l, -1.0, 1.0, 2), grid(l, 0.2, 1.5, 2)])
                 .map(|x| (x * 100.0).round() / 100.0);
-            m.hold(l, Hold::Cord((0, on(0.0)), far));
+            m.hold(l, Hold::Cord((0, on(0.0)), far, far[0] > at[0]));
         }
         _ => {}
     }

@@ -85,7 +85,7 @@ impl<'m> Judge<'m> {
                     let force = normal.0.iter().zip(&rub).map(|(n, t)| n - by * t).collect();
                     add(normal, 0.0, Some(force));
                 }
-                Hold::Cord(at, far) => {
+                Hold::Cord(at, far, _) => {
                     let apart = plus(far, -1.0, self.place(q, at));
                     let (l, e) = (length(apart), apart.map(|x| x / length(apart)));
                     let across = dot(self.velocity(q, v, at), quarter(e));
@@ -429,7 +429,10 @@ impl<'m> Judge<'m> {
     /// Least of the forces that can only push, and its joint; infinite where there is none.
     fn least(&self, forces: &[f64]) -> (f64, usize) {
         let pushes = |hold: &Hold| {
-            matches!(hold, Hold::Guide(_, _, _, true, _) | Hold::Cord(..) | Hold::Line(..) | Hold::Arc(..))
+            matches!(
+                hold,
+                Hold::Guide(_, _, _, true, _) | Hold::Cord(_, _, false) | Hold::Line(..) | Hold::Arc(..)
+            )
         };
         let mut least = (f64::INFINITY, 0);
         for (j, first) in self.first().into_iter().enumerate() {

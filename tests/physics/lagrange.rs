@@ -68,6 +68,14 @@ fn radius(b: &Body, name: &str) -> f64 {
 /// Where a cord leaves: from the mass centre to the point, and the direction away from the body.
 fn leaves(s: &Scene, frames: &[Frame], e: &End) -> (V2, V2) {
     let f = &frames[e.body];
+    if let Some(tilt) = e.tilt {
+        // Turned out of the surface, with the place at which it leaves the rim.
+        let (at, along) = leaves(s, frames, &End { tilt: None, ..e.clone() });
+        let angle = f64::from(tilt) * std::f64::consts::PI / 180.0;
+        let (c, s) = (libm::cos(angle), libm::sin(angle) * dot(quarter(along), f.out));
+        let turned = |a: V2| (c * a.0 - s * a.1, c * a.1 + s * a.0);
+        return (turned(at), turned(along));
+    }
     let Some(on) = e.wound else {
         let along = match e.leaves {
             "forward" => f.forward,
@@ -93,6 +101,17 @@ fn leaves(s: &Scene, frames: &[Frame], e: &End) -> (V2, V2) {
         "back up" | "up" => ((-p, 0.0), (0.0, 1.0)),
         other => panic!("{other}"),
     }
+}
+
+/// The force with which a body presses on its surface: its weight less what pulls lift.
+fn pressed(s: &Scene, frames: &[Frame], mass: f64, body: usize) -> f64 {
+    let out = frames[body].out;
+    s.ties.iter().fold(mass * s.gravity.si * out.1, |left, tie| match tie {
+        Tie::Cord { from, far: Far::Pulled(p) } if from.tilt.is_some() && from.body == body => {
+            left - p.si * dot(leaves(s, frames, from).1, out)
+        }
+        _ => left,
+    })
 }
 
 fn masses(s: &Scene, b: &Body) -> (f64, f64) {
@@ -345,8 +364,7 @@ impl<'s> System<'s> {
         for (t, tie) in s.ties.iter().enumerate() {
             let contact = |body: usize, c: f64| {
                 let f = &frames[body];
-                // Cords run along the line, so nothing but the weight presses.
-                let normal = mass[3 * body] * s.gravity.si * f.out.1;
+                let normal = pressed(s, &frames, mass[3 * body], body);
                 (point(body, times(-c, f.out), f.forward), if normal.abs() < 1e-12 { 0.0 } else { normal })
             };
             match tie {
@@ -388,6 +406,14 @@ impl<'s> System<'s> {
                         mu_k: mu_k.si,
                         said: Said::Slides,
                     });
+                }
+                Tie::Link { from, to } => {
+                    let mut row = vec![0.0; n];
+                    for end in [from, to] {
+                        let (at, along) = leaves(s, &frames, end);
+                        row.iter_mut().zip(point(end.body, at, along)).for_each(|(r, o)| *r += o);
+                    }
+                    rows.push((Some(t), row));
                 }
                 Tie::Cord { from, far } => {
                     let (at, along) = leaves(s, &frames, from);
@@ -952,7 +978,7 @@ impl<'s> System<'s> {
                 say("rise", own, q[3 * b + 1] * at, at * q[3 * b].abs().max(q[3 * b + 1].abs()));
             }
             if f.line && f.on_surface {
-                let normal = self.mass[3 * b] * s.gravity.si * f.out.1;
+                let normal = pressed(s, &self.frames, self.mass[3 * b], b);
                 say("normal", own, normal, forces);
             }
         }
@@ -1050,15 +1076,23 @@ impl<'s> System<'s> {
             say("heat", Owner::Scene, heat, heat);
         }
         for (t, tie) in s.ties.iter().enumerate() {
-            let Tie::Cord { from, far } = tie else { continue };
             let own = Owner::Tie(t);
+            if let Tie::Link { .. } = tie {
+                match there.reactions[t] {
+                    Some(pull) => say("tension", own, pull, forces),
+                    None => open.push(("tension", own)),
+                }
+            }
+            let Tie::Cord { from, far } = tie else { continue };
             let (point, along) = leaves(s, &self.frames, from);
             let b = from.body;
             let rate =
                 q[3 * b] * along.0 + q[3 * b + 1] * along.1 + q[3 * b + 2] * dot(quarter(point), along);
             match far {
                 Far::Pulled(p) if arrived => {
-                    say("cord_travel", own, (rate * at).abs(), at);
+                    if from.tilt.is_none() {
+                        say("cord_travel", own, (rate * at).abs(), at);
+                    }
                     say("work_pull", own, p.si * rate * at, p.si * at);
                     say("power_pull", own, p.si * rate * u, p.si * u);
                 }
@@ -1162,7 +1196,8 @@ impl<'s> System<'s> {
         }
         told.open = open;
         told.checks = checks;
-        if arrived {
+        // The friction of what is lifted off its surface would drive it: no account, and nothing is published of it.
+        if arrived && self.contacts.iter().all(|c| c.normal >= 0.0) {
             self.account(&q, at, u, u0, energy, told);
         }
     }

@@ -29,6 +29,7 @@ mod joined_scenes;
 mod ladder;
 mod lagrange;
 mod limits;
+mod links;
 mod meshes;
 mod next;
 mod pinned_bits;

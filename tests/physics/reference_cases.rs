@@ -23,6 +23,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
                 attach: Attach::Wound(Num::Datum(radius), Side::Top),
                 forward: true,
                 upright: None,
+                tilt_deg: None,
             },
             to,
             made: Made::Cord,

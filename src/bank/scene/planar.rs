@@ -1,6 +1,6 @@
 //! Bodies that move in the plane, and their joints, forces and springs.
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, named, shorten};
+use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::told;
 use crate::scene::{
@@ -16,13 +16,15 @@ pub const PLANES: [&str; 2] = ["in the plane", "in a horizontal plane"];
 const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
 
 /// Kinds of joints: field that names what is held, and what it is.
-const JOINTS: [(&str, &str); 7] = [
+const JOINTS: [(&str, &str); 9] = [
     ("pins", "a point that stays in its place"),
     ("hinges", "two points that stay together"),
     ("welds", "two points that stay together, with the angle between their bodies"),
     ("guides", "a point that stays on a line"),
     ("ties", "a point at the end of a cord"),
+    ("links", "a point at the end of a light rod"),
     ("rolls", "a wheel that rolls, by its centre"),
+    ("meshes", "a gear that meshes with a fixed one, by its centre"),
     ("slides", "a wheel or a point on a smooth surface"),
 ];
 
@@ -129,7 +131,7 @@ impl SceneReader<'_> {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
                 names.map(|point| told!("{}.{point}", b.name))
             });
-            let known: Vec<String> = known.collect();
+            let known: Vec<String> = if WHOLE { known.collect() } else { Vec::new() };
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
             self.faults.hint(node, told!("expected a point of a body, found {}", node.kind()), hint);
         }
@@ -145,26 +147,27 @@ impl SceneReader<'_> {
                 let message = told!("`{}` is no name for a joint", shorten(name));
                 f.hint(key, message, "letters, digits and `_`, beginning with a letter");
             }
-            let Some(mut fields) =
-                Fields::open(value, "a joint (pins, hinges, welds, guides, ties, rolls or slides)", f)
-            else {
+            let Some(mut fields) = Fields::open(
+                value,
+                "a joint (pins, hinges, welds, guides, ties, links, rolls, meshes or slides)",
+                f,
+            ) else {
                 continue;
             };
-            let [pins, hinges, welds, guides, ties, rolls, slides] =
+            let [pins, hinges, welds, guides, ties, links, rolls, meshes, slides] =
                 fields.each(JOINTS.map(|(word, _)| word));
-            let touching = match (rolls, slides) {
-                (Some(n), None) => Some((n, true)),
-                (None, Some(n)) => Some((n, false)),
-                _ => None,
-            };
-            let count = [pins, hinges, welds, guides, ties, rolls, slides].iter().flatten().count();
-            let kind = match (pins, hinges.or(welds), guides, ties) {
+            let touching = rolls.or(meshes).map(|n| (n, true)).or(slides.map(|n| (n, false)));
+            let words = [pins, hinges, welds, guides, ties, links, rolls, meshes, slides];
+            let count = words.iter().flatten().count();
+            let kind = match (pins, hinges.or(welds), guides, ties.or(links)) {
                 _ if count == 1 && touching.is_some() => {
-                    touching.and_then(|(n, rolls)| self.surface(n, rolls, &mut fields, bodies))
+                    let how = |(n, rolls)| self.surface(n, (rolls, meshes.is_some()), &mut fields, bodies);
+                    touching.and_then(how)
                 }
                 _ if count != 1 => {
-                    let words = JOINTS.map(|(word, what)| told!("`{word}` ({what})"));
-                    f.hint(value, told!("`{name}` has to say what it holds"), words.join(", "));
+                    let words =
+                        told!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
+                    f.hint(value, told!("`{name}` has to say what it holds"), words);
                     None
                 }
                 (Some(n), None, None, None) => {
@@ -176,7 +179,8 @@ impl SceneReader<'_> {
                 (None, None, None, Some(n)) => {
                     let to = fields.need("to", "[x_A, y_A]");
                     let at = self.spot(n, bodies);
-                    at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m })
+                    let rod = links.is_some();
+                    at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m, rod })
                 }
                 _ => None,
             };
@@ -227,7 +231,13 @@ impl SceneReader<'_> {
     }
 
     /// A wheel that rolls, or a wheel or a point that slides, on a line or a cylinder; inside a smaller one it is a hoop on a peg.
-    fn surface(&self, node: &Node, rolls: bool, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+    fn surface(
+        &self,
+        node: &Node,
+        (rolls, teeth): (bool, bool),
+        fields: &mut Fields,
+        bodies: &[Body],
+    ) -> Option<JointKind> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let radius = match fields.get("radius") {
@@ -261,7 +271,7 @@ impl SceneReader<'_> {
                 None
             }
         };
-        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls })
+        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls, teeth })
     }
 
     /// The direction of a line, in a word or as an angle.
@@ -389,7 +399,7 @@ impl SceneReader<'_> {
             _ => self.spot(n, bodies).map(StrutEnd::Spot),
         });
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let rest = self.natural(node, &mut fields);
+        let rest = self.natural(node, &mut fields, Need::STRETCH);
         let words = [("pushes", Acts::Pushes), ("pulls", Acts::Pulls)];
         let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
         let acts = acts.unwrap_or_default();
@@ -399,11 +409,11 @@ impl SceneReader<'_> {
         Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
 
-    /// Natural length of a spring, or its stretch at the start.
-    pub(super) fn natural(&self, node: &Node, fields: &mut Fields) -> Option<Rest> {
+    /// Natural length of a spring, or its stretch at the start: in the plane that may be negative.
+    pub(super) fn natural(&self, node: &Node, fields: &mut Fields, stretch: Need) -> Option<Rest> {
         match (fields.get("natural length"), fields.get("stretch")) {
             (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
-            (None, Some(n)) => self.number(n, Need::LENGTH).map(Rest::Stretch),
+            (None, Some(n)) => self.number(n, stretch).map(Rest::Stretch),
             _ => {
                 self.faults.hint(
                     node,

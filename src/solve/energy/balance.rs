@@ -6,6 +6,7 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
+use crate::scene::pose;
 use crate::scene::{
     Attach, BodyNumbers, Carried, Coordinate, CordEnd, Couple, Degree, Far, GivenForce, Grows, Numbers,
     Scene, Side, Tie,
@@ -27,10 +28,15 @@ pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
     sum
 }
 
-/// Force that presses a body on its surface, by a virtual displacement out of it: `N dy - m g cos dy = 0`.
-pub fn normal<T: Real>(n: &Numbers<T>, body: usize) -> T {
+/// Force that presses a body on its surface, by a virtual displacement out of it: `N dy + P sin tilt dy - m g cos dy = 0`.
+pub fn normal<T: Real>(scene: &Scene, n: &Numbers<T>, body: usize) -> T {
     let BodyNumbers { mass, level, carried, .. } = n.bodies[body];
     let weight = plant!("energy: weight against the surface", mass * n.gravity) * level;
+    let tilted = scene.ties.iter().filter_map(Tie::tilted).filter(|(on, ..)| *on == body);
+    let weight = tilted.fold(weight, |left, (_, force, tilt)| {
+        let [_, out] = pose::direction(n, tilt);
+        left.balance(-plant!("energy: work of a pull out of the surface", n.massive(force) * out))
+    });
     // Carried out of its surface it gains momentum.
     let gained = |out: Carried<T>| plant!("energy: momentum out of the surface", mass * out.acceleration);
     carried.map_or(weight, |[_, out]| weight.balance(gained(out)))
@@ -217,7 +223,10 @@ pub fn reactions<T: Real>(
             let cord_lever = |end: &CordEnd| -> T {
                 let sense = if end.forward { 1.0 } else { -1.0 };
                 match (degree, end.attach) {
-                    (Degree::Along, _) => T::of(sense),
+                    (Degree::Along, _) => match end.tilt_deg {
+                        Some(tilt) => pose::direction(n, tilt)[0].signed(sense),
+                        None => T::of(sense),
+                    },
                     (Degree::Turn, Attach::Centre) => T::zero(),
                     (Degree::Turn, Attach::Wound(p, Side::Top)) => n.get(p).signed(sense),
                     (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),

@@ -366,16 +366,12 @@ impl<'a, T: Real> Account<'a, T> {
                 JointKind::Pin { at, .. } => {
                     Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
                 }
-                JointKind::Contact { at, rolls, .. } => {
+                JointKind::Contact { at, rolls, teeth, .. } => {
                     let centre = self.point(poses, at).map(|x| x.value);
                     self.layout.touch(j, centre).map(|touch| {
                         rim = plant!("energy: radius of a rolling wheel", touch.radius);
-                        let along: SmallVec<[Vector<T>; 2]> = if rolls {
-                            smallvec![touch.normal, touch.along]
-                        } else {
-                            smallvec![touch.normal]
-                        };
-                        (at, along)
+                        let both = [touch.normal, touch.along];
+                        (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
                     })
                 }
                 JointKind::Guide { at, mu_k, .. } => {
@@ -388,7 +384,7 @@ impl<'a, T: Real> Account<'a, T> {
                     };
                     Some((at, smallvec![[-s - rub * c, c - rub * s]]))
                 }
-                JointKind::Cord { at, place_m } => {
+                JointKind::Cord { at, place_m, .. } => {
                     let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
                     let apart = [far[0] - near[0].value, far[1] - near[1].value];
                     let length = dot(apart, apart).root();
@@ -413,11 +409,12 @@ impl<'a, T: Real> Account<'a, T> {
                 count += 1;
             };
             match (ground, joint.kind) {
-                // The second condition of a wheel is that its rim does not slip.
+                // The last condition of a wheel that rolls is that its rim does not slip.
                 (Some((at, directions)), kind) => {
-                    let wheel = matches!(kind, JointKind::Contact { .. });
+                    let rolls = matches!(kind, JointKind::Contact { rolls: true, .. });
                     for (i, u) in directions.iter().enumerate() {
-                        add(&[(at, *u, if wheel && i == 1 { rim } else { T::zero() })]);
+                        let slips = rolls && i + 1 == directions.len();
+                        add(&[(at, *u, if slips { rim } else { T::zero() })]);
                     }
                 }
                 (None, JointKind::Hinge { one, other, turned_deg }) => {
@@ -840,7 +837,7 @@ impl<'a, T: Real> Account<'a, T> {
         }
         let turns = || Err(Refusal::Unsupported(Unsupported::FrictionTurns));
         for (j, joint) in self.scene.joints.iter().enumerate() {
-            let pushes = joint.kind.only_pushes();
+            let pushes = joint.kind.is_one_sided();
             if !pushes && joint.kind.rubs().is_none() || self.scene.end == End::Leaves(j) {
                 continue;
             }
@@ -1019,7 +1016,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn presses(&self, begin: &Poses<T>, from: T) -> Result<bool, Refusal> {
         const LEAST: f64 = 1e-9;
         let square = from.scale2(1);
-        let pushing = |joint: &usize| self.scene.joints[*joint].kind.only_pushes();
+        let pushing = |joint: &usize| self.scene.joints[*joint].kind.is_one_sided();
         let mut joints = (0..self.scene.joints.len()).filter(pushing).peekable();
         if joints.peek().is_none() {
             return Ok(true);
@@ -1069,7 +1066,8 @@ impl<'a, T: Real> Account<'a, T> {
             let jump = self.sets_off(&poses, true)?;
             let mut after = jump.clone();
             if !spin.is_zero() {
-                for (v, unit) in after.iter_mut().zip(self.rates(&poses)) {
+                // How it moves is told by what guides it on the way, as a light rod does.
+                for (v, unit) in after.iter_mut().zip(self.rates(&self.poses(T::zero())?)) {
                     *v = [0, 1, 2].map(|i| v[i].balance(unit[i] * spin));
                 }
             }

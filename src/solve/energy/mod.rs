@@ -19,7 +19,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, ball, trig};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Made, Numbers, Owner, Quantity,
+    Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, Tie, speed,
 };
 use crate::solve::energy::account::{Account, Store};
@@ -289,7 +289,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         if !slipping.is_empty() {
             let kinetic_of = |t: usize, sense: f64| match &scene.ties[t] {
                 Tie::Slip { body, mu_k, .. } => {
-                    let most = plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(&n, *body);
+                    let most =
+                        plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(scene, &n, *body);
                     Some(most.signed(sense))
                 }
                 _ => None,
@@ -346,7 +347,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 for (t, tie) in scene.ties.iter().enumerate() {
                     if let Tie::Slide { body, mu_s, mu_k } = tie {
                         let mu = if starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
-                        let most = n.get(mu) * balance::normal(&n, *body);
+                        let most = n.get(mu) * balance::normal(scene, &n, *body);
                         kinetic[t] = (!stays[t]).then(|| most.signed(-going[*body]));
                     }
                 }
@@ -442,7 +443,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             weightless.gravity = T::zero();
             let rubs = |(tie, force): (&Tie, &T)| match tie {
                 Tie::Slide { body, mu_k, .. } => {
-                    (self.n.get(*mu_k) * balance::normal(&weightless, *body)).signed(force.sign())
+                    (self.n.get(*mu_k) * balance::normal(self.scene, &weightless, *body)).signed(force.sign())
                 }
                 _ => T::zero(),
             };
@@ -685,7 +686,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn if_rolled(&mut self) {
         for (t, friction) in std::mem::take(&mut self.rolled) {
             if let Tie::Slip { body, .. } = &self.scene.ties[t] {
-                let normal = balance::normal(&self.n, *body);
+                let normal = balance::normal(self.scene, &self.n, *body);
                 self.say(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)));
                 self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs().over(normal));
             }
@@ -716,7 +717,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn grip(&mut self, tension0: T, tension1: T) {
         for b in 0..self.scene.bodies.len() {
             if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
-                let normal = balance::normal(&self.n, b);
+                let normal = balance::normal(self.scene, &self.n, b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
             }
         }
@@ -731,7 +732,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                     continue;
                 }
                 let most = first[t].abs().larger(last[t].abs());
-                let normal = balance::normal(&self.n, *body);
+                let normal = balance::normal(self.scene, &self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                 }
@@ -843,7 +844,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Cord(c) => match c.to {
                     Far::Pull(_) => {}
                     Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
-                    _ if c.made != Made::Cord => self.say(c.force(), Owner::Tie(t), held[t].abs()),
+                    _ if c.force() != Quantity::Tension => self.say(c.force(), Owner::Tie(t), held[t].abs()),
                     Far::Body(_) | Far::Fixed => self.say(Quantity::Tension, Owner::Tie(t), held[t]),
                 },
             }
@@ -918,7 +919,9 @@ impl<'a, T: Real> Ledger<'a, T> {
                     let rate = self.mode.point(&self.n, &c.from).signed(sense);
                     if let Far::Pull(p) = c.to {
                         let p = plant!("energy: work of the pull", self.n.massive(p));
-                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                        if c.from.tilt_deg.is_none() {
+                            self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                        }
                         let growth = balance::grown(self.scene, &self.n, GivenForce::Pull(t));
                         let (work, last) = self.work(p, growth, rate, s);
                         self.say(Quantity::WorkPull, Owner::Tie(t), work);
@@ -986,7 +989,9 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// `k^2 = c^2 (W' - X)/X` with `v = c omega`. Infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
         let [body] = self.scene.bodies.as_slice() else { return };
-        let given = !self.scene.couples.is_empty() || !self.scene.growths.is_empty();
+        let given = !self.scene.couples.is_empty()
+            || !self.scene.growths.is_empty()
+            || self.scene.ties.iter().any(|t| t.tilted().is_some());
         if !matches!(body.inertia, Some(RotaryInertia::Gyration(_))) || given {
             return;
         }

@@ -5,6 +5,7 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
+use crate::scene::pose;
 use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
 use crate::solve::outcome;
 use crate::solve::outcome::{Grip, Refusal};
@@ -45,6 +46,9 @@ impl<T: Real> Mode<T> {
             }
         };
         let centre = plant!("energy: travel of the centre with a cord", self.v[end.body]);
+        let centre = end.tilt_deg.map_or(centre, |tilt| {
+            plant!("energy: travel along a pull at an angle", centre * pose::direction(n, tilt)[0])
+        });
         let velocity = centre.balance(about_centre);
         if end.forward { velocity } else { -velocity }
     }

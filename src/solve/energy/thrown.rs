@@ -91,7 +91,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         .balance(plant!("energy: momentum of the turn", numbers.inertia * w0 * roll.w));
     let u0 = momentum / roll.inertia;
     let slip0 = v0.apart(c * w0);
-    let normal = balance::normal(n, body);
+    let normal = balance::normal(scene, n, body);
     let kinetic = plant!("energy: kinetic friction on a thrown body", n.get(thrown.mu_k)) * normal;
     let needed = -slip.power;
     let available = n.get(thrown.mu_s) * normal;

@@ -2,11 +2,11 @@
 //!
 //! Unknowns: an acceleration for each line, an angular acceleration for each body that turns, and one reaction for each
 //! contact and cord of unknown tension. The normal force is none of them: cords are parallel to the line, so only the weight
-//! presses a body on its surface. For each body, positive forward:
+//! and given pulls at an angle press a body on its surface. For each body, positive forward:
 //!
 //! ```text
 //! m a         = sum of forces along the line         (weight -m g sin, friction F, cords e T)
-//! 0           = N - m g cos                          (only on a surface)
+//! 0           = N - m g cos + P sin tilt             (only on a surface)
 //! I alpha     = sum of moments about the mass centre (friction -F c, cords e s p T, couples)
 //! a - c alpha = 0                                    (rolls on c);   F = +- mu_k N  (slips or slides)
 //! sum e (a + s p alpha) = 0                          (a cord keeps its length)
@@ -16,6 +16,7 @@
 use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
+use crate::scene::pose;
 use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Numbers, Scene, Tie};
 use crate::solve::outcome::{Grip, Refusal};
 use smallvec::SmallVec;
@@ -206,6 +207,10 @@ fn assembled<T: Real>(
             rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
         }
     }
+    for (body, force, tilt) in scene.ties.iter().filter_map(Tie::tilted) {
+        let lifts = n.massive(force) * pose::direction(n, tilt)[1];
+        normals[body] = normals[body].balance(-plant!("eom: lift of a pull at an angle", lifts));
+    }
     for (i, c) in scene.couples.iter().enumerate() {
         if let Some(row) = layout.turn[c.body] {
             let moment = plant!("eom: moment of a couple", n.massive(c.moment_n_m));
@@ -220,6 +225,7 @@ fn assembled<T: Real>(
         let (toward, arm) = lever(n, end);
         if let Some(row) = layout.along[end.body] {
             let f = plant!("eom: pull of a cord along the line", tension.signed(toward));
+            let f = end.tilt_deg.map_or(f, |tilt| f * pose::direction(n, tilt)[0]);
             match unknown {
                 Some(u) => rows.term(row, u, -f),
                 None => rows.right(row, column, f),

@@ -15,6 +15,7 @@ use crate::num::dd::Dd;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, trig};
+use crate::scene::pose;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
     Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
@@ -461,6 +462,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// Travel of a cord's end along the cord per unit travel of the ending coordinate.
     fn take_up(&self, end: &CordEnd) -> T {
         let centre = self.along(end.body).map_or_else(T::zero, |c| self.ratio(c));
+        let centre = end.tilt_deg.map_or(centre, |tilt| centre * pose::direction(&self.n, tilt)[0]);
         let wound = match (end.attach, self.turn(end.body)) {
             (Attach::Wound(p, side), Some(c)) => {
                 let arm = self.ratio(c) * plant!("eom: unwinding of a cord", self.n.get(p));
@@ -1017,7 +1019,7 @@ impl<'a, T: Real> Walk<'a, T> {
                         let ends = tie.actions().map(|end| end.body);
                         let forces = ends.map(|b| self.friction_scale(&self.response, b, f, tension));
                         let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.f64().abs() };
-                        let f = if c.made == Made::Cord { f } else { f.abs() };
+                        let f = if c.force() == Quantity::Tension { f } else { f.abs() };
                         self.say_scaled(c.force(), Owner::Tie(t), f, scale);
                     }
                 },
@@ -1148,7 +1150,9 @@ impl<'a, T: Real> Walk<'a, T> {
                     let rate = self.take_up(&c.from).signed(sense);
                     if let Far::Pull(force) = c.to {
                         let p = self.n.massive(force);
-                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                        if c.from.tilt_deg.is_none() {
+                            self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                        }
                         let growth = self.response.grown(GivenForce::Pull(t));
                         let last = growth.map_or(p, |growth| p + growth);
                         self.say(Quantity::WorkPull, Owner::Tie(t), self.work(p, growth, rate, s));
@@ -1205,7 +1209,8 @@ impl<'a, T: Real> Walk<'a, T> {
     /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
         let [body] = self.scene.bodies.as_slice() else { return };
-        if !self.asks(&[Quantity::KBound]) || !self.scene.growths.is_empty() {
+        let tilted = self.scene.ties.iter().any(|t| t.tilted().is_some());
+        if !self.asks(&[Quantity::KBound]) || !self.scene.growths.is_empty() || tilted {
             return;
         }
         let mut radius = None;

@@ -23,8 +23,9 @@ use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
 use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
-/// Are joints looked through for what they do not say or hold? Not in a page, whose sheet was drawn from a scene that was looked through.
-const LOOKED_THROUGH: bool = cfg!(feature = "program");
+/// Are joints looked through for what they do not say or hold, and motions for where they cannot be followed? Not in a page, whose sheet
+/// was drawn from a scene that was looked through.
+pub const LOOKED_THROUGH: bool = cfg!(feature = "program");
 
 /// Right-hand side of the forces.
 pub const CONSTANT: usize = 0;
@@ -281,16 +282,18 @@ impl<'a, T: Real> Mechanism<'a, T> {
                     let [c, s] = self.layout.lines[joint];
                     rows.push(Row::new(joint, end(at, [-s, c], zero), None, zero));
                 }
-                JointKind::Contact { at, rolls, .. } => {
+                JointKind::Contact { at, rolls, teeth, .. } => {
                     // The centre keeps its distance; rolling, its speed along the surface is the radius times the turn.
                     let Some(touch) = self.layout.touch(joint, self.place(poses, at)) else { continue };
-                    rows.push(Row::new(joint, end(at, touch.normal, zero), None, -touch.bend));
+                    if !teeth {
+                        rows.push(Row::new(joint, end(at, touch.normal, zero), None, -touch.bend));
+                    }
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
                         rows.push(Row::new(joint, end(at, touch.along, radius), None, zero));
                     }
                 }
-                JointKind::Cord { at, place_m } => {
+                JointKind::Cord { at, place_m, .. } => {
                     let (near, far) = (self.place(poses, at), pose::ground(self.n, place_m));
                     let apart = [far[0] - near[0], far[1] - near[1]];
                     let length = dot(apart, apart).root();
@@ -330,8 +333,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Errors: joints that leave more than that, or hold it fast.
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
-        if LOOKED_THROUGH && let Some((joint, off_m)) = self.layout.parted(&poses) {
-            return Err(Refusal::Parted { joint, off_m, at_start: way.is_zero() });
+        let at_start = way.is_zero();
+        if LOOKED_THROUGH && let Some((joint, off_m)) = self.layout.parted(&poses, at_start) {
+            return Err(Refusal::Parted { joint, off_m, at_start });
         }
         let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         let leads = self.leads(&poses);
@@ -792,7 +796,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// the joints leave it open.
     pub fn push(&self, response: &Response<T>, joint: usize) -> Option<(T, T)> {
         let kind = &self.scene.joints[joint].kind;
-        (kind.only_pushes() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
+        (kind.is_one_sided() || kind.rubs().is_some()).then(|| response.forces[self.held[joint]])?
     }
     /// Height of a mass centre.
     pub fn height(&self, state: &State<T>, body: usize) -> T {
@@ -832,10 +836,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
     /// [`Layout::in_line`].
     pub fn in_line(&self, way: T) -> bool {
-        self.layout.in_line(way)
+        LOOKED_THROUGH && self.layout.in_line(way)
     }
     /// The first way up to which a torsion spring is wound by half a turn.
     pub fn overwinds(&self, sense: f64, far: (T, T)) -> Option<T> {
+        if !LOOKED_THROUGH {
+            return None;
+        }
         let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
         let ways = all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, sense, far));
         ways.reduce(|one, other| if other.below(one) { other } else { one })
