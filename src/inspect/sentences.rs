@@ -444,6 +444,9 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::SlidesInTurn => {
             "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved"
         }
+        Unsupported::SlackBetween => {
+            "the cord of the spring is slack where the motion ends, and the one that follows draws it tight; end the motion before the cord goes slack, or leave the spring out under `next`"
+        }
         Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
         Unsupported::ThrownEnd => {
             "a body thrown with slip on a surface ends where it begins to roll, or after a time"
@@ -562,6 +565,12 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 figures(*off_m)
             ))
         }
+        Refusal::Moved { body, off_m } => one(format!(
+            "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
+             joints that place it as they are",
+            scene.bodies.get(*body).map_or("?", |b| &b.name),
+            figures(*off_m)
+        )),
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
         }

@@ -133,9 +133,9 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
                 }
                 match &c.to {
                     Far::Pull(p) => tell(*p, NotNegative),
-                    Far::Spring { stiffness_n_m, stretch_m, .. } => {
+                    Far::Spring { stiffness_n_m, stretch_m, rigid } => {
                         tell(*stiffness_n_m, Positive);
-                        tell(*stretch_m, NotNegative);
+                        tell(*stretch_m, if *rigid { Finite } else { NotNegative });
                     }
                     Far::Body(_) | Far::Fixed => {}
                 }

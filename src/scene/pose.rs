@@ -383,6 +383,17 @@ pub fn poses<T: Real>(scene: &Scene, n: &Numbers<T>, angle: &Half<T>, at_start: 
     layout.poses(trig::angle(turned.sine, turned.cosine).scale2(1), at_start)
 }
 
+/// The first body that is not where another motion left it, where this one begins, and by how much, m.
+pub fn moved<T: Real>(left: (&Scene, &Numbers<T>), begins: (&Scene, &Numbers<T>)) -> Option<(usize, f64)> {
+    let angle = begins.0.start_angle(begins.1);
+    let [before, after] = [(left, false), (begins, true)]
+        .map(|((scene, n), at_start)| poses(scene, n, &angle, at_start));
+    let size = size(begins.0, begins.1);
+    let apart = |(a, b): (Pose<T>, Pose<T>)| off(a.origin, b.origin) + off(a.axis, b.axis) * size;
+    let mut all = before?.into_iter().zip(after?).map(apart).enumerate();
+    all.find(|(_, off)| off.is_nan() || *off > MET * size)
+}
+
 impl<'a, T: Real> Layout<'a, T> {
     /// Reads a scene; `None` if no body leads or a wheel has no place.
     pub fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Option<Self> {
@@ -807,9 +818,10 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 }
 
-/// 1 where a body lies on the side where it lies by default, else -1.
-fn branch(planar: &Planar) -> f64 {
-    if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
+/// 1 where a body lies ahead in the direction of its guides, else -1. By default it does; on an upright guide it lies above.
+fn branch<T: Real>(planar: &Planar, guides: [[T; 2]; 2]) -> f64 {
+    let leads_down = guides.iter().any(|[c, s]| c.size() < LEVEL && s.sign() < 0.0);
+    if (planar.side == Some(Branch::Behind)) == leads_down { 1.0 } else { -1.0 }
 }
 
 /// Finds the order in which bodies can be placed.
@@ -930,7 +942,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 (None, Some(one), Some(other), _)
                     if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
                 {
-                    Step::Slides([one, other], branch(planar))
+                    let units = [one.unit, other.unit];
+                    Step::Slides([one, other], branch(planar, units))
                 }
                 (None, Some(guide), None, _)
                     if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
@@ -992,7 +1005,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(Step::Rolls(held, track, start()));
         }
         if let Some(guide) = self.guided(body).next() {
-            return Some(Step::Rod(held, guide, branch(planar)));
+            let units = [guide.unit; 2];
+            return Some(Step::Rod(held, guide, branch(planar, units)));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {
@@ -1007,7 +1021,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            Some(Step::Pair(held, other.body, far, apart, branch(planar)))
+            Some(Step::Pair(held, other.body, far, apart, branch(planar, [[T::zero(); 2]; 2])))
         })
     }
 }
