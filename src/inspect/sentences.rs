@@ -7,7 +7,7 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::pose::{Choice, Layout};
-use crate::scene::{Asked, Coordinate, Degree, End, Found, Numbers, Quantity, Scene, Span, Spot, Tie};
+use crate::scene::{AsIf, Asked, Coordinate, Degree, End, Found, Numbers, Quantity, Scene, Span, Spot, Tie};
 use crate::solve::ladder;
 use crate::solve::ladder::{Force, Taken};
 use crate::solve::method::{Method, Rung};
@@ -520,6 +520,14 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
     let one = |text: String| vec![text];
     match refusal {
         Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
+        Refusal::NextInadmissible(faults) => {
+            let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
+            let told = |f| {
+                let why = inadmissible(problem, next.map_or(scene, |(_, next)| next), f);
+                format!("in the motion that follows {why} (places, angles and times count from the start of the whole)")
+            };
+            faults.iter().map(told).collect()
+        }
         Refusal::Singular { unknowns, rank } => {
             one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}"))
         }

@@ -818,10 +818,9 @@ impl<'a, T: Real> Layout<'a, T> {
     }
 }
 
-/// 1 where a body lies ahead in the direction of its guides, else -1. By default it does; on an upright guide it lies above.
-fn branch<T: Real>(planar: &Planar, guides: [[T; 2]; 2]) -> f64 {
-    let leads_down = guides.iter().any(|[c, s]| c.size() < LEVEL && s.sign() < 0.0);
-    if (planar.side == Some(Branch::Behind)) == leads_down { 1.0 } else { -1.0 }
+/// 1 where a body lies on the side where it lies by default, else -1.
+fn branch(planar: &Planar) -> f64 {
+    if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
 }
 
 /// Finds the order in which bodies can be placed.
@@ -942,8 +941,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 (None, Some(one), Some(other), _)
                     if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
                 {
-                    let units = [one.unit, other.unit];
-                    Step::Slides([one, other], branch(planar, units))
+                    Step::Slides([one, other], branch(planar))
                 }
                 (None, Some(guide), None, _)
                     if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
@@ -1005,8 +1003,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(Step::Rolls(held, track, start()));
         }
         if let Some(guide) = self.guided(body).next() {
-            let units = [guide.unit; 2];
-            return Some(Step::Rod(held, guide, branch(planar, units)));
+            return Some(Step::Rod(held, guide, branch(planar)));
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {
@@ -1021,7 +1018,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            Some(Step::Pair(held, other.body, far, apart, branch(planar, [[T::zero(); 2]; 2])))
+            Some(Step::Pair(held, other.body, far, apart, branch(planar)))
         })
     }
 }

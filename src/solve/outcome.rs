@@ -386,6 +386,8 @@ impl Solved {
 pub enum Refusal {
     /// Data that are no scene.
     Inadmissible(Vec<crate::scene::Inadmissible>),
+    /// Data with which the motion that follows is none.
+    NextInadmissible(Vec<crate::scene::Inadmissible>),
     /// The equations do not determine the motion: unknowns, rank.
     Singular {
         /// Number of unknowns.
@@ -849,7 +851,7 @@ impl<T: Real> Road<T> {
         }
         let faults = admissible::faults(next, &all);
         if !faults.is_empty() {
-            return Err(Refusal::Inadmissible(faults));
+            return Err(Refusal::NextInadmissible(faults));
         }
         let numbers = (Numbers::<T>::new(first, data), Numbers::after(next, &all, &taken));
         if let Some((body, off_m)) = pose::moved((first, &numbers.0), (next, &numbers.1)) {
@@ -867,8 +869,12 @@ impl<T: Real> Road<T> {
                 Quantity::Omega => Degree::Turn,
                 _ => return None,
             };
-            let Owner::Body(body) = said.label.of else { return None };
-            Some((Coordinate { body, degree }, self.get(said.label)?.value, said.value))
+            let (Owner::Body(body), Some(end)) = (said.label.of, self.get(said.label)) else { return None };
+            // What does not move while others do has a speed by rounding alone.
+            let others = begin.said.iter().filter(|s| s.label.quantity == said.label.quantity);
+            let most = others.fold(0.0, |most, s| f64::max(most, s.value.size()));
+            let moves = end.value.size().max(said.value.size()) > LOOSE * T::NOISE * most;
+            moves.then_some((Coordinate { body, degree }, end.value, said.value))
         });
         for (of, end, start) in lined.chain(placed).flatten() {
             consistent(of, end, start)?;

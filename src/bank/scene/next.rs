@@ -62,10 +62,9 @@ impl SceneReader<'_> {
                 "for example `{end: {turning point: block}}`",
             );
         };
-        for (field, why) in if WHOLE { &FIELDS[..] } else { &[] } {
-            if let Some(n) = changes.field(field) {
-                f.hint(n, told!("`{field}` is not written here: {why}"), "remove this field");
-            }
+        let written = FIELDS.iter().filter_map(|(field, why)| Some((changes.field(field)?, field, why)));
+        if let Some((n, field, why)) = written.filter(|_| WHOLE).next() {
+            return f.refuse_with(n, told!("`{field}` is not written here: {why}"), "remove this field");
         }
         if WHOLE && changes.field("end").is_none() {
             return f.refuse_with(changes, "`end` is missing", "say what ends the motion that follows");
