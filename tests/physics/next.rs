@@ -422,4 +422,15 @@ problems:
         ladder("bodies: {it: {mass: 1 kg, shape: {rod: d}, moves: in the plane, angle: from left}}, ");
     let findings = load::scenes_only(&other, "bank.yaml").expect_err("other bodies");
     assert!(findings[0].to_string().contains("`bodies` is not written here"), "{findings:?}");
+    let timeless = on_incline(
+        "{mass: 2 kg, moves: along incline}",
+        "",
+        "      ties: [cord: {from: {body: it, tied at: centre, leaves: forward}, pulled with: 60 N, growing by: {rate: 5 N/m, with: x}}]
+      start: at rest
+      end: {travel: {of: it, by: 1 m}}
+      next: {ties: [], end: {time: {of: it, is: 3 s}}}",
+        "      x: {quantity: v, motion: next, unit: m/s, ask: a}",
+    );
+    let findings = load::scenes_only(&timeless, "bank.yaml").expect_err("no time");
+    assert!(findings[0].to_string().contains("the time is not told"), "{findings:?}");
 }

@@ -62,8 +62,8 @@ impl SceneReader<'_> {
                 "for example `{end: {turning point: block}}`",
             );
         };
-        let written = FIELDS.iter().filter_map(|(field, why)| Some((changes.field(field)?, field, why)));
-        if let Some((n, field, why)) = written.filter(|_| WHOLE).next() {
+        let mut written = FIELDS.iter().filter_map(|(field, why)| Some((changes.field(field)?, field, why)));
+        if let Some((n, field, why)) = written.find(|_| WHOLE) {
             return f.refuse_with(n, told!("`{field}` is not written here: {why}"), "remove this field");
         }
         if WHOLE && changes.field("end").is_none() {
@@ -113,6 +113,11 @@ fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
         (
             "a force that grows counts from the start of the whole",
             "write `forces` or `ties` under `next` with a force that stays",
+        )
+    } else if first.grows_with_place() && matches!(next.end, End::Time(..)) {
+        (
+            "where forces grow with place the time is not told, and that of what follows counts from the start of the whole",
+            "end it by a way, a speed or a turning point",
         )
     } else if next.is_struck() {
         ("the blow that sets it off does not come again", "write `forces` under `next` without it")
