@@ -272,49 +272,6 @@ fn a_spring_keeps_its_own_number() {
 }
 
 #[test]
-fn a_couple_on_what_does_not_turn_does_no_work() {
-    // The coupler of a parallelogram: the weights alone drive it, all masses as if on one pendulum.
-    let text = "bank: b
-title: B
-problems:
-  p:
-    title: P
-    data:
-      d: {name: length, unit: m, draw: 0.30 to 0.90 step 0.01}
-    scene:
-      bodies:
-        it: {mass: 2 kg, shape: {rod: d}, moves: in the plane, points: {A: 0 m, B: d}, angle: from right}
-        coupler: {mass: 3 kg, shape: {rod: 0.8 m}, moves: in the plane, side: ahead}
-        arm: {mass: 1 kg, shape: {rod: d}, moves: in the plane}
-      joints:
-        O: {pins: it.A}
-        P: {hinges: [it.B, coupler.A]}
-        Q: {hinges: [coupler.B, arm.B]}
-        R: {pins: arm.A, at: [0.8 m, 0 m]}
-      forces: [couple: {on: coupler, moment: 7 N*m, sense: forward}]
-      start: {it: {angle: 70 deg}}
-      end: {angle: {of: it, reaches: 45 deg}}
-      next: {end: {angle: {of: it, reaches: 20 deg}}}
-    questions:
-      rate: {quantity: it.omega, motion: next, unit: rad/s, ask: a}
-    statement: s
-";
-    let problem = problem(text);
-    for s in 0..seeds(3) {
-        let variant = drawn(&problem, s);
-        let d = variant.data[0];
-        let fallen = 70f64.to_radians().sin() - 20f64.to_radians().sin();
-        let exact = 2.0 * G * fallen * (0.5 * (2.0 + 1.0) + 3.0) / (d * ((2.0 + 1.0) / 3.0 + 3.0));
-        let entry = variant.solved.get(problem.questions[0].label).expect("an answer");
-        near(
-            [entry.eom.expect("the first road"), entry.energy.expect("the second road")],
-            exact.sqrt(),
-            "rate",
-        );
-    }
-}
-
-#[test]
 fn what_does_not_follow_is_refused() {
     // Still slipping, it cannot be said to roll; held by friction, it does not come back.
     let jolt = on_incline(
