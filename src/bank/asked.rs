@@ -114,7 +114,7 @@ fn read(
         if label.quantity.is_word() {
             return faults.refuse(
                 quantity.unwrap_or(key),
-                told!("`{name}` is answered with a word; `if:` is for numbers"),
+                told!("`{name}` is answered with a word; `if:` and `motion:` are for numbers"),
             );
         }
         let powers = measure::own_powers(label.quantity.unit()).map(|p| p / 4);

@@ -7,7 +7,7 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::pose::{Choice, Layout};
-use crate::scene::{Asked, Coordinate, Degree, End, Found, Numbers, Quantity, Scene, Span, Spot, Tie};
+use crate::scene::{AsIf, Asked, Coordinate, Degree, End, Found, Numbers, Quantity, Scene, Span, Spot, Tie};
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome::{Check, CheckKind, Refusal, Regime, Unsupported};
@@ -446,6 +446,9 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::SlidesInTurn => {
             "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved"
         }
+        Unsupported::SlackBetween => {
+            "the cord of the spring is slack where the motion ends, and the one that follows draws it tight; end the motion before the cord goes slack, or leave the spring out under `next`"
+        }
         Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
         Unsupported::ThrownEnd => {
             "a body thrown with slip on a surface ends where it begins to roll, or after a time"
@@ -519,6 +522,14 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
     let one = |text: String| vec![text];
     match refusal {
         Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
+        Refusal::NextInadmissible(faults) => {
+            let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
+            let told = |f| {
+                let why = inadmissible(problem, next.map_or(scene, |(_, next)| next), f);
+                format!("in the motion that follows {why} (places, angles and times count from the start of the whole)")
+            };
+            faults.iter().map(told).collect()
+        }
         Refusal::Singular { unknowns, rank } => {
             one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}"))
         }
@@ -564,6 +575,12 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 figures(*off_m)
             ))
         }
+        Refusal::Moved { body, off_m } => one(format!(
+            "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
+             joints that place it as they are",
+            scene.bodies.get(*body).map_or("?", |b| &b.name),
+            figures(*off_m)
+        )),
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
         }

@@ -134,9 +134,9 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
                 c.from.tilt_deg.iter().for_each(|tilt| tell(*tilt, Rule::Angle));
                 match &c.to {
                     Far::Pull(p) => tell(*p, NotNegative),
-                    Far::Spring { stiffness_n_m, stretch_m, .. } => {
+                    Far::Spring { stiffness_n_m, stretch_m, rigid } => {
                         tell(*stiffness_n_m, Positive);
-                        tell(*stretch_m, NotNegative);
+                        tell(*stretch_m, if *rigid { Finite } else { NotNegative });
                     }
                     Far::Body(_) | Far::Fixed => {}
                 }

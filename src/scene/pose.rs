@@ -410,6 +410,17 @@ pub fn poses<T: Real>(scene: &Scene, n: &Numbers<T>, angle: &Half<T>, at_start: 
     layout.poses(trig::angle(turned.sine, turned.cosine).scale2(1), at_start)
 }
 
+/// The first body that is not where another motion left it, where this one begins, and by how much, m.
+pub fn moved<T: Real>(left: (&Scene, &Numbers<T>), begins: (&Scene, &Numbers<T>)) -> Option<(usize, f64)> {
+    let angle = begins.0.start_angle(begins.1);
+    let [before, after] =
+        [(left, false), (begins, true)].map(|((scene, n), at_start)| poses(scene, n, &angle, at_start));
+    let size = size(begins.0, begins.1);
+    let apart = |(a, b): (Pose<T>, Pose<T>)| off(a.origin, b.origin) + off(a.axis, b.axis) * size;
+    let mut all = before?.into_iter().zip(after?).map(apart).enumerate();
+    all.find(|(_, off)| off.is_nan() || *off > MET * size)
+}
+
 impl<'a, T: Real> Layout<'a, T> {
     /// Reads a scene; `None` if no body leads or a wheel has no place.
     pub fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Option<Self> {

@@ -84,7 +84,10 @@ impl Scales {
     pub fn of(self, scene: &Scene, data: &[f64]) -> Option<(Scene, Vec<f64>)> {
         let (mut scaled, mut numbers, mut inside) = (scene.clone(), data.to_vec(), true);
         for (_, other) in &mut scaled.formulas.others {
-            // Its data are those of the scene, and what a motion that follows needs beside them.
+            // What a motion takes over counts constants in SI, without their units.
+            if !other.formulas.taken.is_empty() && self != Self::SI {
+                return None;
+            }
             let (in_scales, own) = self.of(other, data)?;
             *other = in_scales;
             for (number, (own, old)) in numbers.iter_mut().zip(own.iter().zip(data)) {

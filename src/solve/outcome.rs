@@ -5,7 +5,7 @@ use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Taken,
-    Term, admissible,
+    Term, admissible, pose,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
@@ -386,6 +386,8 @@ impl Solved {
 pub enum Refusal {
     /// Data that are no scene.
     Inadmissible(Vec<crate::scene::Inadmissible>),
+    /// Data with which the motion that follows is none.
+    NextInadmissible(Vec<crate::scene::Inadmissible>),
     /// The equations do not determine the motion: unknowns, rank.
     Singular {
         /// Number of unknowns.
@@ -411,6 +413,13 @@ pub enum Refusal {
         off_m: f64,
         /// Is that so at the start?
         at_start: bool,
+    },
+    /// A body is not where the motion before this one left it.
+    Moved {
+        /// Which body.
+        body: usize,
+        /// By how much, m.
+        off_m: f64,
     },
     /// The start and the ties leave the velocity of this coordinate open.
     Open(Coordinate),
@@ -591,6 +600,8 @@ pub enum Unsupported {
     Overwound,
     /// Rods of a linkage come to lie in one line, from where they could go on in two ways.
     InLine,
+    /// The cord of a spring that is slack where a motion ends and is drawn tight in the one that follows.
+    SlackBetween,
 }
 
 /// What one road says of one quantity.
@@ -743,6 +754,8 @@ pub struct Road<T: Real> {
     pub course: Option<Course<T>>,
     /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
     pub held: Vec<Held<T>>,
+    /// Velocities of coordinates at the end, positive forward, where another motion may follow.
+    pub velocities: Vec<(Coordinate, T)>,
     /// The road of the motion that follows.
     pub next: Option<Box<Self>>,
 }
@@ -764,7 +777,7 @@ impl<T: Real> Road<T> {
     pub fn new(asked: Scope) -> Self {
         let said = Vec::with_capacity(asked.quantities.count().min(24));
         let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
-        Self { said, open: Vec::new(), course: None, held, next: None }
+        Self { said, open: Vec::new(), course: None, held, velocities: Vec::new(), next: None }
     }
     /// The road without what is not told of the scene.
     pub fn telling(mut self, scene: &Scene) -> Self {
@@ -785,10 +798,10 @@ impl<T: Real> Road<T> {
             return Ok(self);
         }
         let mut others: Vec<Option<Self>> = Vec::with_capacity(scene.formulas.others.len());
-        for (how, scene) in &scene.formulas.others {
+        for (how, asked) in &scene.formulas.others {
             others.push(match how {
-                AsIf::Next => Some(self.followed(scene, data, other)?),
-                AsIf::Rolls | AsIf::Smooth => other(scene, data, &[]).ok(),
+                AsIf::Next => self.followed(scene, asked, data, other)?,
+                AsIf::Rolls | AsIf::Smooth => other(asked, data, &[]).ok(),
             });
         }
         for (i, asked) in scene.formulas.asked.iter().enumerate() {
@@ -814,36 +827,71 @@ impl<T: Real> Road<T> {
         Ok(self)
     }
 
-    /// The road of the motion that begins where this one ends.
-    fn followed(&self, next: &Scene, data: &[f64], other: Other<T>) -> Result<Self, Refusal> {
+    /// The road of the motion that begins where this one ends, if it gets there.
+    fn followed(
+        &self,
+        first: &Scene,
+        next: &Scene,
+        data: &[f64],
+        other: Other<T>,
+    ) -> Result<Option<Self>, Refusal> {
         let sense = self.course.as_ref().map_or(0.0, |c| c.sense);
         let value = |t: &Taken| {
-            let said = self.get(t.label).map_or_else(|| T::of(f64::NAN), |said| said.value);
-            if t.directed { said.signed(sense) } else { said }
+            let said = self.get(t.label)?.value;
+            said.is_finite().then(|| if t.directed { said.signed(sense) } else { said })
         };
-        let taken: Vec<T> = next.formulas.taken.iter().map(value).collect();
-        let data: Vec<f64> = data.iter().copied().chain(taken.iter().map(|x| x.f64())).collect();
+        let taken: Option<Vec<T>> = next.formulas.taken.iter().map(value).collect();
+        let Some(taken) = taken.filter(|_| self.course.as_ref().is_none_or(|c| c.reached)) else {
+            return Ok(None);
+        };
+        let all: Vec<f64> = data.iter().copied().chain(taken.iter().map(|x| x.f64())).collect();
         // A page need not look: its sheet was drawn because all of this holds.
         if !cfg!(feature = "program") {
-            return other(next, &data, &taken);
+            return other(next, &all, &taken).map(Some);
         }
-        let faults = admissible::faults(next, &data);
+        let faults = admissible::faults(next, &all);
         if !faults.is_empty() {
-            return Err(Refusal::Inadmissible(faults));
+            return Err(Refusal::NextInadmissible(faults));
+        }
+        let numbers = (Numbers::<T>::new(first, data), Numbers::after(next, &all, &taken));
+        if let Some((body, off_m)) = pose::moved((first, &numbers.0), (next, &numbers.1)) {
+            return Err(Refusal::Moved { body, off_m });
         }
         // It begins as fast as this one ends: other ties must not ask for a jerk.
-        let begin = other(&Scene { end: End::AtOnce, ..next.clone() }, &data, &taken)?;
-        for said in &begin.said {
-            let (Owner::Body(body), Quantity::V | Quantity::Omega) = (said.label.of, said.label.quantity)
-            else {
-                continue;
+        let begin = other(&Scene { end: End::AtOnce, ..next.clone() }, &all, &taken)?;
+        let lined = self.velocities.iter().map(|(of, end)| {
+            let start = begin.velocities.iter().find(|(c, _)| c == of)?;
+            Some((*of, *end, start.1))
+        });
+        let placed = begin.said.iter().filter(|_| self.velocities.is_empty()).map(|said| {
+            let degree = match said.label.quantity {
+                Quantity::V => Degree::Along,
+                Quantity::Omega => Degree::Turn,
+                _ => return None,
             };
-            let degree = if said.label.quantity == Quantity::V { Degree::Along } else { Degree::Turn };
-            if let Some(end) = self.get(said.label) {
-                consistent(Coordinate { body, degree }, end.value, said.value)?;
+            let (Owner::Body(body), Some(end)) = (said.label.of, self.get(said.label)) else { return None };
+            // What does not move while others do has a speed by rounding alone.
+            let others = begin.said.iter().filter(|s| s.label.quantity == said.label.quantity);
+            let most = others.fold(0.0, |most, s| f64::max(most, s.value.size()));
+            let moves = end.value.size().max(said.value.size()) > LOOSE * T::NOISE * most;
+            moves.then_some((Coordinate { body, degree }, end.value, said.value))
+        });
+        for (of, end, start) in lined.chain(placed).flatten() {
+            consistent(of, end, start)?;
+        }
+        let road = other(next, &all, &taken)?;
+        // How far a cord is slack is not known to the motion that follows.
+        if let Some((tie, _, _, false)) = next.spring() {
+            let pulls = road.get(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) });
+            let slack = |(t, ended): (&Taken, &T)| t.label.quantity == Quantity::Tension && ended.is_zero();
+            if next.formulas.taken.iter().zip(&taken).any(slack)
+                && !(road.course.as_ref().is_some_and(|c| c.reached)
+                    && pulls.is_none_or(|said| said.value.is_zero()))
+            {
+                return Err(Refusal::Unsupported(Unsupported::SlackBetween));
             }
         }
-        other(next, &data, &taken)
+        Ok(Some(road))
     }
 }
 

@@ -1,4 +1,4 @@
-//! A motion that follows another one: against closed forms, and against the same motion in one piece.
+//! A motion that follows another one: against closed forms, against the same motion in one piece, and what does not follow.
 use slipstick::bank::{Problem, load};
 use slipstick::problem::maker::Maker;
 use slipstick::problem::variant::Variant;
@@ -140,7 +140,7 @@ problems:
 }
 
 /// Scenes told in one piece and in two: the lines that differ, and what both are asked.
-const PIECES: [(&str, &str, &str, &str); 4] = [
+const PIECES: [(&str, &str, &str, &str); 5] = [
     // A spool pulled against a spring that could slacken.
     (
         "      surfaces: {floor: level}
@@ -173,6 +173,18 @@ const PIECES: [(&str, &str, &str, &str); 4] = [
         "{angle: {of: it, reaches: \"-30 deg\"}}",
         "{angle: {of: it, reaches: 25 deg}}",
         "{angle: {of: it, reaches: \"-30 deg\"}}",
+    ),
+    // A spring that pulls at first and then pushes.
+    (
+        "      surfaces: {floor: level}
+      bodies: {it: {mass: 5 kg, radius of gyration: 0.3 m, radii: {rim: 0.4 m}, moves: along floor}}
+      ties:
+        - rolls: {body: it, on its: rim, mu_s: 0.9}
+        - cord: {from: {body: it, tied at: centre, leaves: forward}, spring: {stiffness: 200 N/m, stretch: d/2, attached: rigidly}}
+      start: at rest",
+        "{travel: {of: it, by: d*0.9}}",
+        "{travel: {of: it, by: d*0.7}}",
+        "{travel: {of: it, by: d*0.2}}",
     ),
     // A rod guided at both ends, with a spring between them.
     (
@@ -233,6 +245,33 @@ fn two_pieces_are_the_whole() {
 }
 
 #[test]
+fn a_spring_keeps_its_own_number() {
+    // The stiffness is worked out; so is, in the motion that follows, what is read before it.
+    let text = on_incline(
+        "{mass: 2 kg, moves: along incline}",
+        "      ks: {name: stiffness, unit: N/m, draw: 300 to 500 step 10}",
+        "      ties: [cord: {from: {body: it, tied at: centre, leaves: forward}, spring: {stiffness: 2*ks, stretch: 0.5 m}}]
+      start: at rest
+      end: {travel: {of: it, by: 0.1 m}}
+      next:
+        surfaces: {incline: {slope: beta*2}}
+        end: {travel: {of: it, by: 0.2 m}}",
+        "      later: {quantity: v, motion: next, unit: m/s, ask: a}
+      pull: {quantity: tension, motion: next, unit: N, ask: a}",
+    );
+    let problem = problem(&text);
+    for s in 0..seeds(200) {
+        let variant = drawn(&problem, s);
+        let [beta, ks, _] = variant.data[..] else { panic!("three data") };
+        let (first, then) = (beta.to_radians().sin(), (2.0 * beta).to_radians().sin());
+        let gained = ks * (0.25 - 0.04) - 2.0 * G * (0.1 * first + 0.2 * then);
+        let found = answers(&problem, &variant);
+        near(found[0], gained.sqrt(), "speed");
+        near(found[1], 0.4 * ks, "tension");
+    }
+}
+
+#[test]
 fn what_does_not_follow_is_refused() {
     // Still slipping, it cannot be said to roll; held by friction, it does not come back.
     let jolt = on_incline(
@@ -253,9 +292,102 @@ fn what_does_not_follow_is_refused() {
       next: {end: {position: {of: it, at: 0 m}}}",
         "      x: {quantity: v, motion: next, unit: m/s, ask: a}",
     );
-    for (text, why) in [(jolt, "contradicts the ties"), (held, "next")] {
+    // A hoop with back spin moves as fast as its rim turns, the other way: it does not roll.
+    let back = on_incline(
+        "{mass: 3 kg, shape: {hoop: 0.1 m}, radii: {rim: 0.1 m}, moves: along incline, positive: down}",
+        "",
+        "      ties: [slips: {body: it, on its: rim, mu_s: 0.3, mu_k: 0.2}]
+      start: {it: {speed: 5 m/s, spin: \"-50 rad/s\"}}
+      end: {time: {of: it, is: 0.5 s}}
+      next: {ties: [rolls: {body: it, on its: rim, mu_s: 0.3}], end: {time: {of: it, is: 1 s}}}",
+        "      x: {quantity: displacement, motion: next, unit: m, ask: a}",
+    )
+    .replace("slope: beta", "slope: 0*beta");
+    // It rolled down, and is to unwind from a cord at its top as fast: so it would have to turn the other way.
+    let turned = on_incline(
+        "{mass: 3 kg, shape: {disc: 0.1 m}, radii: {rim: 0.1 m}, moves: along incline, positive: down}",
+        "",
+        "      ties: [rolls: {body: it, on its: rim, mu_s: 0.9}]
+      start: at rest
+      end: {travel: {of: it, by: 1 m}}
+      next: {ties: [cord: {from: {body: it, wound on: rim, leaves: top back}, held: fast}], end: {travel: {of: it, by: 1 m}}}",
+        "      x: {quantity: v, motion: next, unit: m/s, ask: a}",
+    );
+    // It coasts beyond the natural length of its spring; where it turns, the cord is slack.
+    let slack = |by: &str| {
+        on_incline(
+            "{mass: 2 kg, moves: along incline}",
+            "",
+            &format!(
+                "      ties: [cord: {{from: {{body: it, tied at: centre, leaves: forward}}, spring: {{stiffness: 900 N/m, stretch: 0.3 m}}}}]
+      start: at rest
+      end: {{turning point: it}}
+      next: {{end: {{travel: {{of: it, by: {by}}}}}}}"
+            ),
+            "      x: {quantity: v, motion: next, unit: m/s, ask: a}",
+        )
+    };
+    let (near, far) = (slack("0.001 m"), slack("1 m"));
+    // What is taken over is not told in other units than those of the bank.
+    let huge = slack("0.001 m")
+        .replace("mass: 2 kg", "mass: 2e31 kg")
+        .replace("900 N/m", "9e33 N/m")
+        .replace("{turning point: it}", "{travel: {of: it, by: 0.1 m}}");
+    let all = [
+        (jolt, "contradicts the ties"),
+        (held, "next"),
+        (back, "contradicts the ties"),
+        (turned, "contradicts the ties"),
+    ];
+    for (text, why) in all.into_iter().chain([near, far, huge].map(|slack| (slack, "cannot be solved"))) {
         let problem = problem(&text);
         let none = Maker::new(&problem, 7, "set").giving_up_after(20).variant("s").expect_err(why);
         assert!(none.table.iter().any(|(rule, _)| rule.contains(why)), "{:?}", none.table);
     }
+}
+
+#[test]
+fn bodies_stay_where_they_are() {
+    let ladder = |next: &str| {
+        format!(
+            "bank: b
+title: B
+problems:
+  p:
+    title: P
+    data:
+      d: {{name: length, unit: m, draw: 0.30 to 0.90 step 0.01}}
+    scene:
+      bodies: {{it: {{mass: 2 kg, shape: {{rod: d}}, moves: in the plane, angle: from right}}}}
+      joints:
+        floor: {{guides: it.A, along: horizontal}}
+        wall: {{guides: it.B, along: vertical}}
+      start: {{it: {{angle: 60 deg}}}}
+      end: {{angle: {{of: it, reaches: 45 deg}}}}
+      next: {{{next}end: {{angle: {{of: it, reaches: 20 deg}}}}}}
+    questions:
+      x: {{quantity: omega, motion: next, unit: rad/s, ask: a}}
+    statement: s
+"
+        )
+    };
+    let moved = "joints: {floor: {guides: it.A, along: horizontal, through: [0 m, 1 m]}, wall: {guides: it.B, along: vertical}}, ";
+    let problem = problem(&ladder(moved));
+    let none = Maker::new(&problem, 7, "set").giving_up_after(20).variant("s").expect_err("moved");
+    assert!(none.table.iter().any(|(rule, _)| rule.contains("cannot be solved")), "{:?}", none.table);
+    let other =
+        ladder("bodies: {it: {mass: 1 kg, shape: {rod: d}, moves: in the plane, angle: from left}}, ");
+    let findings = load::scenes_only(&other, "bank.yaml").expect_err("other bodies");
+    assert!(findings[0].to_string().contains("`bodies` is not written here"), "{findings:?}");
+    let timeless = on_incline(
+        "{mass: 2 kg, moves: along incline}",
+        "",
+        "      ties: [cord: {from: {body: it, tied at: centre, leaves: forward}, pulled with: 60 N, growing by: {rate: 5 N/m, with: x}}]
+      start: at rest
+      end: {travel: {of: it, by: 1 m}}
+      next: {ties: [], end: {time: {of: it, is: 3 s}}}",
+        "      x: {quantity: v, motion: next, unit: m/s, ask: a}",
+    );
+    let findings = load::scenes_only(&timeless, "bank.yaml").expect_err("no time");
+    assert!(findings[0].to_string().contains("the time is not told"), "{findings:?}");
 }

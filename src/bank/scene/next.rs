@@ -9,7 +9,8 @@ use crate::scene::{
 };
 
 /// What is not written of a motion that follows, and why not.
-const FIELDS: [(&str, &str); 3] = [
+const FIELDS: [(&str, &str); 4] = [
+    ("bodies", "they stay as they are"),
     ("start", "it starts where the motion before it ends"),
     ("next", "one motion follows, and no other"),
     ("carried", "a scene that is carried has one motion"),
@@ -29,8 +30,8 @@ impl Handover<'_> {
         taken.push(Taken { label, directed });
         Step::Name(Given { datum: self.data + taken.len() - 1, degrees: false, powers: [0; 3] })
     }
-    /// A number of the scene as steps of a formula, angles in radians.
-    fn steps(&self, number: Num, degrees: bool) -> Vec<Step<Given>> {
+    /// A number of a scene as steps of a formula, angles in radians.
+    fn steps(of: &Scene, number: Num, degrees: bool) -> Vec<Step<Given>> {
         match number {
             Num::Datum(datum) => vec![Step::Name(Given { datum, degrees, powers: [0; 3] })],
             Num::Fixed(x) if degrees => {
@@ -38,7 +39,7 @@ impl Handover<'_> {
             }
             Num::Fixed(x) => vec![Step::Number(x)],
             Num::Derived(i) => {
-                self.next.formulas.numbers.get(i).map_or_else(Vec::new, |n| n.formula.steps().to_vec())
+                of.formulas.numbers.get(i).map_or_else(Vec::new, |n| n.formula.steps().to_vec())
             }
         }
     }
@@ -61,10 +62,9 @@ impl SceneReader<'_> {
                 "for example `{end: {turning point: block}}`",
             );
         };
-        for (field, why) in if WHOLE { &FIELDS[..] } else { &[] } {
-            if let Some(n) = changes.field(field) {
-                f.hint(n, told!("`{field}` is not written here: {why}"), "remove this field");
-            }
+        let mut written = FIELDS.iter().filter_map(|(field, why)| Some((changes.field(field)?, field, why)));
+        if let Some((n, field, why)) = written.find(|_| WHOLE) {
+            return f.refuse_with(n, told!("`{field}` is not written here: {why}"), "remove this field");
         }
         if WHOLE && changes.field("end").is_none() {
             return f.refuse_with(changes, "`end` is missing", "say what ends the motion that follows");
@@ -114,6 +114,11 @@ fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
             "a force that grows counts from the start of the whole",
             "write `forces` or `ties` under `next` with a force that stays",
         )
+    } else if first.grows_with_place() && matches!(next.end, End::Time(..)) {
+        (
+            "where forces grow with place the time is not told, and that of what follows counts from the start of the whole",
+            "end it by a way, a speed or a turning point",
+        )
     } else if next.is_struck() {
         ("the blow that sets it off does not come again", "write `forces` under `next` without it")
     } else if stretched {
@@ -152,7 +157,7 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
             (Some(pin), _) => Some(pin.start_deg),
             (None, planar) => planar.as_ref().and_then(|p| p.start_deg),
         };
-        let mut steps = start(hand.next).map_or_else(Vec::new, |angle| hand.steps(angle, true));
+        let mut steps = start(first).map_or_else(Vec::new, |angle| Handover::steps(first, angle, true));
         steps.extend([turned, Step::Add]);
         let angle = hand.number(steps, true, "its angle");
         let body = &mut hand.next.bodies[body];
@@ -171,7 +176,7 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
     };
     if let (Some(passed), End::Position(c, whole) | End::Time(c, whole)) = (passed, at) {
         let passed = hand.take(passed, false);
-        let mut steps = hand.steps(whole, false);
+        let mut steps = Handover::steps(hand.next, whole, false);
         steps.extend([passed, Step::Subtract]);
         let left = hand.number(steps, false, "what is left of it");
         hand.next.end = if let End::Time(..) = at { End::Time(c, left) } else { End::Position(c, left) };
@@ -180,7 +185,7 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
     if let (Some((tie, stiffness)), Some((now, _))) = (springs(first), springs(hand.next)) {
         let pull = hand.take(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) }, false);
         let mut steps = vec![pull];
-        steps.extend(hand.steps(stiffness, false));
+        steps.extend(Handover::steps(first, stiffness, false));
         steps.push(Step::Divide);
         let stretch = hand.number(steps, false, "its stretch");
         if let Some(Tie::Cord(cord)) = hand.next.ties.get_mut(now)

@@ -5,7 +5,7 @@
 //! from the start through the ties, as in a scene that moves on.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::{Label, Numbers, Owner, Quantity, Scene, Start, speed};
+use crate::scene::{Coordinate, Label, Numbers, Owner, Quantity, Scene, Start, speed};
 use crate::solve::energy::{balance, speeds};
 use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
@@ -17,6 +17,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let motion = speeds::at_start(scene, n)?;
     let doubled = balance::inertia(n, &motion, &motion);
     let mut energy = doubled.scale2(-1);
+    let velocity = |c: Coordinate| (c, motion.of(c));
+    road.velocities = scene.coordinates().map(velocity).collect();
     let mut say = |quantity, of, value: T| {
         road.said.push(Said::of(n, Label { quantity, of }, value, value.size()));
     };

@@ -637,7 +637,8 @@ impl<'a, T: Real> Account<'a, T> {
                     let v = self.point(&poses, push.at).map(|x| x.first.signed(self.sense));
                     Ok::<_, Refusal>(dot(Self::push(&poses, push, *direction), v))
                 };
-                add(p * gauss::integral(power, T::zero(), way)?);
+                let terms = pose::size(self.scene, self.n);
+                add(p * gauss::integral_of_terms(power, (T::zero(), way), terms)?);
             } else {
                 let (a, b) = (self.point(from, push.at), self.point(to, push.at));
                 add(p * dot(Self::push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
@@ -648,7 +649,8 @@ impl<'a, T: Real> Account<'a, T> {
                 way.signed(self.sense)
             } else {
                 let rate = |at: T| Ok::<_, Refusal>(self.poses(at)?[c.body].turn().0.signed(self.sense));
-                gauss::integral(rate, T::zero(), way)?.signed(self.counts(c.body))
+                // A body that only moves turns by rounding alone, beside the one that leads.
+                gauss::integral_of_terms(rate, (T::zero(), way), 1.0)?.signed(self.counts(c.body))
             };
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
             add(moment * if c.forward { turned } else { -turned });

@@ -420,6 +420,12 @@ impl<'a, T: Real> Ledger<'a, T> {
         self.road.said.push(Said::of(&self.n, Label { quantity, of }, value, value.size()));
     }
 
+    /// The velocity with which a motion that follows begins.
+    fn leaves(&mut self, body: usize, degree: Degree, velocity: T) {
+        if !self.scene.formulas.others.is_empty() {
+            self.road.velocities.push((Coordinate { body, degree }, velocity));
+        }
+    }
     fn up(&self, body: usize) -> f64 {
         if self.scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 }
     }
@@ -882,11 +888,13 @@ impl<'a, T: Real> Ledger<'a, T> {
                     along = along.balance(plant!("energy: speed of the carrier", forward.after(there.time)));
                     moved = moved.balance(forward.way(there.time));
                 }
+                self.leaves(b, Degree::Along, along);
                 self.say(Quantity::V, Owner::Body(b), speed(along, aside));
                 self.say(Quantity::Displacement, Owner::Body(b), moved);
                 self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
             }
             if body.turns {
+                self.leaves(b, Degree::Turn, (w * u).signed(sense));
                 self.say(Quantity::Omega, Owner::Body(b), w.abs() * u);
                 self.say(Quantity::Phi, Owner::Body(b), w.abs() * s);
                 spinning = spinning + self.n.bodies[b].inertia * w * w;

@@ -225,6 +225,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         say(Quantity::SlipDistance, own, *slid);
         say(Quantity::Heat, Owner::Scene, kinetic * *slid);
     }
+    if let Some((state, ..)) = &ended {
+        let turn = Coordinate { body, degree: Degree::Turn };
+        road.velocities = vec![(along, state.v), (turn, state.w)];
+    }
     road.course = Some(Course {
         sense: ended.as_ref().map_or(v0, |(s, ..)| s.v).sign(),
         drive: (T::zero(), T::zero()),

@@ -16,6 +16,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     let mut road = Road::new(asked);
     let struck = struck(scene, n)?;
     let mut energy = struck.energy;
+    road.velocities = struck.coordinates.iter().copied().zip(struck.velocities.iter().copied()).collect();
     let mut say = |quantity, of, value: T, scale: f64| {
         if asked.quantities.has(quantity) {
             road.said.push(Said::of(n, Label { quantity, of }, value, scale));

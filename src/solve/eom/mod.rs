@@ -435,6 +435,12 @@ impl<'a, T: Real> Walk<'a, T> {
             self.road.said.push(Said::of(&self.n, Label { quantity, of }, value, scale));
         }
     }
+    /// The velocity with which a motion that follows begins.
+    fn leaves(&mut self, c: Coordinate, velocity: T) {
+        if !self.scene.formulas.others.is_empty() {
+            self.road.velocities.push((c, velocity));
+        }
+    }
     fn hold(&mut self, held: Held<T>) {
         if self.asked.held {
             self.road.held.push(held);
@@ -1099,6 +1105,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     work = work.balance(n.mass * a * moved);
                     work = work.balance(n.mass * out.acceleration * out.way(state.time));
                 }
+                self.leaves(c, v);
                 self.say_scaled(Quantity::V, Owner::Body(b), speed(v, aside), sizes[0] + aside.size());
                 self.say_scaled(Quantity::Displacement, Owner::Body(b), moved, sizes[1]);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
@@ -1108,6 +1115,7 @@ impl<'a, T: Real> Walk<'a, T> {
             if let Some(c) = self.turn(b) {
                 let ratio = self.ratio(c);
                 let w = ratio.abs() * u;
+                self.leaves(c, (ratio * u).signed(sense));
                 self.say(Quantity::Omega, Owner::Body(b), w);
                 self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
                 energy = energy + (n.inertia * w * w).scale2(-1);

@@ -252,6 +252,10 @@ pub fn road_by<T: Real>(
         let kinetic = slipping.map_or(zero, |p| p.friction.abs());
         say(Quantity::Heat, Owner::Scene, kinetic * slid, size(kinetic * slid));
     }
+    if let Some(state) = &state {
+        let turn = Coordinate { body, degree: Degree::Turn };
+        road.velocities = vec![(along, state.v), (turn, state.w)];
+    }
     let force = |f: T| n.publish(Quantity::Friction, f).f64();
     road.held.push(Held::Pressed(body, force(normal)));
     road.held.push(Held::Thrown(Throw {
