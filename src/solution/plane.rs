@@ -1569,7 +1569,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let is = self.size(&apart);
                     let length: Expr = match is {
                         Expr::Symbol(s) => s.into(),
-                        is => self.page.find(&[r"\ell", "l"], "m", is).into(),
+                        is => self.page.find(&[&tagged(r"\ell", &plain)], "m", is).into(),
                     };
                     let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
                     let along = self.unit(&apart, &length, ["u", "w"], &tag);
