@@ -1482,7 +1482,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             (_, true) => self.positive(&of[0].expr()),
             _ => {
                 let (legs, law) = (square(of[0].expr()) + square(of[1].expr()), product(of, of).expr());
-                root(if width(&self.tex(&law)) < width(&self.tex(&legs)) { law } else { legs })
+                match law {
+                    Expr::Power(side, 2) => self.positive(&side),
+                    law if width(&self.tex(&law)) < width(&self.tex(&legs)) => root(law),
+                    _ => root(legs),
+                }
             }
         }
     }
@@ -1495,7 +1499,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             [false, false] => {
                 let radial = self.pivot.as_ref().is_some_and(|p| p.radial);
                 let way = if radial { ["r", "t"][i] } else { ["x", "y"][i] };
-                let symbol = self.named_by(names, &format!("{way}{tag}"), "1", apart[i].expr() / length);
+                let share = match apart[i].terms() {
+                    [one] => one.per(length).expr(),
+                    _ => apart[i].expr() / length,
+                };
+                let symbol = self.named_by(names, &format!("{way}{tag}"), "1", share);
                 self.units.extend(symbol.uses());
                 Sum::one(symbol)
             }
