@@ -343,9 +343,8 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     let needed = match (closed, n.m.force_of(tie)) {
         (Some(closed), Some(f)) => n.found(friction, f, closed.expr()),
         _ => {
-            if n.m.one {
-                n.arrive()?;
-            }
+            // The force alone: such a motion need not reach the end.
+            n.accelerate();
             n.get(friction)?
         }
     };
@@ -1182,6 +1181,9 @@ impl<'d, 'a> Account<'d, 'a> {
                     self.say("motion.integral_place", &pieces);
                 } else if again {
                     self.say("motion.integral", &pieces);
+                } else if self.short == Short::Together && !self.stays() {
+                    self.say("motion.speed_of_slip", &[]);
+                    self.tell([v]);
                 }
             }
         }

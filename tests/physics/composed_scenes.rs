@@ -97,6 +97,13 @@ fn judge(seed: u64) -> Result<Outcome, String> {
                 Ok(Outcome::Unjudged("said to slip, could roll: not drawn"))
             };
         }
+        Verdict::LiftsOff => {
+            return if solved.all_hold() {
+                Err("it is said to stay on its surface, and lifts off".into())
+            } else {
+                Ok(Outcome::Unjudged("lifts off its surface: not drawn"))
+            };
+        }
         Verdict::Beyond(_) if text.contains("end: at once") => return Ok(Outcome::Unjudged("at once")),
         Verdict::Undetermined => return Err("the motion is not determined".into()),
         Verdict::Contradiction => return Err("its start contradicts the ties".into()),

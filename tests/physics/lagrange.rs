@@ -280,6 +280,8 @@ pub enum Verdict {
     Ambiguous,
     /// A contact that is said to slip could hold.
     CouldRoll,
+    /// A pull lifts a body off its surface: contacts that only push are no longer there.
+    LiftsOff,
     /// Values by name (`v of 0`).
     Told(Told),
 }
@@ -764,6 +766,9 @@ impl<'s> System<'s> {
                 told.values.push(("rotational_fraction", Owner::Scene, spinning / energy, 1.0));
             }
             velocities = told.values;
+        }
+        if self.contacts.iter().any(|c| c.normal < 0.0) {
+            return Verdict::LiftsOff;
         }
         let tension = self.spring.as_ref().map_or(0.0, |(_, _, ks, x0, _)| ks * x0);
         let grips = if started {
