@@ -613,6 +613,9 @@ impl<'s> System<'s> {
             for (z, share) in modes.iter().zip(&v) {
                 motion.iter_mut().zip(z).for_each(|(m, z)| *m += share * z);
             }
+            // What rounding leaves of a part that does not move.
+            let most = motion.iter().fold(0.0f64, |most, m| most.max(m.abs()));
+            motion.iter_mut().filter(|m| m.abs() < NOTHING * most).for_each(|m| *m = 0.0);
             let work = inner(&motion, &surplus).abs();
             let size = |i: usize| force[i].abs() + (self.mass[i] * now.a[i]).abs();
             let terms: f64 = motion.iter().enumerate().map(|(i, m)| m.abs() * size(i)).sum();

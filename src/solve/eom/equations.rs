@@ -170,6 +170,26 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
     assembled(scene, n, setting, scene.growths.iter().map(grown).collect())
 }
 
+/// Normal force on each body, which no unknown acts on: `N = m g cos theta + m a_out - P sin tilt`, and 0 off a surface.
+pub fn normals<T: Real>(scene: &Scene, n: &Numbers<T>) -> SmallVec<[T; 2]> {
+    let pressed = scene.bodies.iter().zip(&n.bodies).map(|(body, numbers)| {
+        if !body.line.is_some_and(|l| l.surface) {
+            return T::zero();
+        }
+        let normal = plant!("eom: weight on the surface", numbers.mass * n.gravity * numbers.level);
+        numbers.carried.map_or(normal, |[_, out]| {
+            let taken = plant!("eom: force that carries out of the surface", numbers.mass);
+            normal.balance(taken * out.acceleration)
+        })
+    });
+    let mut normals: SmallVec<[T; 2]> = pressed.collect();
+    for (body, force, tilt) in scene.ties.iter().filter_map(Tie::tilted) {
+        let lifts = n.massive(force) * pose::direction(n, tilt)[1];
+        normals[body] = normals[body].balance(-plant!("eom: lift of a pull at an angle", lifts));
+    }
+    normals
+}
+
 /// Assembles the rows that the scene has and solves them.
 fn assembled<T: Real>(
     scene: &Scene,
@@ -180,11 +200,10 @@ fn assembled<T: Real>(
     let grown = |of: GivenForce| growths.iter().find(|g| g.0 == of).map(|g| g.1);
     let layout = Layout::of(scene, setting);
     let mut rows = Linear::new(layout.count, layout.columns);
-    let mut normals: SmallVec<[T; 2]> = SmallVec::new();
+    let normals = normals(scene, n);
 
     // The row of a coordinate bears the same number as its unknown.
     for (b, numbers) in n.bodies.iter().enumerate() {
-        let mut normal = T::zero();
         if let Some(row) = layout.along[b] {
             rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
             let weight = numbers.mass * n.gravity;
@@ -194,22 +213,10 @@ fn assembled<T: Real>(
                 let taken = numbers.mass * forward.acceleration;
                 rows.right(row, CONSTANT, -plant!("eom: mass times acceleration of the carrier", taken));
             }
-            if scene.bodies[b].line.is_some_and(|l| l.surface) {
-                normal = plant!("eom: weight on the surface", weight * numbers.level);
-                if let Some([_, out]) = numbers.carried {
-                    let taken = plant!("eom: force that carries out of the surface", numbers.mass);
-                    normal = normal.balance(taken * out.acceleration);
-                }
-            }
         }
-        normals.push(normal);
         if let Some(row) = layout.turn[b] {
             rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
         }
-    }
-    for (body, force, tilt) in scene.ties.iter().filter_map(Tie::tilted) {
-        let lifts = n.massive(force) * pose::direction(n, tilt)[1];
-        normals[body] = normals[body].balance(-plant!("eom: lift of a pull at an angle", lifts));
     }
     for (i, c) in scene.couples.iter().enumerate() {
         if let Some(row) = layout.turn[c.body] {

@@ -20,7 +20,7 @@ use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
     Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
-use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, respond};
+use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
 use crate::solve::found;
@@ -96,8 +96,13 @@ fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
 
 /// An instant: velocities and energies, and where the scene could go on, accelerations and forces.
 fn at_once<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
-    let road = instant::road(scene, &n, asked)?;
+    let mut road = instant::road(scene, &n, asked)?;
     if !scene.tells_rates() {
+        if asked.held {
+            let normals = normals(scene, &n);
+            let pressed = |b| Held::Pressed(b, n.publish(Quantity::Normal, normals[b]).f64());
+            road.held.extend(with_normals(scene).map(pressed));
+        }
         return Ok(road);
     }
     let mut walk = Walk::new(scene, n, asked)?;
@@ -107,6 +112,12 @@ fn at_once<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
     walk.standing(tension);
     walk.grip(tension, tension);
     Ok(walk.road)
+}
+
+/// Bodies on a surface whose normal force is known.
+fn with_normals(scene: &Scene) -> impl Iterator<Item = usize> {
+    let known = |b: &usize| scene.tells(Label { quantity: Quantity::Normal, of: Owner::Body(*b) });
+    (0..scene.bodies.len()).filter(|b| scene.bodies[*b].line.is_some_and(|l| l.surface)).filter(known)
 }
 
 /// [`road`], with the states at its events from the steps of this rung and not from the closed form; what it cost. `asked`
@@ -821,14 +832,11 @@ impl<'a, T: Real> Walk<'a, T> {
         if !self.asked.held && !self.asks(&[Quantity::Normal, Quantity::MuRequired]) {
             return;
         }
-        for b in 0..self.scene.bodies.len() {
-            let label = Label { quantity: Quantity::Normal, of: Owner::Body(b) };
-            if self.scene.bodies[b].line.is_some_and(|l| l.surface) && self.scene.tells(label) {
-                let normal = self.response.normal(b);
-                self.say(Quantity::Normal, Owner::Body(b), normal);
-                let force = self.n.publish(Quantity::Normal, normal).f64();
-                self.hold(Held::Pressed(b, force));
-            }
+        for b in with_normals(self.scene) {
+            let normal = self.response.normal(b);
+            self.say(Quantity::Normal, Owner::Body(b), normal);
+            let force = self.n.publish(Quantity::Normal, normal).f64();
+            self.hold(Held::Pressed(b, force));
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if self.response.is_open(t) {
