@@ -256,10 +256,11 @@ fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
 }
 
-/// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated.
+/// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated: what
+/// one span more changes least, for below that rounding grows. Near a dead centre the first spans tell nothing.
 fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> Result<T, Refusal> {
-    const SPANS: i32 = 7;
-    let mut row: Vec<T> = Vec::new();
+    const SPANS: i32 = 24;
+    let (mut row, mut best): (Vec<T>, _) = (Vec::new(), (f64::INFINITY, T::zero()));
     for i in 0..SPANS {
         let span = widest.scale2(-i);
         let mut next = vec![(value(at + span)? - value(at - span)?) / span.scale2(1)];
@@ -267,9 +268,18 @@ fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> 
             let finer = next[k];
             next.push(finer + (finer - *coarse) / T::of(pow2(2 * k as i32 + 2) - 1.0));
         }
+        if let (Some(before), Some(now)) = (row.last(), next.last()) {
+            let change = (*now - *before).size();
+            if change < best.0 {
+                best = (change, *now);
+            }
+            if gauss::settled(*now, *before, now.size()) {
+                break;
+            }
+        }
         row = next;
     }
-    Ok(row.last().copied().unwrap_or_else(T::zero))
+    Ok(best.1)
 }
 
 /// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
