@@ -28,8 +28,10 @@ const STRIDE: f64 = 1.0;
 /// [`gauss::Rule::rough`].
 const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
-/// Panels of a motion at most: the way to a singularity takes fewer, what takes more is rough by its rounding.
-const PANELS: u32 = 100;
+/// Panels of a motion at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
+/// is rough by its rounding.
+const PANELS: u32 = 1200;
+const ROUGH: u32 = 10;
 
 /// Way on which it is seen whether the drive grows, radians.
 const BESIDE: f64 = 1.0 / 4096.0;
@@ -219,7 +221,9 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     }
     let free = mechanism.respond(&state, &nothing)?;
     let (a, b) = mechanism.leading(&free);
-    let first = a.balance(b * spin.square());
+    // In a balance rounding is left of the drive.
+    let turning = teller.drives() / mechanism.inertia(&state).size();
+    let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
     let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
@@ -238,7 +242,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     // Friction may hold what would set off without it.
     let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
-    let sets_off = a.balance(b * spin.square()).signed(sense);
+    let sets_off = a.balance(b * spin.square()).cleared(turning).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
         return Ok(());
@@ -485,22 +489,23 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             // The coefficients fall geometrically, the faster the farther away a singularity is in lengths of the panel.
             let fit = 0.9 * trig::power(rough, -1.0 / DEGREE);
             width = next - at;
-            if rough <= 1.0 {
+            let cost = if rough <= 1.0 { 1 } else { ROUGH };
+            let left = self.panels.get().checked_sub(cost);
+            self.panels.set(left.unwrap_or(0));
+            if rough <= 1.0 && left.is_some() {
                 if visit(&panel, from)? {
                     return Ok(None);
                 }
                 (at, from) = (next, panel.last);
                 width = width * T::of(fit.clamp(0.5, 2.0));
             } else {
-                let panels = self.panels.get();
-                if panels == 0 || width.size() <= least {
+                if left.is_none() || width.size() <= least {
                     if self.mechanism.in_line(self.angle(self.way(next).0)) {
                         return Err(Refusal::Unsupported(Unsupported::InLine));
                     }
                     let value = panel.last.half_square.f64();
                     return Err(Unsettled { value, gap: f64::INFINITY }.into());
                 }
-                self.panels.set(panels - 1);
                 width = width * T::of(fit.clamp(0.1, 0.7));
             }
         }
@@ -986,6 +991,13 @@ impl<T: Real> Teller<'_, '_, T> {
     fn blows(&self) -> f64 {
         let blows = self.scene.pushes.iter().filter(|p| p.blow);
         blows.map(|p| self.n.massive(p.force_n).size()).sum()
+    }
+
+    /// What the moments of all forces about one another come to at most, N m.
+    fn drives(&self) -> f64 {
+        let pushes = self.scene.pushes.iter().filter(|p| !p.blow).map(|p| self.n.massive(p.force_n).size());
+        let couples = self.scene.couples.iter().map(|c| self.n.massive(c.moment_n_m).size());
+        (self.pulls() + pushes.sum::<f64>()) * self.mechanism.size() + couples.sum::<f64>()
     }
 
     /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
