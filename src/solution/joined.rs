@@ -799,6 +799,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             return;
         }
         let Some([power, bend]) = self.eliminated() else {
+            if self.bodies.len() > 1 {
+                self.say("joined.by_hand", &[]);
+            }
             self.say("joined.together", &[]);
             return;
         };
@@ -1045,7 +1048,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.say("pinned.brakes_late", &angle);
         } else {
             let least = squares[1..].iter().copied().fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &self.rough(least, "rad^2/s^2"))]);
+            self.say("pinned.never_rests", &[angle[0], ("least", &self.rough(least.sqrt(), "rad/s"))]);
         }
     }
 

@@ -1975,7 +1975,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
         let ([it], None) = (&self.bodies[..], &self.pivot) else { return None };
         let (mass, centre) = (it.mass.clone(), self.centre(0));
-        if self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
+        // Three forces of joints hold a body fast.
+        let fast = self.holds.len() > 2;
+        if fast || self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
             return None;
         }
         let (free, v) = (self.drifts.is_some(), self.drifts.clone());
