@@ -214,7 +214,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.springs.is_empty() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
-            _ if self.single() && !self.scene.pushes.is_empty() => "joined.onward_pushed",
+            _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
@@ -1017,6 +1017,14 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Which way a body on a pin goes, and that it gets there.
     fn gets_there(&mut self) {
         let [start, end] = [START, END].map(|which| self.angle(which));
+        let (angle, turns_back) = ([("angle", end.as_str())], matches!(self.scene.end, End::TurningPoint(_)));
+        // The moments of a spring that only pushes or pulls are those of the asked place alone.
+        if self.scene.struts.iter().any(|s| s.acts != Acts::Both) {
+            if turns_back {
+                self.say("pinned.turns_there", &angle);
+            }
+            return;
+        }
         let sense = self.phrase(if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
         let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
         // How often the moment changes its sense on the way.
@@ -1039,8 +1047,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
-        let angle = [("angle", end.as_str())];
-        if matches!(self.scene.end, End::TurningPoint(_)) {
+        if turns_back {
             self.say("pinned.turns_there", &angle);
         } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
             self.say("pinned.only_faster", &angle);

@@ -319,6 +319,10 @@ pub fn as_if(
         at += 1;
     }
     if how == AsIf::Next && n.m.one && n.spring.is_none() && labels.iter().any(|l| !is_rate(l.quantity)) {
+        let rows = [n.normals(), n.kinetic_frictions(), vec![a]].concat();
+        let (rows, rest) = wanted.into_iter().partition::<Vec<SymbolId>, _>(|s| rows.contains(s));
+        n.tell(rows);
+        wanted = rest;
         let time = matches!(n.scene.end, End::Time(..));
         n.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
     }

@@ -2239,13 +2239,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::V, Owner::Body(b)) => {
                 (["v", "u"].map(|l| tagged(l, &it(b).tag)), length(it(b).a[0], it(b).a[1]))
             }
-            (Q::Omega, Owner::Body(b)) => {
-                let omega = it(b).alpha?;
-                if self.symbols.value(omega) >= 0.0 {
-                    return Some(omega);
-                }
-                ([r"\omega", r"\Omega"].map(|l| tagged(l, &it(b).tag)), -Expr::from(omega))
-            }
+            (Q::Omega, Owner::Body(b)) => return Some(self.page.sized(it(b).alpha?)),
             (Q::V, Owner::Spot(spot)) => {
                 let away = less(&self.spot(spot), &self.centre(spot.body));
                 let [x, y] = self.places(&away, END);
