@@ -77,18 +77,25 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             .filter_map(|t| if let Term::Other(o, label) = t { (o == i).then_some(label) } else { None })
             .collect();
         if !labels.is_empty() {
-            if is_so(scene, *how) {
-                let mut page = Page::new(draft);
-                page.begin_as("as_if", "rolled");
-                for label in labels {
-                    let Some(DerivedAnswer::Value(symbol)) = page.found_for(label) else {
-                        return Err(Beyond::Quantity(label.quantity).into());
-                    };
-                    let found = page.shown(symbol);
-                    page.say("asked.rolls_so", &[("found", &found)]);
-                    others.push((i, label, symbol));
+            // What would roll, and does, has been found; so has the friction that the rest would need to.
+            let so = is_so(scene, *how);
+            let known = labels.iter().map(|label| {
+                let needed = Label { quantity: Quantity::FrictionIfRolled, ..*label };
+                let supposed = *how == AsIf::Rolls && label.quantity == Quantity::Friction;
+                match draft.found_for(if so || !supposed { *label } else { needed }) {
+                    Some(DerivedAnswer::Value(symbol)) if so || supposed => Some((i, *label, symbol)),
+                    _ => None,
                 }
-                page.end();
+            });
+            if let Some(known) = known.collect::<Option<Vec<_>>>() {
+                if so {
+                    let mut page = Page::new(draft);
+                    page.begin_as("as_if", "rolled");
+                    let found: Vec<String> = known.iter().map(|(.., symbol)| page.shown(*symbol)).collect();
+                    page.say("asked.rolls_so", &[("found", &found.join(", "))]);
+                    page.end();
+                }
+                others.extend(known);
                 continue;
             }
             if *how == AsIf::Next {
