@@ -30,6 +30,10 @@ pub const PAPER: usize = 70;
 /// How a formula begins that stands beside others in a line, which breaks between them where it is narrow.
 const ROW: &str = "<math displaystyle=\"true\"";
 
+/// Signs that belong to what stands before them.
+const PUNCTUATION: [char; 7] = [',', '.', ';', ':', ')', '!', '?'];
+/// Keeps what stands before it and after it on one line.
+const WORD_JOINER: &str = "\u{2060}";
 /// Where a document stands in a page.
 #[derive(Default, Debug, Clone, Copy)]
 pub struct PlaceInPage<'p> {
@@ -117,7 +121,16 @@ impl<'w> Converter<'w> {
                 ready.push(Event::Html("</figure>\n".into()));
                 continue;
             }
+            // A browser would break a line between a formula and the sign that belongs to it.
+            let joined = match (&event, events.peek()) {
+                (Event::InlineMath(_), Some(Event::Text(next))) => next.starts_with(PUNCTUATION),
+                (Event::Text(text), Some(Event::InlineMath(_))) => text.ends_with('('),
+                _ => false,
+            };
             self.event(event, place, &mut walk, &mut ready);
+            if joined {
+                ready.push(Event::InlineHtml(WORD_JOINER.into()));
+            }
         }
         // A text of one's own may leave no room behind the name of a part.
         for part in place.boxes.iter().filter(|part| !walk.boxed.contains(part)) {
