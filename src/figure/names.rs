@@ -118,7 +118,7 @@ pub fn tags(problem: &Problem, scene: &Scene) -> Vec<String> {
     let tag = |(body, short): (&Body, &String)| {
         if shorts.iter().filter(|s| *s == short).count() > 1 {
             let plain: String = body.name.chars().filter(char::is_ascii_alphanumeric).collect();
-            format!(r"\mathrm{{{plain}}}")
+            if plain.len() == 1 { plain } else { format!(r"\mathrm{{{plain}}}") }
         } else {
             short.clone()
         }

@@ -646,6 +646,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let mut springs: Vec<SymbolId> = self.springs.to_vec();
         springs.extend(self.units.iter().copied());
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
+        let sprung = !wanted.is_empty() && !self.springs.is_empty();
         if !wanted.is_empty() {
             let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.springs.is_empty(), self.units.is_empty()) {
@@ -669,8 +670,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             .as_ref()
             .map(|([radial, across], pin)| [("radial", &**radial), ("across", &**across), ("pin", &**pin)]);
         // The place has been named with the force of the spring.
-        let there =
-            if self.instant() || pieces.is_some() && !self.springs.is_empty() { "" } else { "_there" };
+        let there = if self.instant() || sprung { "" } else { "_there" };
         let name = match (pieces.is_some(), self.radial()) {
             (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
