@@ -110,7 +110,7 @@ pub fn body(document: &Document) -> String {
                         let start = out.len();
                         let place = if beside.is_some() { "" } else { PLACE };
                         out.extend([place, "{%\n", tikz::picture(picture).trim_end(), "}"]);
-                        alone = beside.is_none().then(|| start..out.len());
+                        alone = beside.is_none().then_some(start..out.len());
                     }
                     None => out.push_str(&template::in_tex(&alt)),
                 }
