@@ -32,8 +32,6 @@ const ROW: &str = "<math displaystyle=\"true\"";
 
 /// Signs that belong to what stands before them.
 const PUNCTUATION: [char; 7] = [',', '.', ';', ':', ')', '!', '?'];
-/// Keeps what stands before it and after it on one line.
-const WORD_JOINER: &str = "\u{2060}";
 /// Where a document stands in a page.
 #[derive(Default, Debug, Clone, Copy)]
 pub struct PlaceInPage<'p> {
@@ -122,15 +120,19 @@ impl<'w> Converter<'w> {
                 continue;
             }
             // A browser would break a line between a formula and the sign that belongs to it.
-            let joined = match (&event, events.peek()) {
-                (Event::InlineMath(_), Some(Event::Text(next))) => next.starts_with(PUNCTUATION),
-                (Event::Text(text), Some(Event::InlineMath(_))) => text.ends_with('('),
-                _ => false,
-            };
-            self.event(event, place, &mut walk, &mut ready);
-            if joined {
-                ready.push(Event::InlineHtml(WORD_JOINER.into()));
+            if matches!(event, Event::InlineMath(_))
+                && let Some(Event::Text(next)) = events.peek()
+                && let Some(rest) = next.strip_prefix(PUNCTUATION).map(str::to_owned)
+            {
+                let sign = next[..next.len() - rest.len()].to_owned();
+                events.next();
+                ready.push(Event::InlineHtml("<span class=\"kept\">".into()));
+                self.event(event, place, &mut walk, &mut ready);
+                ready.push(Event::InlineHtml(format!("{sign}</span>").into()));
+                self.event(Event::Text(rest.into()), place, &mut walk, &mut ready);
+                continue;
             }
+            self.event(event, place, &mut walk, &mut ready);
         }
         // A text of one's own may leave no room behind the name of a part.
         for part in place.boxes.iter().filter(|part| !walk.boxed.contains(part)) {
