@@ -14,8 +14,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, JointKind, Num, Owner, Pin, Quantity, Side, Slope, StrutEnd, Surface,
-    Tie, pose,
+    Arm, Couple, End, Far, GivenForce, JointKind, Made, Num, Owner, Pin, Quantity, Side, Slope, StrutEnd,
+    Surface, Tie, pose,
 };
 use crate::words::Words;
 
@@ -116,7 +116,7 @@ struct Kinetic {
 struct Diagram<'a> {
     forces: Vec<ForceArrow>,
     couples: Vec<Turning>,
-    /// What acts at the axle of a body without a mass, its own weight included: not known, so not drawn.
+    /// What acts at the axle, the weight included, where it is not known: not drawn.
     unknown: Option<ForceArrow>,
     kinetic: Kinetic,
     centre: Vec2,
@@ -249,7 +249,13 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     cords(view, body, &p, &plan, ratio, &mut forces);
     let couples = couples_on(view, body, p.clockwise);
     let (mut unknown, mut held) = (None, None);
-    if this.massless() {
+    // Of teeth and belts what turns the body is known, not how they press on its axle.
+    let rim = |t: &Tie| {
+        matches!(t, Tie::Cord(c) if matches!(c.made, Made::Teeth | Made::Belt))
+            && t.actions().any(|a| a.body == body)
+    };
+    let loose = this.massless() || view.scene.ties.iter().any(rim);
+    if loose {
         forces.remove(0);
     }
     if this.line.is_none() {
@@ -261,7 +267,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
             sum.norm(),
             symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
         );
-        if this.massless() {
+        if loose {
             unknown = Some(axle);
         } else {
             held = (axle.value > NOTHING * weight).then(|| axle.label.clone());

@@ -808,11 +808,9 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     let called = |spot: Spot| {
         let (_, point) = view.scene.point_name(spot).unwrap_or(("", ""));
         let body = names::body_within(view.words, view.scene, spot.body);
-        if view.scene.bodies[spot.body].turns {
-            say("point", &[("point", point), ("body", &body)])
-        } else {
-            body
-        }
+        let the = names::the_body(view.words, view.scene, spot.body);
+        let name = if view.scene.bodies[spot.body].turns { "point" } else { "itself" };
+        say(name, &[("point", point), ("body", &body), ("the", &the)])
     };
     let place = |place: [Num; 2]| {
         let (x, y) = (say::text(view, place[0], "m"), say::text(view, place[1], "m"));
@@ -836,11 +834,12 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     }
     if let Some((lead, planar)) = view.scene.lead().and_then(|l| Some((l, view.scene.planar(l)?))) {
         let body = names::body_within(view.words, view.scene, lead);
+        let the = names::the_body(view.words, view.scene, lead);
         let from = view.words.get(&format!("figure.joined.ray.{}", ray(planar)));
         if let Some(start) = planar.start_deg {
             out.push(say(
                 "start",
-                &[("body", &body), ("from", from), ("angle", &say::text(view, start, "°"))],
+                &[("body", &body), ("the", &the), ("from", from), ("angle", &say::text(view, start, "°"))],
             ));
         }
         if let End::Angle(_, n) = view.scene.end {
@@ -916,6 +915,10 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         };
         let list = list.join(say::separator(view));
         out.push(say(name, &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));
+    }
+    // The letter of a point stays as it is.
+    for said in out.iter_mut().filter(|said| said.chars().nth(1).is_some_and(char::is_alphabetic)) {
+        *said = capital(said);
     }
 }
 

@@ -25,7 +25,8 @@ fn kind_id<'b>(words: &Words, body: &'b Body) -> &'b str {
         Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
         Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
         Some(RotaryInertia::Shape(Shape::Hoop, _)) => "hoop",
-        Some(_) if body.pin.is_some() => "body",
+        Some(RotaryInertia::Shape(Shape::Disc, _)) if body.planar.is_some() => "disc",
+        Some(_) if body.pin.is_some() || body.planar.is_some() => "body",
         Some(_) if body.line.is_none() => "drum",
         Some(_) => "wheel",
     }
@@ -117,7 +118,7 @@ pub fn tags(problem: &Problem, scene: &Scene) -> Vec<String> {
     let tag = |(body, short): (&Body, &String)| {
         if shorts.iter().filter(|s| *s == short).count() > 1 {
             let plain: String = body.name.chars().filter(char::is_ascii_alphanumeric).collect();
-            format!(r"\mathrm{{{plain}}}")
+            if plain.len() == 1 { plain } else { format!(r"\mathrm{{{plain}}}") }
         } else {
             short.clone()
         }

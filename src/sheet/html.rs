@@ -30,6 +30,8 @@ pub const PAPER: usize = 70;
 /// How a formula begins that stands beside others in a line, which breaks between them where it is narrow.
 const ROW: &str = "<math displaystyle=\"true\"";
 
+/// Signs that belong to what stands before them.
+const PUNCTUATION: [char; 7] = [',', '.', ';', ':', ')', '!', '?'];
 /// Where a document stands in a page.
 #[derive(Default, Debug, Clone, Copy)]
 pub struct PlaceInPage<'p> {
@@ -115,6 +117,19 @@ impl<'w> Converter<'w> {
                 ready.push(Event::Html("<figure>".into()));
                 ready.push(Event::Html(picture(&name, screen).into()));
                 ready.push(Event::Html("</figure>\n".into()));
+                continue;
+            }
+            // A browser would break a line between a formula and the sign that belongs to it.
+            if matches!(event, Event::InlineMath(_))
+                && let Some(Event::Text(next)) = events.peek()
+                && let Some(rest) = next.strip_prefix(PUNCTUATION).map(str::to_owned)
+            {
+                let sign = next[..next.len() - rest.len()].to_owned();
+                events.next();
+                ready.push(Event::InlineHtml("<span class=\"kept\">".into()));
+                self.event(event, place, &mut walk, &mut ready);
+                ready.push(Event::InlineHtml(format!("{sign}</span>").into()));
+                self.event(Event::Text(rest.into()), place, &mut walk, &mut ready);
                 continue;
             }
             self.event(event, place, &mut walk, &mut ready);

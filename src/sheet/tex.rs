@@ -58,10 +58,15 @@ fn running_head(head: &Head) -> String {
     head.running().map(template::in_tex).collect::<Vec<_>>().join(r" \textperiodcentered{} ")
 }
 
+/// Sets a picture; two that follow each other stand beside each other.
+const PLACE: &str = "\\pictureplace";
+
 /// The body of a document.
 pub fn body(document: &Document) -> String {
     let mut out = String::with_capacity(document.markdown.len() * 2);
     let (mut columns, mut cell, mut in_code) = (Vec::new(), 0, false);
+    // Where the last picture stands that has none beside it.
+    let mut alone: Option<std::ops::Range<usize>> = None;
     let mut events = Parser::new_ext(&document.markdown, MARKDOWN);
     while let Some(event) = events.next() {
         match event {
@@ -97,7 +102,15 @@ pub fn body(document: &Document) -> String {
                 }
                 match document.picture(&name) {
                     Some(picture) => {
-                        out.extend(["\\pictureplace{%\n", tikz::picture(picture).trim_end(), "}"]);
+                        let beside = alone.take().filter(|last| out[last.end..].trim().is_empty());
+                        if let Some(last) = &beside {
+                            out.truncate(last.end);
+                            out.replace_range(last.start..last.start + PLACE.len(), "\\picturesbeside");
+                        }
+                        let start = out.len();
+                        let place = if beside.is_some() { "" } else { PLACE };
+                        out.extend([place, "{%\n", tikz::picture(picture).trim_end(), "}"]);
+                        alone = beside.is_none().then_some(start..out.len());
                     }
                     None => out.push_str(&template::in_tex(&alt)),
                 }

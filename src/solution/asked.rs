@@ -3,7 +3,7 @@
 use crate::bank::{Problem, Question};
 use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
-use crate::scene::{AsIf, Given, Label, Num, Owner, Quantity, Scene, Taken, Term};
+use crate::scene::{AsIf, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
 use crate::solution::derive;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -30,7 +30,13 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
             Owner::Asked(i) => {
                 let terms = scene.formulas.asked.get(i).into_iter().flat_map(|a| a.formula.names());
                 // What another question asks is found with that one.
-                let said = |t| if let Term::Said(label) = t { Some(label) } else { None };
+                let said = |t| match t {
+                    Term::Said(label) => Some(label),
+                    Term::Other(o, label) => {
+                        scene.formulas.others.get(o).filter(|o| is_so(scene, o.0)).map(|_| label)
+                    }
+                    Term::Given(_) => None,
+                };
                 all.extend(terms.filter_map(said).filter(|l| !matches!(l.of, Owner::Asked(_))));
             }
             _ => all.push(label),
@@ -47,6 +53,11 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
         }
     });
     all
+}
+
+/// Is what is supposed so anyway: that it rolls, where it does?
+fn is_so(scene: &Scene, how: AsIf) -> bool {
+    how == AsIf::Rolls && !scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }))
 }
 
 /// Answers the questions by formula once everything else has been found.
@@ -66,6 +77,27 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             .filter_map(|t| if let Term::Other(o, label) = t { (o == i).then_some(label) } else { None })
             .collect();
         if !labels.is_empty() {
+            // What would roll, and does, has been found; so has the friction that the rest would need to.
+            let so = is_so(scene, *how);
+            let known = labels.iter().map(|label| {
+                let needed = Label { quantity: Quantity::FrictionIfRolled, ..*label };
+                let supposed = *how == AsIf::Rolls && label.quantity == Quantity::Friction;
+                match draft.found_for(if so || !supposed { *label } else { needed }) {
+                    Some(DerivedAnswer::Value(symbol)) if so || supposed => Some((i, *label, symbol)),
+                    _ => None,
+                }
+            });
+            if let Some(known) = known.collect::<Option<Vec<_>>>() {
+                if so {
+                    let mut page = Page::new(draft);
+                    page.begin_as("as_if", "rolled");
+                    let found: Vec<String> = known.iter().map(|(.., symbol)| page.shown(*symbol)).collect();
+                    page.say("asked.rolls_so", &[("found", &found.join(", "))]);
+                    page.end();
+                }
+                others.extend(known);
+                continue;
+            }
             if *how == AsIf::Next {
                 hand_over(draft, other)?;
             }

@@ -164,15 +164,17 @@ pub fn in_sense(of: Expr, sense: f64) -> Expr {
     if sense < 0.0 { minus(of) } else { of }
 }
 
-/// A sum that begins with what is added.
+/// A sum that begins with what is added; equal terms are one, with their number.
 pub fn positive_first(terms: impl IntoIterator<Item = Expr>) -> Expr {
-    let (minus, plus): (Vec<Expr>, Vec<Expr>) = terms
-        .into_iter()
-        .flat_map(|t| match t {
-            Expr::Sum(inner) => inner,
-            other => vec![other],
-        })
-        .partition(|t| matches!(t, Expr::Minus(_)));
+    let mut counted: Vec<(Expr, i64)> = Vec::new();
+    for term in terms.into_iter().flat_map(|t| if let Expr::Sum(inner) = t { inner } else { vec![t] }) {
+        match counted.iter_mut().find(|(known, _)| *known == term) {
+            Some((_, count)) => *count += 1,
+            None => counted.push((term, 1)),
+        }
+    }
+    let all = counted.into_iter().map(|(term, n)| if n == 1 { term } else { product([number(n), term]) });
+    let (minus, plus): (Vec<Expr>, Vec<Expr>) = all.partition(|t| matches!(t, Expr::Minus(_)));
     sum(plus.into_iter().chain(minus))
 }
 

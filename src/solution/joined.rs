@@ -214,7 +214,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             _ if self.rubs() => "joined.onward_rubs",
             _ if !self.springs.is_empty() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
-            _ if self.single() && !self.scene.pushes.is_empty() => "joined.onward_pushed",
+            _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",
             _ if self.single() => "joined.onward",
             _ => "joined.onward_linkage",
@@ -646,6 +646,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let mut springs: Vec<SymbolId> = self.springs.to_vec();
         springs.extend(self.units.iter().copied());
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
+        let sprung = !wanted.is_empty() && !self.springs.is_empty();
         if !wanted.is_empty() {
             let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.springs.is_empty(), self.units.is_empty()) {
@@ -669,8 +670,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             .as_ref()
             .map(|([radial, across], pin)| [("radial", &**radial), ("across", &**across), ("pin", &**pin)]);
         // The place has been named with the force of the spring.
-        let there =
-            if self.instant() || pieces.is_some() && !self.springs.is_empty() { "" } else { "_there" };
+        let there = if self.instant() || sprung { "" } else { "_there" };
         let name = match (pieces.is_some(), self.radial()) {
             (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
@@ -799,6 +799,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             return;
         }
         let Some([power, bend]) = self.eliminated() else {
+            if self.bodies.len() > 1 {
+                self.say("joined.by_hand", &[]);
+            }
             self.say("joined.together", &[]);
             return;
         };
@@ -1014,6 +1017,14 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Which way a body on a pin goes, and that it gets there.
     fn gets_there(&mut self) {
         let [start, end] = [START, END].map(|which| self.angle(which));
+        let (angle, turns_back) = ([("angle", end.as_str())], matches!(self.scene.end, End::TurningPoint(_)));
+        // The moments of a spring that only pushes or pulls are those of the asked place alone.
+        if self.scene.struts.iter().any(|s| s.acts != Acts::Both) {
+            if turns_back {
+                self.say("pinned.turns_there", &angle);
+            }
+            return;
+        }
         let sense = self.phrase(if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" }, &[]);
         let [first, last] = self.turns[0].at.each_ref().map(|a| self.value(a));
         // How often the moment changes its sense on the way.
@@ -1036,8 +1047,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
-        let angle = [("angle", end.as_str())];
-        if matches!(self.scene.end, End::TurningPoint(_)) {
+        if turns_back {
             self.say("pinned.turns_there", &angle);
         } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
             self.say("pinned.only_faster", &angle);
@@ -1045,7 +1055,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.say("pinned.brakes_late", &angle);
         } else {
             let least = squares[1..].iter().copied().fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &self.rough(least, "rad^2/s^2"))]);
+            self.say("pinned.never_rests", &[angle[0], ("least", &self.rough(least.sqrt(), "rad/s"))]);
         }
     }
 

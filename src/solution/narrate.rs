@@ -12,7 +12,7 @@ use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::page::{Page, WITHIN};
+use crate::solution::page::Page;
 use crate::solution::plane::Plane;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
@@ -292,7 +292,10 @@ pub fn as_if(
     n.write_rows();
     n.tell_ratios();
     let a = n.rate();
-    if n.m.one {
+    let links = n.links(true, |n, c| n.m.of(c).a);
+    // Of one row nothing is left to eliminate.
+    if n.m.one && !links.is_empty() {
+        n.say("motion.links", &[("links", &links.join(", "))]);
         let right = n.effective.by(a);
         let line = n.equation(&n.share_sum(&DRIVING), &right);
         n.say("asked.together", &[]);
@@ -314,6 +317,14 @@ pub fn as_if(
         let new: Vec<SymbolId> = new.filter(|s| !wanted.contains(s)).collect();
         wanted.extend(new);
         at += 1;
+    }
+    if how == AsIf::Next && n.m.one && n.spring.is_none() && labels.iter().any(|l| !is_rate(l.quantity)) {
+        let rows = [n.normals(), n.kinetic_frictions(), vec![a]].concat();
+        let (rows, rest) = wanted.into_iter().partition::<Vec<SymbolId>, _>(|s| rows.contains(s));
+        n.tell(rows);
+        wanted = rest;
+        let time = matches!(n.scene.end, End::Time(..));
+        n.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
     }
     n.tell(wanted);
     n.end();
@@ -396,14 +407,15 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         self.page.say_carried(carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
-            let ties =
-                [(self.rolling().first().copied(), "rolls", "idle_roll"), (self.held(), "held", "idle_held")];
-            for (found, name, idle) in ties {
-                let Some((t, body)) = found else { continue };
-                self.say_of(&format!("idea.{name}"), body, &[]);
+            let rolling = self.rolling();
+            let rolls = if rolling.len() > 1 { "rolls_all" } else { "rolls" };
+            for (found, name) in [(rolling, rolls), (self.held().into_iter().collect(), "held")] {
+                let Some((_, body)) = found.first() else { continue };
+                self.say_of(&format!("idea.{name}"), *body, &[]);
                 if self.short == Short::Energy {
-                    let force: Vec<SymbolId> = self.m.force_of(t).into_iter().collect();
-                    self.say(&format!("idea.{idle}"), &[("force", &self.names(&force))]);
+                    let forces: Vec<SymbolId> =
+                        found.iter().filter_map(|(t, _)| self.m.force_of(*t)).collect();
+                    self.say(&format!("idea.idle_{name}"), &[("force", &self.names(&forces))]);
                 }
             }
             if !cords.is_empty() {
@@ -416,10 +428,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                     () => "rims",
                 };
                 let one = what == "cords" && cords.len() == 1;
-                self.say(&if one { "idea.cord".to_owned() } else { format!("idea.{what}") }, &[]);
+                let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
+                let forces = [("forces", &*self.names(&forces))];
+                self.say(&if one { "idea.cord".to_owned() } else { format!("idea.{what}") }, &forces);
                 if self.short == Short::Energy {
-                    let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                    self.say(&format!("idea.idle_{what}"), &[("forces", &self.names(&forces))]);
+                    self.say(&format!("idea.idle_{what}"), &forces);
                 }
             }
         }
@@ -867,8 +880,9 @@ impl<'d, 'a> Account<'d, 'a> {
                 Expr::Minus(inner) => *inner,
                 other => other,
             };
-            if !matches!(size, Expr::Symbol(_)) {
-                groups.push(self.valued(&size, force));
+            let told = self.valued(&size, force);
+            if !matches!(size, Expr::Symbol(_)) && !groups.contains(&told) {
+                groups.push(told);
             }
         }
         if !matches!(self.effective, Expr::Symbol(_)) {
@@ -1012,17 +1026,15 @@ impl<'d, 'a> Account<'d, 'a> {
         if !from.is_empty() {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
-        let line = self.equation(&self.share_sum(&DRIVING), &self.effective.by(a));
-        if self.spring.is_none() {
-            let value = format!("{} = {}", self.symbols.tex(a), self.symbols.shown(a));
-            let whole = format!(r"{line}, \qquad {value}");
-            if !from.is_empty() || width(&whole) > WITHIN {
-                self.formula(whole);
-            } else {
-                self.add(format!("${line}$, ${value}$."));
-            }
-        } else {
+        let drive = self.share_sum(&DRIVING);
+        let line = self.equation(&drive, &self.effective.by(a));
+        if self.spring.is_some() {
             self.formula(line);
+        } else if from.is_empty() {
+            let row = self.chain(a, &drive.over(&self.effective));
+            self.formulas_or_one(vec![row]);
+        } else {
+            self.formula(format!(r"{line}, \qquad {} = {}", self.symbols.tex(a), self.symbols.shown(a)));
         }
         self.integrate(id == "long");
         Ok(())
@@ -1682,7 +1694,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let normal = self.shown(n);
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let Some(mu) = mu_s else {
-            self.say("holds.pressed", &[("n", &normal)]);
+            self.say_of("holds.pressed", body, &[("n", &normal)]);
             self.say("holds.no_coefficient", &[]);
             return Ok(());
         };
@@ -1705,7 +1717,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
-        self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &self.valued(&mu, "1"))]);
+        let mu = self.valued(&mu, "1");
+        self.say_of("holds.rolls", body, &[("n", &normal), ("share", &share), ("mu", &mu)]);
         if value <= most {
             self.word(of_body(Quantity::Rolls, body), Word::Yes);
         }
@@ -1819,7 +1832,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
         let light = Expr::Number(2, 1) * self.distance() * drive;
-        let light = light.over(sum(masses));
+        let light = light.over(positive_first(masses));
         let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
         self.say("limits.massless", &[("v", &self.shown(v)), ("fast", &fast)]);
     }

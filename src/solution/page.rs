@@ -189,7 +189,10 @@ impl<'d, 'a> Page<'d, 'a> {
     /// A sentence of the paragraph that is being written.
     pub fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
         let text = self.phrase(name, pieces);
-        self.open.push(text);
+        // What holds of two bodies alike is said once.
+        if text.ends_with(':') || !self.open.contains(&text) {
+            self.open.push(text);
+        }
     }
     /// A displayed formula; lines with an `&` stand under each other.
     pub fn formula(&mut self, tex: String) {

@@ -1975,7 +1975,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
         let ([it], None) = (&self.bodies[..], &self.pivot) else { return None };
         let (mass, centre) = (it.mass.clone(), self.centre(0));
-        if self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
+        // Three forces of joints hold a body fast.
+        let fast = self.holds.len() > 2;
+        if fast || self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
             return None;
         }
         let (free, v) = (self.drifts.is_some(), self.drifts.clone());
@@ -2237,13 +2239,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::V, Owner::Body(b)) => {
                 (["v", "u"].map(|l| tagged(l, &it(b).tag)), length(it(b).a[0], it(b).a[1]))
             }
-            (Q::Omega, Owner::Body(b)) => {
-                let omega = it(b).alpha?;
-                if self.symbols.value(omega) >= 0.0 {
-                    return Some(omega);
-                }
-                ([r"\omega", r"\Omega"].map(|l| tagged(l, &it(b).tag)), -Expr::from(omega))
-            }
+            (Q::Omega, Owner::Body(b)) => return Some(self.page.sized(it(b).alpha?)),
             (Q::V, Owner::Spot(spot)) => {
                 let away = less(&self.spot(spot), &self.centre(spot.body));
                 let [x, y] = self.places(&away, END);

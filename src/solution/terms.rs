@@ -528,7 +528,10 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let normal_of = Label { quantity: Quantity::Normal, of: Owner::Body(i) };
         let pressed = body.line.is_some_and(|l| l.surface) && scene.tells(normal_of);
         let normal = pressed.then(|| {
-            let n = draft.named(&[&tagged("N", if surfaces > 1 { &tag } else { "" }), "N_s"], "N");
+            let tag = if surfaces > 1 { tag.as_str() } else { "" };
+            // A motion that follows may have another surface; one that is only supposed has the same.
+            let tag = if draft.as_if == Some(AsIf::Next) { below(draft, tag, None) } else { tag.to_owned() };
+            let n = draft.named(&[&tagged("N", &tag), "N_s"], "N");
             let lifts = scene.ties.iter().filter_map(Tie::tilted).filter(|(on, ..)| *on == i);
             let lifts = lifts.map(|(_, force, tilt)| {
                 draft.number(force, "P", "N") * sine(draft.number(tilt, r"\beta", "deg"))

@@ -7,7 +7,7 @@ use slipstick::grade::compare::compare;
 use slipstick::grade::verdict::Verdict;
 use slipstick::picture::{Outline, Picture, Role, symbol};
 use slipstick::problem::make_key;
-use slipstick::problem::maker::{Maker, Variant};
+use slipstick::problem::maker::{self, Maker, Variant};
 use slipstick::scene::{End, Quantity};
 use slipstick::sheet::statement::{Common, Scratch, Statement};
 use slipstick::template::Templates;
@@ -648,6 +648,58 @@ problems:
         let text = solution(problem, &variant, language).replace("{,}", ".");
         assert!(text.contains(&told), "{told}: {text}");
     }
+}
+
+/// Of several bodies that roll the friction on each is said to do no work, and equal terms are one.
+#[test]
+fn what_rolls_together_is_told_together() {
+    let bank = bank(include_str!("../carried/cart-on-wheels.yaml"));
+    let problem = &bank.problems[0];
+    let variant = maker::from_values(problem, 0, &support::constants(problem)).expect("solved");
+    for language in &languages() {
+        let text = solution(problem, &variant, language);
+        let said = language.0.get("solution.idea.idle_rolls_all").replace("{force}", "$F_{F}$, $F_{R}$");
+        assert!(text.contains(&said), "{said}: {text}");
+        assert!(text.contains(r"$$M\,g\,d\,\sin \theta + 2\,m\,g\,d\,\sin \theta = "), "{text}");
+    }
+}
+
+/// A spring that only pushes does nothing before it is touched: no moment of it is told where the body sets off.
+#[test]
+fn a_buffer_that_is_not_touched_has_no_moment() {
+    let bank = bank(include_str!("../worked/blows-and-rests.yaml"));
+    let problem = bank.problems.iter().find(|p| p.id == "rod-on-a-buffer").expect("it is there");
+    let variant = Maker::new(problem, 1, "buffer").variant("0").unwrap_or_else(|u| panic!("{u}"));
+    let weight = 9.81 * datum(problem, &variant, "m");
+    for language in &languages() {
+        let text = solution(problem, &variant, language).replace("{,}", ".");
+        let (_, holds) = text.split_once(language.0.get("solution.title.holds")).expect("the section");
+        let line = holds.lines().next().expect("its sentences");
+        // The moment of the weight is at most m g L/2, with L <= 1.2 m.
+        for told in line.split('$').filter(|f| f.ends_with(r"\mathrm{N}\,\mathrm{m}")) {
+            let moment: f64 = told.split(r"\ ").next().and_then(|n| n.parse().ok()).expect("a number");
+            assert!(moment.abs() <= 0.6 * weight, "{moment}: {line}");
+        }
+    }
+}
+
+/// The friction that rolling needs, and whether there is as much, is told once, whether it rolls or slips.
+#[test]
+fn whether_it_could_roll_is_told_once() {
+    let banks = support::banks();
+    let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == "spool-on-the-floor");
+    let problem = problem.expect("it is built in");
+    let maker = Maker::new(problem, 1, "spools");
+    let mut seen = [0, 0];
+    for student in 0..20 {
+        let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
+        seen[variant.case] += 1;
+        for language in &languages() {
+            let text = solution(problem, &variant, language);
+            assert_eq!(text.matches(language.0.get("solution.title.rolled")).count(), 1, "{text}");
+        }
+    }
+    assert!(seen.iter().all(|n| *n > 0), "{seen:?}");
 }
 
 /// An answer in degrees stands beside the radians of the formulas.

@@ -306,7 +306,11 @@ fn scenes_of_textbooks() {
 #[test]
 fn scenes_beyond_the_built_in_banks() {
     let (templates, words) = (templates("en"), Words::english());
-    let texts = [include_str!("../support/lines.yaml"), include_str!("../worked/blows-and-rests.yaml")];
+    let texts = [
+        include_str!("../support/lines.yaml"),
+        include_str!("../worked/blows-and-rests.yaml"),
+        include_str!("../worked/rods-pulls-and-rims.yaml"),
+    ];
     let banks = texts.map(|text| load::scenes_only(text, "a bank").unwrap_or_else(|f| panic!("{f:?}")));
     let mut faults = Vec::new();
     for problem in banks.iter().flat_map(|bank| &bank.problems) {

@@ -281,8 +281,12 @@ impl Reader<'_> {
         let formula = written == digits && !digits.contains('.');
         self.digits |= !formula;
         let decimals = digits.split_once('.').map_or(0, |(_, d)| d.len());
-        // A half turn is what it is.
-        let half = if formula || written == r"180^\circ" || self.data.iter().any(|d| d == written) {
+        // A half turn is what it is, and nothing is nothing.
+        let half = if formula
+            || digits == "0"
+            || written == r"180^\circ"
+            || self.data.iter().any(|d| d == written)
+        {
             0.0
         } else if decimals == 0 {
             // Zeros at the end of a whole number may be no figures.
