@@ -76,6 +76,8 @@ mod planar;
 
 struct SceneReader<'a> {
     symbols: &'a [DatumSymbol],
+    /// Index of g among the data, after the symbols.
+    gravity: usize,
     touching: Touching,
     faults: &'a Faults,
     touches: RefCell<Vec<(usize, Num)>>,
@@ -103,6 +105,7 @@ pub fn read(
     let before = faults.count();
     let reader = SceneReader {
         symbols,
+        gravity,
         touching,
         faults,
         touches: RefCell::new(Vec::new()),
@@ -132,7 +135,7 @@ const FIXED: &str = "moves: about a fixed axle";
 /// What does not go together in a body: the field that is too much, beside which others (with their text, if it matters),
 /// where which others are not written; what is said of the body, and the hint.
 type Exclusion = (&'static str, &'static [&'static str], &'static [&'static str], &'static str, &'static str);
-const EXCLUDED: [Exclusion; 12] = [
+const EXCLUDED: [Exclusion; 10] = [
     ("angle", &["moves"], &["pinned"], "`{}` moves along a line, so it has no angle", REMOVE),
     (
         "angle",
@@ -142,8 +145,6 @@ const EXCLUDED: [Exclusion; 12] = [
         "write `pinned: at its end` (a rod) or `pinned: {distance: h}`",
     ),
     ("weight", &["mass"], &[], "`{}` has a mass and a weight", "keep one of them"),
-    ("mass", &[FIXED, "moment of inertia"], &[], NO_MASS, REMOVE),
-    ("weight", &[FIXED, "moment of inertia"], &["mass"], NO_MASS, REMOVE),
     ("mass", &["parts"], &[], SUM_OF_PARTS, REMOVE),
     ("weight", &["parts"], &["mass"], SUM_OF_PARTS, REMOVE),
     ("moves", &["pinned"], &[], NO_LINE, REMOVE),
@@ -153,7 +154,6 @@ const EXCLUDED: [Exclusion; 12] = [
     ("radii", &["angle"], &["moves"], NO_TIES, REMOVE),
 ];
 const REMOVE: &str = "remove this field";
-const NO_MASS: &str = "on a fixed axle the mass enters nothing once the moment of inertia is given";
 const SUM_OF_PARTS: &str = "the mass of a body made of parts is the sum of its parts";
 const NO_LINE: &str = "a pinned body moves about its pin, not along a line";
 const NO_TIES: &str = "nothing rolls on a pinned body and no cord is wound on it";
@@ -353,6 +353,9 @@ impl SceneReader<'_> {
     fn derived(&self, node: &Node, text: &str, need: Need) -> Option<Num> {
         let f = self.faults;
         let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+            if name == "g" {
+                return Ok((Name::Datum(self.gravity, false), measure::own_powers("m/s^2")));
+            }
             let Some(datum) = self.symbols.iter().position(|s| s.name == name) else {
                 let known = self.symbols.iter().map(|s| s.name.as_str());
                 let hint = spell::hint(name, "symbols", known);
@@ -372,7 +375,8 @@ impl SceneReader<'_> {
         }
         let expression = read.map_err(|fault| fault.tell(node, text, f)).ok()?;
         let data: Vec<usize> = expression.data().collect();
-        let known = data.iter().all(|i| self.symbols[*i].unit.is_some());
+        let own = |i: usize| self.symbols.get(i);
+        let known = data.iter().all(|i| own(*i).is_none_or(|s| s.unit.is_some()));
         let wanted = measure::own_powers(need.unit);
         if known && expression.powers != wanted {
             let found = measure::powers_text(expression.powers);
@@ -382,10 +386,12 @@ impl SceneReader<'_> {
             return None;
         }
         let mut uses = self.uses.borrow_mut();
-        uses.extend(data.iter().map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
+        let symbols = data.iter().filter(|i| own(**i).is_some());
+        uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
         let powers = |i: usize| {
-            let powers = self.symbols[i].unit.as_ref().map_or([0; 3], measure::powers);
-            powers.map(|p| p / 4)
+            let given = || own(i)?.unit.as_ref().map(measure::powers);
+            let powers = if i == self.gravity { Some(measure::own_powers("m/s^2")) } else { given() };
+            powers.unwrap_or_default().map(|p| p / 4)
         };
         let formula = expression.formula().map(&mut |name| match name {
             Name::Datum(datum, degrees) => Given { datum, degrees, powers: powers(datum) },
@@ -655,10 +661,8 @@ impl SceneReader<'_> {
             // That there are both is told elsewhere.
             (Some(_), Some(_)) => None,
             (None, None) if node.field("parts").is_some() => None,
-            // The mass of a body on a fixed axle whose moment of inertia is given enters no equation.
-            (None, None) if holds(node, FIXED) && holds(node, "moment of inertia") => {
-                Some(Mass::Kilograms(Num::Fixed(1.0)))
-            }
+            // The mass of a body on a fixed axle whose moment of inertia is given enters but the force of the axle.
+            (None, None) if holds(node, FIXED) && holds(node, "moment of inertia") => None,
             (None, None) => {
                 self.faults.hint(node, "`mass` is missing", "write `mass: m`, or `weight: W`");
                 None
@@ -1302,11 +1306,13 @@ impl SceneReader<'_> {
         let index = body?;
         let body = &bodies[index];
         let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
-        if WHOLE && let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
+        let sideways = |n: &Node| n.text().is_some_and(|t| t.trim().ends_with(" forward") || t.trim().ends_with(" back"));
+        let level = body.line.is_none() && body.pin.is_none() && leaves.is_some_and(sideways);
+        if WHOLE && let (Some(n), false) = (tilted, level || body.line.is_some_and(|l| l.surface)) {
             f.hint(
                 n,
                 told!("`{}` moves along no surface", body.name),
-                "an angle to the surface is that of a pull on what lies there",
+                "an angle is that of a pull on what lies on a surface, or of one that leaves a fixed axle at the `top forward`, `bottom back` and the like",
             );
         }
         if !body.particles.is_empty() {
