@@ -166,6 +166,13 @@ fn holds(body: &Node, field: &str) -> bool {
     }
 }
 
+/// Is this the mass of a light crank or rod in the plane, 0 kg?
+fn is_light(body: &Node, mass: &Node) -> bool {
+    let planar =
+        ["moves: in the plane", "moves: in a horizontal plane"].iter().any(|moves| holds(body, moves));
+    planar && mass.text().is_some_and(|text| measure::constant(text.trim(), "kg").is_ok_and(|m| m == 0.0))
+}
+
 /// Tells what does not go together in a body.
 fn excluded(name: &str, body: &Node, faults: &Faults) {
     for (field, beside, without, message, hint) in EXCLUDED {
@@ -656,6 +663,13 @@ impl SceneReader<'_> {
     /// The mass of a body, by its mass or its weight.
     fn mass(&self, node: &Node, mass: Option<&Node>, weight: Option<&Node>) -> Mass {
         let given = match (mass, weight) {
+            (Some(n), None) if is_light(node, n) => {
+                if node.field("moment of inertia").is_some() {
+                    let hint = "leave out the moment of inertia, or give it a mass";
+                    self.faults.hint(n, "what has a moment of inertia has a mass", hint);
+                }
+                Some(Mass::Kilograms(Num::Fixed(0.0)))
+            }
             (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
             (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
             // That there are both is told elsewhere.
@@ -1306,7 +1320,9 @@ impl SceneReader<'_> {
         let index = body?;
         let body = &bodies[index];
         let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
-        let sideways = |n: &Node| n.text().is_some_and(|t| t.trim().ends_with(" forward") || t.trim().ends_with(" back"));
+        let sideways = |n: &Node| {
+            n.text().is_some_and(|t| t.trim().ends_with(" forward") || t.trim().ends_with(" back"))
+        };
         let level = body.line.is_none() && body.pin.is_none() && leaves.is_some_and(sideways);
         if WHOLE && let (Some(n), false) = (tilted, level || body.line.is_some_and(|l| l.surface)) {
             f.hint(

@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene, Slope,
-    Spot, Surface, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene,
+    Slope, Spot, Surface, Tie,
 };
 
 /// What a quantity belongs to.

@@ -109,7 +109,8 @@ impl Scene {
     /// May the motion turn before its end? Where forces grow with time and nothing that holds back could stop it: the same equations
     /// hold on its way back. A couple of constant moment may be meant as one that brakes.
     pub fn may_turn(&self) -> bool {
-        let timed = matches!(self.end, End::Time(..)) && self.law().is_some_and(|law| law.with == Grows::Time);
+        let timed =
+            matches!(self.end, End::Time(..)) && self.law().is_some_and(|law| law.with == Grows::Time);
         let grown = |i: usize| self.growth(GivenForce::Couple(i)).is_some();
         timed && self.carried.is_none() && (0..self.couples.len()).all(grown)
     }

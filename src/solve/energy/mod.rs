@@ -646,10 +646,10 @@ impl<'a, T: Real> Ledger<'a, T> {
         } else {
             let push = extent.square() / doubled;
             let next = whole / (whole / mean + whole);
-            let s = u0 * extent + push * (first.scale2(-1) + growth * mean * next);
+            let s = (u0 * extent).balance(push * first.scale2(-1).balance(growth * mean * next));
             (s, u0 * extent * mean + push * (first * next + (growth * mean.square()).scale2(-1)))
         };
-        let work = first * s + growth * late;
+        let work = (first * s).balance(growth * late);
         let energy = energy0 + work;
         let u = if along { (energy.scale2(1) / doubled).root() } else { u0 + gained(whole, whole) / doubled };
         let [s, late, u0, u] = [s, late, u0, u].map(|x| x.signed(turn_back));
@@ -661,7 +661,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// Work of a given force over the way `s`, at which its point goes at `rate` times the rate of the mode, and its size at the end.
     fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> (T, T) {
         match (growth, self.late) {
-            (Some(growth), Some(late)) => (rate * (force * s + growth * late), force + growth),
+            (Some(growth), Some(late)) => (rate * (force * s).balance(growth * late), force + growth),
             _ => (force * rate * s, force),
         }
     }

@@ -702,7 +702,7 @@ impl<'a, T: Real> Walk<'a, T> {
         self.early = Some(early);
         self.arrived(&State { s, u, time }, sense, whole);
         let (gain, change) = match law.with {
-            Grows::Time => ((change * (u + u0)).scale2(-1), change),
+            Grows::Time => ((change * u.balance(u0)).scale2(-1), change),
             Grows::Place => (change, u.balance(-u0)),
         };
         self.gained(gain, change, (s, u), sense);
@@ -713,7 +713,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// value over the whole way, less what it had not yet grown.
     fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> T {
         match (self.early, growth) {
-            (Some(early), Some(growth)) => rate * ((force + growth) * s - growth * early),
+            (Some(early), Some(growth)) => rate * ((force + growth) * s).balance(-(growth * early)),
             _ => force * rate * s,
         }
     }
