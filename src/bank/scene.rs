@@ -307,7 +307,7 @@ impl SceneReader<'_> {
             return Some(Num::Datum(datum));
         }
         if is_expression(text) {
-            return self.derived(node, text, need);
+            return self.derived(node, text, need, measure::own_powers(need.unit));
         }
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
@@ -356,8 +356,8 @@ impl SceneReader<'_> {
         Some(number)
     }
 
-    /// A number that is worked out from data, such as `2*R` or `-w0`.
-    fn derived(&self, node: &Node, text: &str, need: Need) -> Option<Num> {
+    /// A number that is worked out from data, such as `2*R` or `-w0`, and the dimension that it has.
+    fn derived(&self, node: &Node, text: &str, need: Need, wanted: Exponents) -> Option<Num> {
         let f = self.faults;
         let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
             if name == "g" {
@@ -384,7 +384,6 @@ impl SceneReader<'_> {
         let data: Vec<usize> = expression.data().collect();
         let own = |i: usize| self.symbols.get(i);
         let known = data.iter().all(|i| own(*i).is_none_or(|s| s.unit.is_some()));
-        let wanted = measure::own_powers(need.unit);
         if known && expression.powers != wanted {
             let found = measure::powers_text(expression.powers);
             let message =
@@ -1619,29 +1618,30 @@ impl SceneReader<'_> {
         }
     }
 
-    /// A length over a pure number or another length, as the way or the angle at which a motion ends.
-    fn over(&self, node: &Node, by: Option<String>, need: Need) -> Option<Num> {
+    /// A length over a pure number or another length, as the way or the angle at which a motion ends: the divisor, and whether it is
+    /// a length that stands there without its unit.
+    fn over(&self, node: &Node, by: Option<(String, bool)>, need: Need) -> Option<Num> {
         let text = node.text().map(str::trim)?;
         let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
-        let Some(by) = by.filter(|_| known) else {
-            if known {
-                self.faults.hint(
-                    node,
-                    "this length is divided by the radius on which the cord is wound, which is no datum",
-                    "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
-                );
-            // What is no number at all is told as such.
-            } else if self.number(node, Need::LENGTH).is_some() {
-                self.faults.hint(
-                    node,
-                    "this is worked out from data, not from constants with a unit",
-                    "make it a datum, such as `h: {name: height, unit: m, draw: always 2}`",
-                );
-            }
+        // What is no number at all is told as such.
+        let constant = if known { None } else { Some(self.number(node, Need::LENGTH)?) };
+        let Some((by, bare)) = by else {
+            self.faults.hint(
+                node,
+                "this length is divided by the radius on which the cord is wound, which is no datum",
+                "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
+            );
             return None;
         };
-        let text = if is_expression(text) { format!("({text})/{by}") } else { format!("{text}/{by}") };
-        self.derived(node, &text, need)
+        let over = match constant {
+            Some(Num::Fixed(length_m)) => length_m.to_string(),
+            _ if is_expression(text) => format!("({text})"),
+            _ => text.to_owned(),
+        };
+        let metres = i32::from(bare) - i32::from(constant.is_some());
+        let [mass, length, time] = measure::own_powers(need.unit);
+        let wanted = [mass, length + metres * measure::own_powers("m")[1], time];
+        self.derived(node, &format!("{over}/{by}"), need, wanted)
     }
 
     /// An end by the height that a body gains or loses: the way along its surface follows from the slope.
@@ -1658,7 +1658,7 @@ impl SceneReader<'_> {
                     Num::Fixed(degrees) => Some(format!("{degrees}*pi/180")),
                     other => self.named(other),
                 };
-                (self.over(by, slope.map(|s| format!("sin({s})")), Need::LENGTH), line)
+                (self.over(by, slope.map(|s| (format!("sin({s})"), false)), Need::LENGTH), line)
             }
             _ => {
                 let name = &bodies[body].name;
@@ -1698,7 +1698,11 @@ impl SceneReader<'_> {
             self.faults.hint(cord, message, told!("wound cords: {}", names().collect::<Vec<_>>().join(", ")));
             return None;
         };
-        let angle = self.over(by, self.named(*radius), Need::TURN);
+        let radius = match *radius {
+            Num::Fixed(radius_m) => Some((radius_m.to_string(), true)),
+            other => self.named(other).map(|name| (name, false)),
+        };
+        let angle = self.over(by, radius, Need::TURN);
         Some((End::Travel(Coordinate { body: *body, degree: Degree::Turn }, angle?), None))
     }
 
