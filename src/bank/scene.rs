@@ -1810,11 +1810,17 @@ impl SceneReader<'_> {
         let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
         let name = &bodies[body].name;
         if pinned && ["travel", "turn", "position"].contains(&word) {
-            f.hint(
-                key,
-                told!("`{name}` is pinned: it ends at an angle"),
-                told!("write `angle: {{of: {name}, reaches: phi1}}`"),
-            );
+            let planar = bodies[body].planar.is_some();
+            let slides = planar && !bodies[body].turns;
+            let held = if planar { "moves in the plane" } else { "is pinned" };
+            let hint = if slides {
+                told!(
+                    "end it at the angle of a body that turns; what only slides along a line moves `vertically` or `along` a surface"
+                )
+            } else {
+                told!("write `angle: {{of: {name}, reaches: phi1}}`")
+            };
+            f.hint(key, told!("`{name}` {held}: it ends at an angle"), hint);
         }
         if !pinned && word == "angle" {
             f.hint(key, told!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");

@@ -667,3 +667,24 @@ fn a_mass_of_nothing_is_refused_where_it_says_nothing() {
         told("mass: 0 kg, shape: {disc: 1 m}, moves: vertically", "start: at rest\n      end: at once");
     assert!(wheel.contains("a mass is above 0"), "{wheel}");
 }
+
+/// An end that the plane does not have is told with what does: of a collar on a rod its angle, of one that only slides another scene.
+#[test]
+fn an_end_by_a_way_in_the_plane_is_refused_with_what_would_do() {
+    let told = |body: &str, joint: &str, start: &str| {
+        let text = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n      bodies: {{x: {{mass: 2 kg, {body}}}}}\n      joints: {{J: {joint}}}\n      start: {start}\n      end: {{travel: {{of: x, by: 1 m}}}}\n    questions: {{v: {{ask: v}}}}\n    statement: x\n"
+        );
+        let found = load::scenes_only(&text, "test").expect_err("a finding");
+        found.iter().map(ToString::to_string).collect::<String>()
+    };
+    let slides = told("moves: in the plane", "{guides: x, along: vertical}", "at rest");
+    assert!(slides.contains("`x` moves in the plane: it ends at an angle"), "{slides}");
+    assert!(slides.contains("what only slides along a line moves `vertically`"), "{slides}");
+    let turns = told(
+        "shape: {rod: 1 m}, moves: in the plane, angle: from right",
+        "{pins: x.A}",
+        "{x: {angle: 0 deg}}",
+    );
+    assert!(turns.contains("write `angle: {of: x, reaches: phi1}`"), "{turns}");
+}
