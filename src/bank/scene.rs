@@ -76,6 +76,8 @@ mod planar;
 
 struct SceneReader<'a> {
     symbols: &'a [DatumSymbol],
+    /// Index of g among the data, after the symbols.
+    gravity: usize,
     touching: Touching,
     faults: &'a Faults,
     touches: RefCell<Vec<(usize, Num)>>,
@@ -103,6 +105,7 @@ pub fn read(
     let before = faults.count();
     let reader = SceneReader {
         symbols,
+        gravity,
         touching,
         faults,
         touches: RefCell::new(Vec::new()),
@@ -132,7 +135,7 @@ const FIXED: &str = "moves: about a fixed axle";
 /// What does not go together in a body: the field that is too much, beside which others (with their text, if it matters),
 /// where which others are not written; what is said of the body, and the hint.
 type Exclusion = (&'static str, &'static [&'static str], &'static [&'static str], &'static str, &'static str);
-const EXCLUDED: [Exclusion; 12] = [
+const EXCLUDED: [Exclusion; 10] = [
     ("angle", &["moves"], &["pinned"], "`{}` moves along a line, so it has no angle", REMOVE),
     (
         "angle",
@@ -142,8 +145,6 @@ const EXCLUDED: [Exclusion; 12] = [
         "write `pinned: at its end` (a rod) or `pinned: {distance: h}`",
     ),
     ("weight", &["mass"], &[], "`{}` has a mass and a weight", "keep one of them"),
-    ("mass", &[FIXED, "moment of inertia"], &[], NO_MASS, REMOVE),
-    ("weight", &[FIXED, "moment of inertia"], &["mass"], NO_MASS, REMOVE),
     ("mass", &["parts"], &[], SUM_OF_PARTS, REMOVE),
     ("weight", &["parts"], &["mass"], SUM_OF_PARTS, REMOVE),
     ("moves", &["pinned"], &[], NO_LINE, REMOVE),
@@ -153,7 +154,6 @@ const EXCLUDED: [Exclusion; 12] = [
     ("radii", &["angle"], &["moves"], NO_TIES, REMOVE),
 ];
 const REMOVE: &str = "remove this field";
-const NO_MASS: &str = "on a fixed axle the mass enters nothing once the moment of inertia is given";
 const SUM_OF_PARTS: &str = "the mass of a body made of parts is the sum of its parts";
 const NO_LINE: &str = "a pinned body moves about its pin, not along a line";
 const NO_TIES: &str = "nothing rolls on a pinned body and no cord is wound on it";
@@ -164,6 +164,13 @@ fn holds(body: &Node, field: &str) -> bool {
         Some((name, text)) => body.field(name).and_then(Node::text).is_some_and(|t| t.trim() == text),
         None => body.field(field).is_some(),
     }
+}
+
+/// Is this the mass of a light crank or rod in the plane, 0 kg?
+fn is_light(body: &Node, mass: &Node) -> bool {
+    let planar =
+        ["moves: in the plane", "moves: in a horizontal plane"].iter().any(|moves| holds(body, moves));
+    planar && mass.text().is_some_and(|text| measure::constant(text.trim(), "kg").is_ok_and(|m| m == 0.0))
 }
 
 /// Tells what does not go together in a body.
@@ -300,7 +307,7 @@ impl SceneReader<'_> {
             return Some(Num::Datum(datum));
         }
         if is_expression(text) {
-            return self.derived(node, text, need);
+            return self.derived(node, text, need, measure::own_powers(need.unit));
         }
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
@@ -349,10 +356,13 @@ impl SceneReader<'_> {
         Some(number)
     }
 
-    /// A number that is worked out from data, such as `2*R` or `-w0`.
-    fn derived(&self, node: &Node, text: &str, need: Need) -> Option<Num> {
+    /// A number that is worked out from data, such as `2*R` or `-w0`, and the dimension that it has.
+    fn derived(&self, node: &Node, text: &str, need: Need, wanted: Exponents) -> Option<Num> {
         let f = self.faults;
         let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+            if name == "g" {
+                return Ok((Name::Datum(self.gravity, false), measure::own_powers("m/s^2")));
+            }
             let Some(datum) = self.symbols.iter().position(|s| s.name == name) else {
                 let known = self.symbols.iter().map(|s| s.name.as_str());
                 let hint = spell::hint(name, "symbols", known);
@@ -372,8 +382,8 @@ impl SceneReader<'_> {
         }
         let expression = read.map_err(|fault| fault.tell(node, text, f)).ok()?;
         let data: Vec<usize> = expression.data().collect();
-        let known = data.iter().all(|i| self.symbols[*i].unit.is_some());
-        let wanted = measure::own_powers(need.unit);
+        let own = |i: usize| self.symbols.get(i);
+        let known = data.iter().all(|i| own(*i).is_none_or(|s| s.unit.is_some()));
         if known && expression.powers != wanted {
             let found = measure::powers_text(expression.powers);
             let message =
@@ -382,10 +392,12 @@ impl SceneReader<'_> {
             return None;
         }
         let mut uses = self.uses.borrow_mut();
-        uses.extend(data.iter().map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
+        let symbols = data.iter().filter(|i| own(**i).is_some());
+        uses.extend(symbols.map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
         let powers = |i: usize| {
-            let powers = self.symbols[i].unit.as_ref().map_or([0; 3], measure::powers);
-            powers.map(|p| p / 4)
+            let given = || own(i)?.unit.as_ref().map(measure::powers);
+            let powers = if i == self.gravity { Some(measure::own_powers("m/s^2")) } else { given() };
+            powers.unwrap_or_default().map(|p| p / 4)
         };
         let formula = expression.formula().map(&mut |name| match name {
             Name::Datum(datum, degrees) => Given { datum, degrees, powers: powers(datum) },
@@ -650,15 +662,20 @@ impl SceneReader<'_> {
     /// The mass of a body, by its mass or its weight.
     fn mass(&self, node: &Node, mass: Option<&Node>, weight: Option<&Node>) -> Mass {
         let given = match (mass, weight) {
+            (Some(n), None) if is_light(node, n) => {
+                if node.field("moment of inertia").is_some() {
+                    let hint = "leave out the moment of inertia, or give it a mass";
+                    self.faults.hint(n, "what has a moment of inertia has a mass", hint);
+                }
+                Some(Mass::Kilograms(Num::Fixed(0.0)))
+            }
             (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
             (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
             // That there are both is told elsewhere.
             (Some(_), Some(_)) => None,
             (None, None) if node.field("parts").is_some() => None,
-            // The mass of a body on a fixed axle whose moment of inertia is given enters no equation.
-            (None, None) if holds(node, FIXED) && holds(node, "moment of inertia") => {
-                Some(Mass::Kilograms(Num::Fixed(1.0)))
-            }
+            // The mass of a body on a fixed axle whose moment of inertia is given enters but the force of the axle.
+            (None, None) if holds(node, FIXED) && holds(node, "moment of inertia") => None,
             (None, None) => {
                 self.faults.hint(node, "`mass` is missing", "write `mass: m`, or `weight: W`");
                 None
@@ -1302,11 +1319,15 @@ impl SceneReader<'_> {
         let index = body?;
         let body = &bodies[index];
         let tilt = tilted.and_then(|n| self.number(n, Need::TILT));
-        if WHOLE && let (Some(n), false) = (tilted, body.line.is_some_and(|l| l.surface)) {
+        let sideways = |n: &Node| {
+            n.text().is_some_and(|t| t.trim().ends_with(" forward") || t.trim().ends_with(" back"))
+        };
+        let level = body.line.is_none() && body.pin.is_none() && leaves.is_some_and(sideways);
+        if WHOLE && let (Some(n), false) = (tilted, level || body.line.is_some_and(|l| l.surface)) {
             f.hint(
                 n,
                 told!("`{}` moves along no surface", body.name),
-                "an angle to the surface is that of a pull on what lies there",
+                "an angle is that of a pull on what lies on a surface, or of one that leaves a fixed axle at the `top forward`, `bottom back` and the like",
             );
         }
         if !body.particles.is_empty() {
@@ -1597,29 +1618,30 @@ impl SceneReader<'_> {
         }
     }
 
-    /// A length over a pure number or another length, as the way or the angle at which a motion ends.
-    fn over(&self, node: &Node, by: Option<String>, need: Need) -> Option<Num> {
+    /// A length over a pure number or another length, as the way or the angle at which a motion ends: the divisor, and whether it is
+    /// a length that stands there without its unit.
+    fn over(&self, node: &Node, by: Option<(String, bool)>, need: Need) -> Option<Num> {
         let text = node.text().map(str::trim)?;
         let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
-        let Some(by) = by.filter(|_| known) else {
-            if known {
-                self.faults.hint(
-                    node,
-                    "this length is divided by the radius on which the cord is wound, which is no datum",
-                    "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
-                );
-            // What is no number at all is told as such.
-            } else if self.number(node, Need::LENGTH).is_some() {
-                self.faults.hint(
-                    node,
-                    "this is worked out from data, not from constants with a unit",
-                    "make it a datum, such as `h: {name: height, unit: m, draw: always 2}`",
-                );
-            }
+        // What is no number at all is told as such.
+        let constant = if known { None } else { Some(self.number(node, Need::LENGTH)?) };
+        let Some((by, bare)) = by else {
+            self.faults.hint(
+                node,
+                "this length is divided by the radius on which the cord is wound, which is no datum",
+                "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
+            );
             return None;
         };
-        let text = if is_expression(text) { format!("({text})/{by}") } else { format!("{text}/{by}") };
-        self.derived(node, &text, need)
+        let over = match constant {
+            Some(Num::Fixed(length_m)) => length_m.to_string(),
+            _ if is_expression(text) => format!("({text})"),
+            _ => text.to_owned(),
+        };
+        let metres = i32::from(bare) - i32::from(constant.is_some());
+        let [mass, length, time] = measure::own_powers(need.unit);
+        let wanted = [mass, length + metres * measure::own_powers("m")[1], time];
+        self.derived(node, &format!("{over}/{by}"), need, wanted)
     }
 
     /// An end by the height that a body gains or loses: the way along its surface follows from the slope.
@@ -1636,7 +1658,7 @@ impl SceneReader<'_> {
                     Num::Fixed(degrees) => Some(format!("{degrees}*pi/180")),
                     other => self.named(other),
                 };
-                (self.over(by, slope.map(|s| format!("sin({s})")), Need::LENGTH), line)
+                (self.over(by, slope.map(|s| (format!("sin({s})"), false)), Need::LENGTH), line)
             }
             _ => {
                 let name = &bodies[body].name;
@@ -1676,7 +1698,11 @@ impl SceneReader<'_> {
             self.faults.hint(cord, message, told!("wound cords: {}", names().collect::<Vec<_>>().join(", ")));
             return None;
         };
-        let angle = self.over(by, self.named(*radius), Need::TURN);
+        let radius = match *radius {
+            Num::Fixed(radius_m) => Some((radius_m.to_string(), true)),
+            other => self.named(other).map(|name| (name, false)),
+        };
+        let angle = self.over(by, radius, Need::TURN);
         Some((End::Travel(Coordinate { body: *body, degree: Degree::Turn }, angle?), None))
     }
 
@@ -1784,11 +1810,17 @@ impl SceneReader<'_> {
         let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
         let name = &bodies[body].name;
         if pinned && ["travel", "turn", "position"].contains(&word) {
-            f.hint(
-                key,
-                told!("`{name}` is pinned: it ends at an angle"),
-                told!("write `angle: {{of: {name}, reaches: phi1}}`"),
-            );
+            let planar = bodies[body].planar.is_some();
+            let slides = planar && !bodies[body].turns;
+            let held = if planar { "moves in the plane" } else { "is pinned" };
+            let hint = if slides {
+                told!(
+                    "end it at the angle of a body that turns; what only slides along a line moves `vertically` or `along` a surface"
+                )
+            } else {
+                told!("write `angle: {{of: {name}, reaches: phi1}}`")
+            };
+            f.hint(key, told!("`{name}` {held}: it ends at an angle"), hint);
         }
         if !pinned && word == "angle" {
             f.hint(key, told!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");

@@ -202,7 +202,8 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                 match cord.from.tilt_deg {
                     Some(tilt) => {
                         let angle = text(view, tilt, "°");
-                        say("tilted", &[("place", &place), ("force", &force), ("angle", &angle)])
+                        let line = if body.line.is_some() { "tilted" } else { "tilted_axle" };
+                        say(line, &[("place", &place), ("force", &force), ("angle", &angle)])
                     }
                     None => say("pull", &[("place", &place), ("force", &force)]),
                 }

@@ -228,9 +228,13 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         };
     }
     let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
-    let then = format!(
-        "what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`"
-    );
+    let then = if scene.growths.is_empty() {
+        format!(
+            "what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`"
+        )
+    } else {
+        "of forces that grow what comes then is told with time, and without other couples: a couple that stays may be a brake".to_owned()
+    };
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
         (false, _) if c.required == 0.0 && scene.ends_at_a_place() => {
             format!("the end lies where the motion starts, and it leaves there; {then}")

@@ -438,8 +438,8 @@ impl<'p> Maker<'p> {
     /// Is the kinetic energy not what two much larger energies leave?
     fn energies(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
         let kinetic = Label { quantity: Quantity::KineticEnergy, of: Owner::Scene };
-        // At a turning point there is none, nor at rest.
-        if solved.regime.stays_as(&case.regimes) {
+        // At a turning point there is none, nor at rest, and at an instant no work is done.
+        if solved.regime.stays_as(&case.regimes) || case.scene.is_still() {
             return Ok(());
         }
         if let (Some(kinetic), false) = (solved.get(kinetic), matches!(case.scene.end, End::TurningPoint(_)))

@@ -53,8 +53,10 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
             tell(p.x_m, Finite);
             tell(p.y_m, Finite);
         }
-        let mass =
-            if b.line.is_some() || b.pin.is_some() || b.planar.is_some() { Positive } else { NotNegative };
+        // What is told to be light in the plane has a mass of 0; a datum is none.
+        let light = b.planar.is_some() && matches!(b.mass, Mass::Kilograms(Num::Fixed(_)));
+        let moves = b.line.is_some() || b.pin.is_some() || b.planar.is_some();
+        let mass = if moves && !light { Positive } else { NotNegative };
         if b.particles.is_empty() {
             match &b.mass {
                 Mass::Kilograms(n) | Mass::Weight(n) => tell(*n, mass),

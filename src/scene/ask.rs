@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene, Spot,
-    Surface, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene,
+    Slope, Spot, Surface, Tie,
 };
 
 /// What a quantity belongs to.
@@ -368,6 +368,19 @@ impl Scene {
         let on_wheels = |c: &Cord| c.made == Made::Rests && c.from.body == body;
         self.ties.iter().any(|t| matches!(t, Tie::Cord(c) if on_wheels(c)))
     }
+    /// Does nothing press this body on its surface, which is vertical, and nothing rub there? It then rolls, or lies on what rolls, by
+    /// its teeth.
+    fn hangs_by_teeth(&self, body: usize) -> bool {
+        let needs = |t: &Tie| match t {
+            Tie::Roll { body: b, mu_s, .. } => *b == body && mu_s.is_some(),
+            Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
+            Tie::Cord(_) => t.tilted().is_some_and(|(b, ..)| b == body),
+        };
+        let vertical = self.bodies[body].line.is_some_and(|l| l.slope == Slope::Vertical);
+        let held = |t: &Tie| matches!(t, Tie::Roll { body: b, .. } if *b == body);
+        let toothed = self.rests(body) || self.ties.iter().any(held);
+        vertical && self.carried.is_none() && toothed && !self.ties.iter().any(needs)
+    }
     /// Is this told of the scene? Of what is carried what is seen from the ground, and what is the same from everywhere.
     pub fn tells(&self, label: Label) -> bool {
         use Quantity as Q;
@@ -377,7 +390,7 @@ impl Scene {
         };
         // How a load is shared by what bears it is not known.
         if let (Q::Normal | Q::MuRequired, Owner::Body(b)) = (label.quantity, label.of)
-            && bears(b)
+            && (bears(b) || self.hangs_by_teeth(b))
         {
             return false;
         }

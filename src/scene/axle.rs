@@ -1,6 +1,6 @@
 //! The directions in which cords pull at a body about a fixed axle, as far as a scene tells them: the force of its axle hangs on them.
 use crate::num::Real;
-use crate::scene::{CordEnd, Far, Made, Mass, Numbers, Scene, Slope, Tie};
+use crate::scene::{CordEnd, Far, Made, Mass, Num, Numbers, Scene, Slope, Tie, pose};
 use smallvec::SmallVec;
 
 /// A direction of the plane.
@@ -12,12 +12,18 @@ pub enum Aim {
     Upright(bool),
     /// Along the line of a body, forward or back.
     Along(usize, bool),
+    /// So many degrees above level, to the right or to the left.
+    Tilted(Num, bool),
 }
 
 impl Aim {
     /// As a unit vector, to the right and up; forward is to the right.
     pub fn unit<T: Real>(self, n: &Numbers<T>) -> [T; 2] {
         let (vector, positive) = match self {
+            Self::Tilted(tilt, right) => {
+                let [level, up] = pose::direction(n, tilt);
+                return [if right { level } else { -level }, up];
+            }
             Self::Level(right) => ([T::of(1.0), T::zero()], right),
             Self::Upright(up) => ([T::zero(), T::of(1.0)], up),
             Self::Along(body, forward) => ([n.bodies[body].level, n.bodies[body].climb], forward),
@@ -54,6 +60,9 @@ impl Scene {
 
     /// The direction in which a cord leaves a fixed axle: parallel to the slope of the body at its other end, if that is on one.
     fn aim(&self, own: &CordEnd, other: Option<&CordEnd>) -> Option<Aim> {
+        if let Some(tilt) = own.tilt_deg {
+            return Some(Aim::Tilted(tilt, own.forward));
+        }
         if let Some(up) = own.upright {
             return Some(Aim::Upright(up));
         }

@@ -29,13 +29,9 @@ impl Body {
     pub fn spins(&self) -> bool {
         self.turns && self.particles.is_empty()
     }
-    /// Has it no mass of its own? On a fixed axle a given moment of inertia says all, and a mass beside it is refused.
-    pub fn massless(&self) -> bool {
-        self.line.is_none()
-            && self.pin.is_none()
-            && self.planar.is_none()
-            && self.particles.is_empty()
-            && matches!(self.inertia, Some(RotaryInertia::Moment(_)))
+    /// Is no mass told of it? On a fixed axle a given moment of inertia says all but what the axle bears.
+    pub const fn massless(&self) -> bool {
+        matches!((&self.mass, &self.inertia), (Mass::OfParts, Some(RotaryInertia::Moment(_))))
     }
 }
 
@@ -46,7 +42,7 @@ pub enum Mass {
     Kilograms(Num),
     /// Weight, N; the mass is weight / g.
     Weight(Num),
-    /// Sum of the masses of the parts of [`RotaryInertia::Parts`], or of the particles.
+    /// Sum of the masses of the parts of [`RotaryInertia::Parts`], or of the particles; none where only a moment of inertia is told.
     OfParts,
 }
 

@@ -106,6 +106,14 @@ impl Scene {
     pub fn grows_with_place(&self) -> bool {
         self.law().is_some_and(|law| law.with == Grows::Place)
     }
+    /// May the motion turn before its end? Where forces grow with time and nothing that holds back could stop it: the same equations
+    /// hold on its way back. A couple of constant moment may be meant as one that brakes.
+    pub fn may_turn(&self) -> bool {
+        let timed =
+            matches!(self.end, End::Time(..)) && self.law().is_some_and(|law| law.with == Grows::Time);
+        let grown = |i: usize| self.growth(GivenForce::Couple(i)).is_some();
+        timed && self.carried.is_none() && (0..self.couples.len()).all(grown)
+    }
     /// The time or the way of the ending coordinate on which forces grow.
     pub fn growing_for(&self) -> Option<Num> {
         match self.end {

@@ -25,14 +25,16 @@ impl Scene {
     }
 
     /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Where a scene that goes
-    /// on is solved too, and no spring pulls.
+    /// on is solved too; beside a spring, of one freedom and where nothing rubs.
     pub fn tells_rates(&self) -> bool {
         let springs = self.ties.iter().filter(|t| is_spring(t)).count();
         let slips = self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let slides = self.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
         let bodies = self.pinned().is_none() && self.bodies.iter().all(|b| b.particles.is_empty());
         let alone = self.freedoms() <= 1;
         let still = self.start.is_empty();
-        bodies && springs == 0 && (alone || still) && (!slips || still)
+        let pulled = springs == 0 || springs == 1 && alone && !slips && !slides;
+        bodies && pulled && (alone || still) && (!slips || still)
     }
 
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.

@@ -976,8 +976,10 @@ impl<'d, 'a> Account<'d, 'a> {
                 let size = self.positive(&self.v0);
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
-                if self.spring.is_none() {
-                    self.accelerate();
+                match self.spring.clone() {
+                    None => self.accelerate(),
+                    Some(spring) if self.m.one && self.scene.tells_rates() => self.accelerate_by(&spring, a),
+                    Some(_) => {}
                 }
             }
         }
@@ -1027,7 +1029,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return unfound() };
-        let (a_label, v_label) = (rate_of(self.lead()), speed_of(self.lead()));
+        let v_label = speed_of(self.lead());
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
         let mut last = None;
@@ -1105,9 +1107,14 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
-        let now = positive_first([spring.tension.by(&spring.gamma), self.drive.clone()]);
-        self.found(a_label, a, now / &self.effective);
+        self.accelerate_by(&spring, a);
         Ok(())
+    }
+
+    /// The acceleration of the lead, of the spring as it then pulls and of the other forces.
+    fn accelerate_by(&mut self, spring: &CordSpring, a: SymbolId) {
+        let now = positive_first([spring.tension.by(&spring.gamma), self.drive.clone()]);
+        self.found(rate_of(self.lead()), a, now / &self.effective);
     }
 
     /// The angle of the swing at a stretch: 0 at the greatest distance from rest before it.

@@ -591,7 +591,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             self.smooth_limit();
         }
         if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
-            let still = self.get(of_scene(Quantity::XEq)).ok();
+            // At an instant the stretch at rest has no symbol.
+            let still = self.get(of_scene(Quantity::XEq)).ok().filter(|_| !self.scene.is_still());
             if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
                 let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
                 self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
@@ -605,12 +606,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
         let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1
             && self.scene.formulas.found.is_none();
-        let weighed = self.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));
+        let weighed = self.scene.bodies.iter().all(|b| b.massless() || !matches!(b.mass, Mass::OfParts));
         match () {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
-            () if self.spring.is_some() => "onward.spring",
+            () if self.spring.is_some() && !self.scene.is_still() => "onward.spring",
             () if wheel && pulled && self.level() => "onward.pulled_level",
             () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
             () if wheel && !pulled => "onward.wheel",

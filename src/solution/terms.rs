@@ -264,6 +264,11 @@ impl Terms {
             Aim::Level(right) if !upright => Factors::one().signed(if right { 1 } else { -1 }),
             Aim::Upright(up) if upright => Factors::one().signed(if up { 1 } else { -1 }),
             Aim::Level(_) | Aim::Upright(_) => Factors::zero(),
+            Aim::Tilted(tilt, right) => {
+                let beta = draft.number(tilt, r"\beta", "deg");
+                let share = if upright { sine(beta) } else { cosine(beta) };
+                share.factors().signed(if upright || right { 1 } else { -1 })
+            }
             Aim::Along(body, forward) => {
                 let line = draft.scene.bodies[body].line;
                 let [climb, level] = slope(draft, line.map(|l| l.slope));

@@ -219,6 +219,71 @@ fn what_an_instant_has_not_is_told_as_that() {
     }
 }
 
+/// Meriam and Kraige, sample problem 6/12: a rack that is pulled up on a gear, which rolls on a vertical rack and is held by a spring. By
+/// hand: `P - m_A g - (m g + k x)/2 = (m_A + m (1 + k^2/r^2)/4) a`, the tooth between them from the rack alone. Cut loose, the spring
+/// is gone, which is the witness for its part: the accelerations differ by that of its force.
+#[test]
+fn an_instant_beside_a_spring_has_accelerations_and_forces() {
+    let told = |spring: &str, names: &[&str]| -> Vec<f64> {
+        let scene = format!(
+            "surfaces: {{wall: vertical}}
+bodies:
+  gear: {{mass: m, radius of gyration: 60 mm, radii: {{rim: 80 mm}}, moves: along wall}}
+  rack: {{mass: 3 kg, moves: along wall}}
+ties:
+  - rolls: {{body: gear, on its: rim}}
+  - rests: {{body: rack, on: [gear.rim]}}
+  - cord: {{from: {{body: rack, tied at: centre, leaves: up}}, pulled with: 80 N}}{spring}
+start: at rest
+end: at once"
+        );
+        let text = bank("m: {name: mass of the gear, unit: kg, draw: always 2}", &scene);
+        let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+        let scene = &bank.problems[0].cases[0].scene;
+        let mut solved = solve(scene, &[2.0, 9.81]).unwrap_or_else(|e| panic!("{e:?}"));
+        prove(scene, &[2.0, 9.81], &mut solved);
+        // Nothing presses on a vertical rack: the teeth hold.
+        assert!(solved.all_hold(), "{:?}", solved.checks);
+        assert!(checks::label(scene, "rack.normal").is_err());
+        let of = |name: &&str| {
+            let entry = solved.get(checks::label(scene, name).expect(name)).expect(name);
+            assert!(entry.bound.is_some(), "{name} is enclosed");
+            entry.value()
+        };
+        names.iter().map(of).collect()
+    };
+    let spring = "\n  - cord: {from: {body: gear, tied at: centre, leaves: down}, spring: {stiffness: 1.2 kN/m, stretch: 40 mm, attached: rigidly}}";
+    let felt = 3.0 + 2.0 * (1.0 + 0.36 / 0.64) / 4.0;
+    let a = |x: f64| (80.0 - 3.0 * 9.81 - (2.0 * 9.81 + 1200.0 * x) / 2.0) / felt;
+    let names = ["rack.a", "a", "rim_force", "friction"];
+    for (text, x) in
+        [(spring.to_owned(), 0.04), (spring.replace("40 mm", "25 mm"), 0.025), (String::new(), 0.0)]
+    {
+        let found = told(&text, &names);
+        let tooth = 80.0 - 3.0 * (9.81 + a(x));
+        // The fixed rack holds what turns the gear: I alpha = (tooth + fixed) r.
+        let fixed = 2.0 * 0.36 / 0.64 * a(x) / 2.0 - tooth;
+        for (found, expected) in found.iter().zip([a(x), a(x) / 2.0, tooth, -fixed]) {
+            assert!(near(found.abs(), expected.abs(), 1e-13), "{x}: {found} {expected}");
+        }
+        assert!(near(found[0], a(x), 1e-13) && near(found[1], a(x) / 2.0, 1e-13));
+    }
+    assert!(near(told(spring, &["tension"])[0], 48.0, 1e-14));
+    // Beside the same spring a block that rubs has velocities and energies only.
+    let rubs = bank(
+        "m: {name: mass, unit: kg, draw: always 2}",
+        "surfaces: {floor: level}
+bodies: {block: {mass: m, moves: along floor}}
+ties:
+  - slides: {body: block, mu_k: 0.2}
+  - cord: {from: {body: block, tied at: centre, leaves: forward}, spring: {stiffness: 1.2 kN/m, stretch: 40 mm, attached: by the cord}}
+start: at rest
+end: at once",
+    );
+    let bank = load::scenes_only(&rubs, "test").unwrap_or_else(|f| panic!("{f:#?}"));
+    assert!(checks::label(&bank.problems[0].cases[0].scene, "a").is_err());
+}
+
 // ---------------------------------------------------------------------------------------------- composed scenes
 
 fn body(name: &str, line: Option<Line>, mass: f64, gyration: Option<f64>) -> Body {

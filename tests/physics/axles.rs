@@ -142,6 +142,40 @@ fn an_axle_bears_what_moves_on_it() {
     }
 }
 
+/// Meriam and Kraige, sample problem 6/3, in SI: a load on the inner radius of a drum, and a cord from its outer radius that is pulled
+/// at an angle. By hand: `I alpha = P R - T r`, `T = m (g + r alpha)`; the axle holds the drum, the load's cord and the pull. The
+/// moment of inertia may be told beside the mass, or come of its radius of gyration.
+#[test]
+fn an_axle_bears_a_pull_at_an_angle() {
+    let moment = format!("moment of inertia: {} kg*m^2", 146.0 * 0.45 * 0.45);
+    for inertia in ["radius of gyration: 0.45 m", moment.as_str()] {
+        for (leaves, right, tilt) in [
+            ("top forward", 1.0, -45.0f64),
+            ("top forward", 1.0, 30.0),
+            ("bottom back", -1.0, 60.0),
+            ("bottom back", -1.0, -20.0),
+        ] {
+            let scene = format!(
+                "      bodies:
+        drum: {{mass: 146 kg, {inertia}, radii: {{outer: 0.6 m, inner: 0.3 m}}, moves: about a fixed axle}}
+        load: {{mass: 290 kg, moves: vertically, positive: up}}
+      ties:
+        - cord: {{name: hoist, from: {{body: load, tied at: centre, leaves: up}}, to: {{body: drum, wound on: inner, leaves: back down}}}}
+        - cord: {{name: pull, from: {{body: drum, wound on: outer, leaves: {leaves}, at an angle: {tilt:?} deg}}, pulled with: 1800 N}}
+      start: at rest
+      end: at once"
+            );
+            let of = solved(&scene);
+            // Both cords turn it clockwise from the top and from behind below.
+            let alpha = (1800.0 * 0.6 - 290.0 * 9.81 * 0.3) / (146.0 * 0.45 * 0.45 + 290.0 * 0.09);
+            let tension = 290.0 * (9.81 + 0.3 * alpha);
+            assert!((value(&of, "drum.alpha") - alpha).abs() < 1e-12, "{scene}");
+            let (sin, cos) = tilt.to_radians().sin_cos();
+            compare(&of, [-right * 1800.0 * cos, 146.0 * 9.81 + tension - 1800.0 * sin], &scene);
+        }
+    }
+}
+
 /// Without a mass, with teeth, or with a cord that goes round a corner nobody can tell the force of an axle.
 #[test]
 fn an_axle_whose_force_is_not_told_is_refused() {

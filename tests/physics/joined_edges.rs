@@ -551,7 +551,8 @@ end: {angle: {of: rod, reaches: 0 deg}}
     assert!(near.checks.iter().all(|c| c.ok), "{:?}", near.checks);
 }
 
-/// A time after the turning point is told as that, whatever grows: a wheel that rolls back while the pull on it grows.
+/// A time after the turning point is told as that, whatever grows: a wheel that rolls back while the pull on it grows, and a couple
+/// that may be a brake holds it back.
 #[test]
 fn a_time_after_the_turning_point_is_told_as_that() {
     let wheel = "
@@ -560,6 +561,7 @@ bodies: {wheel: {mass: 50 kg, radius of gyration: 0.25 m, radii: {rim: 0.45 m, h
 ties:
   - rolls: {body: wheel, on its: rim}
   - cord: {from: {body: wheel, wound on: hub, leaves: bottom forward}, pulled with: 0 N, growing by: 6 N/s}
+forces: [couple: {on: wheel, moment: 1 N*m}]
 start: {wheel: {speed: -1 m/s}}
 end: {time: {of: wheel, is: 10 s}}
 ";
@@ -567,6 +569,7 @@ end: {time: {of: wheel, is: 10 s}}
     let check = found.checks.iter().find(|c| c.kind == CheckKind::Reaches).unwrap();
     let told = sentences::check(&bank.problems[0].cases[0].scene, &found.checks, check);
     assert!(!check.ok && told.contains("lie after the turning point"), "{told}");
+    assert!(told.contains("a couple that stays may be a brake") && !told.contains("next"), "{told}");
 }
 
 /// An answer named as a quantity takes that name in what follows, and that is told; a list is no mass centre.
@@ -601,4 +604,112 @@ problems:
     let faults = load::scenes_only(&text(one, "mass centre: [0.5 m, 0.1 m]"), "t.yaml").unwrap_err();
     let faults = faults.iter().map(ToString::to_string).collect::<String>();
     assert!(faults.contains("the mass centre lies on the axis of its body"), "{faults}");
+}
+
+/// Meriam and Kraige, sample problem 6/2: a bar on two cranks of neglected mass, a couple on one of them. By hand: `1/2 m L^2 w^2 =
+/// M theta - m g L sin theta`, `m L alpha = M/L - m g cos theta`, and the light rod pulls along itself, by moments about the other end of the bar.
+/// The witness for a mass of 0 is one of next to nothing: what it does fades with it.
+#[test]
+fn cranks_of_neglected_mass_carry_a_bar() {
+    let solved = |mass: &str| {
+        let text = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:
+      bodies:
+        AC: {{mass: {mass}, shape: {{rod: 1.5 m}}, moves: in the plane, angle: from right, points: {{C: 0 m, A: its end}}}}
+        BD: {{mass: {mass}, shape: {{rod: 1.5 m}}, moves: in the plane, side: ahead, points: {{D: 0 m, B: its end}}}}
+        bar: {{mass: 150 kg, moment of inertia: 31 kg*m^2, moves: in the plane, side: ahead, mass centre: 1.2 m, points: {{A: 0 m, B: 1.8 m}}}}
+      joints:
+        C: {{pins: AC.C}}
+        D: {{pins: BD.D, at: [0 m, 1.8 m]}}
+        A: {{hinges: [AC.A, bar.A]}}
+        B: {{hinges: [BD.B, bar.B]}}
+      forces: [couple: {{on: AC, moment: 5000 N*m}}]
+      start: {{AC: {{angle: 0 deg}}}}
+      end: {{angle: {{of: AC, reaches: 30 deg}}}}
+    questions: {{w: {{quantity: AC.omega, ask: w, unit: rad/s}}}}\n    statement: x\n"
+        );
+        let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+        let scene = &bank.problems[0].cases[0].scene;
+        let solved = agree::solve(scene, &[9.81]).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
+        assert!(solved.all_hold(), "{:?}", solved.checks);
+        ["AC.omega", "AC.alpha", "B.pin_force", "A.pin_x", "A.pin_y"].map(|name| {
+            let entry = solved.get(checks::label(scene, name).expect(name)).expect(name);
+            assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
+            entry.value()
+        })
+    };
+    let (m, l, g, theta) = (150.0, 1.5, 9.81, std::f64::consts::FRAC_PI_6);
+    let (sin, cos) = theta.sin_cos();
+    let square = 2.0 * (5000.0 * theta - m * g * l * sin) / (m * l * l);
+    let alpha = (5000.0 / l - m * g * cos) / (m * l);
+    let [a_x, a_y] = [-l * (square * cos + alpha * sin), l * (alpha * cos - square * sin)];
+    let pull = -1.2 * m * a_x / (1.8 * cos);
+    // On the crank, which has no mass, the bar and the pin are equal and opposite, and hold the couple.
+    let by_hand = [square.sqrt(), alpha, pull.abs(), -(m * a_x + pull * cos), -(m * (a_y + g) + pull * sin)];
+    for (found, expected) in solved("0 kg").iter().zip(by_hand) {
+        assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{found} {expected}");
+    }
+    assert!((pull - 2140.0).abs() < 10.0, "the book: 2.14 kN");
+    for (mass, near) in [("1 g", 2e-5), ("1 mg", 2e-8)] {
+        for (found, expected) in solved(mass).iter().zip(by_hand) {
+            assert!((found - expected).abs() <= near * expected.abs(), "{mass}: {found} {expected}");
+        }
+    }
+}
+
+/// A crank of no mass that moves nothing else has no acceleration; a mass of 0 has no moment of inertia, and of a wheel on a line it is none.
+#[test]
+fn a_mass_of_nothing_is_refused_where_it_says_nothing() {
+    let text = |body: &str, rest: &str| {
+        format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n      bodies: {{crank: {{{body}}}}}\n      {rest}\n    questions: {{w: {{value: 1*1, ask: w, unit: '1'}}}}\n    statement: x\n"
+        )
+    };
+    let pinned = "joints: {O: {pins: crank.A}}\n      forces: [couple: {on: crank, moment: 2 N*m}]\n      start: {crank: {angle: 0 deg}}\n      end: END";
+    for end in ["at once", "{angle: {of: crank, reaches: 30 deg}}"] {
+        let bank = text(
+            "mass: 0 kg, shape: {rod: 1 m}, moves: in the plane, angle: from right",
+            &pinned.replace("END", end),
+        );
+        let bank = load::scenes_only(&bank, "test").unwrap_or_else(|f| panic!("{f:#?}"));
+        let refused =
+            agree::solve(&bank.problems[0].cases[0].scene, &[9.81]).expect_err("nothing to set going");
+        assert!(format!("{refused:?}").contains("Singular"), "{refused:?}");
+    }
+    let told = |body: &str, rest: &str| {
+        load::scenes_only(&text(body, rest), "test")
+            .expect_err("a finding")
+            .iter()
+            .map(ToString::to_string)
+            .collect::<String>()
+    };
+    let heavy = told(
+        "mass: 0 kg, moment of inertia: 2 kg*m^2, moves: in the plane, angle: from right",
+        &pinned.replace("END", "at once"),
+    );
+    assert!(heavy.contains("what has a moment of inertia has a mass"), "{heavy}");
+    let wheel =
+        told("mass: 0 kg, shape: {disc: 1 m}, moves: vertically", "start: at rest\n      end: at once");
+    assert!(wheel.contains("a mass is above 0"), "{wheel}");
+}
+
+/// An end that the plane does not have is told with what does: of a collar on a rod its angle, of one that only slides another scene.
+#[test]
+fn an_end_by_a_way_in_the_plane_is_refused_with_what_would_do() {
+    let told = |body: &str, joint: &str, start: &str| {
+        let text = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n      bodies: {{x: {{mass: 2 kg, {body}}}}}\n      joints: {{J: {joint}}}\n      start: {start}\n      end: {{travel: {{of: x, by: 1 m}}}}\n    questions: {{v: {{ask: v}}}}\n    statement: x\n"
+        );
+        let found = load::scenes_only(&text, "test").expect_err("a finding");
+        found.iter().map(ToString::to_string).collect::<String>()
+    };
+    let slides = told("moves: in the plane", "{guides: x, along: vertical}", "at rest");
+    assert!(slides.contains("`x` moves in the plane: it ends at an angle"), "{slides}");
+    assert!(slides.contains("what only slides along a line moves `vertically`"), "{slides}");
+    let turns = told(
+        "shape: {rod: 1 m}, moves: in the plane, angle: from right",
+        "{pins: x.A}",
+        "{x: {angle: 0 deg}}",
+    );
+    assert!(turns.contains("write `angle: {of: x, reaches: phi1}`"), "{turns}");
 }

@@ -797,8 +797,9 @@ impl<'s> System<'s> {
         if self.contacts.iter().zip(&grips).any(|(c, g)| c.said == Said::Slips && *g == Grip::Sticks) {
             return Verdict::CouldRoll;
         }
-        if s.event == Event::AtOnce && self.springs > 0 {
-            // Where a spring pulls, an instant has velocities and energies only.
+        let rubs = self.contacts.iter().any(|c| c.said != Said::Rolls);
+        if s.event == Event::AtOnce && self.springs > 0 && rubs {
+            // Where a spring pulls what rubs, an instant has velocities and energies only.
             return Verdict::Told(Told { values: velocities, ..Told::default() });
         }
         let Some(now) = self.instant(&grips, tension) else { return Verdict::Undetermined };

@@ -27,6 +27,8 @@ impl Witness<'_> {
             Mass::Weight(w) => self.get(*w) / self.get(self.scene.gravity_m_s2),
             Mass::OfParts => match &b.inertia {
                 Some(RotaryInertia::Parts(parts)) => parts.iter().map(|p| self.part(p)).sum(),
+                // Of what turns about a fixed axle only a moment of inertia may be told; no mass of its moves.
+                Some(RotaryInertia::Moment(_)) if b.line.is_none() => 0.0,
                 _ => panic!("{}: a body of no parts", b.name),
             },
         }

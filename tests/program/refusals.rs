@@ -259,7 +259,7 @@ fn solve_says_what_is_not_answered() {
 
 /// A block slides down a slope until the pull that grows turns it back: it does not go the other way, it turns.
 #[test]
-fn a_growing_force_that_turns_a_motion_is_said_to_turn_it() {
+fn a_growing_force_turns_a_motion_unless_a_couple_may_brake_it() {
     let room = Room::new();
     let text = "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {t1: {name: time, unit: s, draw: always 5}}\n    scene:
       surfaces: {ramp: {slope: 30 deg}}
@@ -271,29 +271,66 @@ fn a_growing_force_that_turns_a_motion_is_said_to_turn_it() {
     statement: '{{ t1 }} {{ g }}'
 ";
     fs::write(room.path("bank.yaml"), text).unwrap();
+    // It slides down first, and is pulled up then: a = (P + c t)/m - g sin 30, and v is the sum of that over the time.
+    let solved = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+    for (name, value) in [("v", 5.0 * (22.5 / 4.0 - 9.81 / 2.0)), ("a", 35.0 / 4.0 - 9.81 / 2.0)] {
+        let line = solved.out.lines().find(|l| l.trim_start().starts_with(&format!("{name} "))).expect(name);
+        let found: f64 = line.split_whitespace().nth(3).expect("a value").parse().expect("a number");
+        assert!((found - value).abs() < 1e-11, "{name}: {line}");
+    }
+    assert!(solved.out.contains("regime: moves_up"), "{}", solved.out);
+    let wheel = text
+        .replace("{mass: 4 kg, moves", "{mass: 4 kg, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves")
+        .replace("ties: [cord", "ties: [{rolls: {body: B, on its: rim}}, {cord")
+        .replace("N/s}]", "N/s}}]\n      forces: [couple: {on: B, moment: 0.1 N*m}]");
+    fs::write(room.path("bank.yaml"), wheel).unwrap();
     let solved = room.run(&["solve", &room.path("bank.yaml"), "p"]);
     assert!(solved.out.contains("5.0000 s lie after the turning point"), "{}", solved.out);
+    assert!(solved.out.contains("a couple that stays may be a brake"), "{}", solved.out);
 }
 
-/// The end by a length of cord needs the radius as a datum, and says so.
+/// The end by a length of cord takes lengths and radii as data or as constants with their units.
 #[test]
-fn a_cord_that_unwinds_from_a_constant_radius_names_the_radius() {
+fn a_cord_unwinds_by_a_datum_or_a_constant() {
     let room = Room::new();
-    let text = "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {L: {name: length, unit: m, draw: always 1}}\n    scene:
-      bodies: {D: {mass: 4 kg, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: about a fixed axle}}
-      ties: [cord: {name: c, from: {body: D, wound on: rim, leaves: front down}, pulled with: 9 N}]
+    let [length, breadth] =
+        ["L: {name: length, unit: m, draw: always 1}", "b: {name: breadth, unit: cm, draw: always 10}"];
+    // 9 N over 1 m are 1/2 I omega^2 with I = 0.08 kg m^2.
+    for (data, rim, by) in [
+        (length, "0.2 m", "L"),
+        (breadth, "2*b", "100 cm"),
+        (breadth, "2*b", "b*10"),
+        ("", "200 mm", "1 m"),
+        (breadth, "0.2 m", "10*b"),
+    ] {
+        let told = data.get(..1).map_or_else(String::new, |symbol| format!("{{{{ {symbol} }}}}"));
+        let text = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{{data}}}\n    scene:
+      bodies: {{D: {{mass: 4 kg, shape: {{disc: {rim}}}, radii: {{rim: {rim}}}, moves: about a fixed axle}}}}
+      ties: [cord: {{name: c, from: {{body: D, wound on: rim, leaves: front down}}, pulled with: 9 N}}]
       start: at rest
-      end: {unwinds: {cord: c, by: L}}
-    questions: {omega: {ask: how fast, unit: rad/s}}
-    statement: '{{ L }} {{ g }}'
+      end: {{unwinds: {{cord: c, by: {by}}}}}
+    questions: {{omega: {{ask: how fast, unit: rad/s}}}}
+    statement: '{told} {{{{ g }}}}'
+"
+        );
+        fs::write(room.path("bank.yaml"), text).unwrap();
+        let solved = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert!(solved.out.contains("15.0000000000"), "{rim} {by}: {}{}", solved.out, solved.err);
+    }
+    let text = "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {}\n    scene:
+      surfaces: {ramp: {slope: 30 deg}}
+      bodies: {ball: {mass: 6 kg, shape: {sphere: any}, moves: along ramp, positive: down}}
+      ties: [rolls: {body: ball, on its: rim}]
+      start: at rest
+      end: {descent: {of: ball, by: 120 cm}}
+    questions: {v: {ask: how fast, unit: m/s}}
+    statement: '{{ g }}'
 ";
     fs::write(room.path("bank.yaml"), text).unwrap();
-    let refused = room.run(&["solve", &room.path("bank.yaml"), "p"]);
-    assert!(
-        refused.err.contains("the radius on which the cord is wound, which is no datum"),
-        "{}",
-        refused.err
-    );
+    let solved = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+    let v = format!("{:.10}", (2.0f64 * 9.81 * 1.2 / 1.4).sqrt());
+    assert!(solved.out.contains(&v), "{v}: {}{}", solved.out, solved.err);
 }
 
 /// Every end of a motion: what is asked and how far it goes have units, whether it is reached or not.

@@ -193,6 +193,8 @@ struct Ledger<'a, T: Real> {
     road: Road<T>,
     /// Where forces grow: the way, weighted with the share of their growth that they have there.
     late: Option<T>,
+    /// Did it turn before its end? Then nothing is said of the length of its path.
+    turned: bool,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
     /// The reactions that were asked last, and the tension of the spring for which.
@@ -411,12 +413,16 @@ impl<'a, T: Real> Ledger<'a, T> {
             free: !modes.is_empty(),
             road,
             late: None,
+            turned: false,
             points: None,
             last: None,
         })
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
+        if self.turned && matches!(quantity, Quantity::CordTravel | Quantity::Distance | Quantity::Phi) {
+            return;
+        }
         self.road.said.push(Said::of(&self.n, Label { quantity, of }, value, value.size()));
     }
 
@@ -621,7 +627,12 @@ impl<'a, T: Real> Ledger<'a, T> {
             None => true,
         };
         let sets_off = u0.sign() > 0.0 || first.not_negative();
-        let reached = declared && extent.not_negative() && least.sign() > 0.0 && sets_off;
+        let onward = least.sign() > 0.0 && sets_off;
+        let momentum = held + gained(whole, whole);
+        self.turned = !onward && self.scene.may_turn() && !momentum.is_zero();
+        let reached = declared && extent.not_negative() && (onward || self.turned);
+        let turn_back = if self.turned { momentum.sign() } else { 1.0 };
+        let sense = sense * turn_back;
         let (asked, farthest) = (Some(extent), T::of(f64::INFINITY));
         self.road.course = Some(Course { sense, drive, asked, farthest, reached });
         self.grip(zero, whole);
@@ -635,13 +646,14 @@ impl<'a, T: Real> Ledger<'a, T> {
         } else {
             let push = extent.square() / doubled;
             let next = whole / (whole / mean + whole);
-            let s = u0 * extent + push * (first.scale2(-1) + growth * mean * next);
+            let s = (u0 * extent).balance(push * first.scale2(-1).balance(growth * mean * next));
             (s, u0 * extent * mean + push * (first * next + (growth * mean.square()).scale2(-1)))
         };
-        self.late = Some(late);
-        let work = first * s + growth * late;
+        let work = (first * s).balance(growth * late);
         let energy = energy0 + work;
         let u = if along { (energy.scale2(1) / doubled).root() } else { u0 + gained(whole, whole) / doubled };
+        let [s, late, u0, u] = [s, late, u0, u].map(|x| x.signed(turn_back));
+        self.late = Some(late);
         self.arrived((doubled, u0, work), s, Summed { energy, u, time: extent }, sense, whole);
         self.road
     }
@@ -649,7 +661,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     /// Work of a given force over the way `s`, at which its point goes at `rate` times the rate of the mode, and its size at the end.
     fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> (T, T) {
         match (growth, self.late) {
-            (Some(growth), Some(late)) => (rate * (force * s + growth * late), force + growth),
+            (Some(growth), Some(late)) => (rate * (force * s).balance(growth * late), force + growth),
             _ => (force * rate * s, force),
         }
     }

@@ -204,6 +204,8 @@ struct Walk<'a, T: Real> {
     varies: bool,
     /// Where forces grow: the way of the ending coordinate, averaged over that growth.
     early: Option<T>,
+    /// Did it turn before its end? Its way is then not the distance between its ends.
+    turned: bool,
     /// Stretch of the spring at equilibrium, friction of sliding left out.
     x_eq: Option<T>,
     /// For each contact that is said to slip: as if it rolled.
@@ -425,6 +427,7 @@ impl<'a, T: Real> Walk<'a, T> {
             balanced,
             varies: spring.is_some() || grows,
             early: None,
+            turned: false,
             spring,
             x_eq,
             rolled,
@@ -442,7 +445,8 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        if self.asked.quantities.has(quantity) {
+        let way = matches!(quantity, Quantity::Distance | Quantity::Phi | Quantity::CordTravel);
+        if self.asked.quantities.has(quantity) && !(self.turned && way) {
             self.road.said.push(Said::of(&self.n, Label { quantity, of }, value, scale));
         }
     }
@@ -671,11 +675,13 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             last
         };
-        let reached = !wrong_way
-            && extent.not_negative()
-            && least.sign() > 0.0
-            && (u0.sign() > 0.0 || f0.not_negative());
+        let straight = least.sign() > 0.0 && (u0.sign() > 0.0 || f0.not_negative());
+        self.turned = !straight && self.scene.may_turn() && !last.is_zero();
+        let reached = !wrong_way && extent.not_negative() && (straight || self.turned);
         let farthest = T::of(f64::INFINITY);
+        // Told is the sense in which it moves at the end.
+        let back = if self.turned { last.sign() } else { 1.0 };
+        let sense = sense * back;
         self.road.course =
             Some(Course { sense, drive: (zero, zero), asked: Some(extent), farthest, reached });
         self.grip(zero, whole);
@@ -692,10 +698,11 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             (extent, last.scale2(1).root(), power * extent / (power + whole), zero)
         };
+        let [s, u, u0, early, change] = [s, u, u0, early, change].map(|x| x.signed(back));
         self.early = Some(early);
         self.arrived(&State { s, u, time }, sense, whole);
         let (gain, change) = match law.with {
-            Grows::Time => ((change * (u + u0)).scale2(-1), change),
+            Grows::Time => ((change * u.balance(u0)).scale2(-1), change),
             Grows::Place => (change, u.balance(-u0)),
         };
         self.gained(gain, change, (s, u), sense);
@@ -706,7 +713,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// value over the whole way, less what it had not yet grown.
     fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> T {
         match (self.early, growth) {
-            (Some(early), Some(growth)) => rate * ((force + growth) * s - growth * early),
+            (Some(early), Some(growth)) => rate * ((force + growth) * s).balance(-(growth * early)),
             _ => force * rate * s,
         }
     }
