@@ -263,12 +263,27 @@ pub struct Factors<T> {
     cells: Vec<T>,
     /// Which row of the matrix each one is.
     order: SmallVec<[usize; 12]>,
+    /// For each row a bit for each column that may hold more than 0: most hold nothing.
+    filled: SmallVec<[u64; 12]>,
+}
+
+/// The places of the bits that are set, from the lowest.
+fn places(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = (bits != 0).then_some(bits.trailing_zeros() as usize);
+        bits &= bits.wrapping_sub(1);
+        place
+    })
+}
+/// The bits of all columns beyond this one.
+const fn beyond(col: usize) -> u64 {
+    !1 << col
 }
 
 impl<T: Real> Factors<T> {
     /// No matrix yet.
     pub fn none() -> Self {
-        Self { size: 0, cells: Vec::new(), order: SmallVec::new() }
+        Self { size: 0, cells: Vec::new(), order: SmallVec::new(), filled: SmallVec::new() }
     }
     /// Makes room for a matrix: the zeros of its cells, row by row, to be filled.
     pub fn room(&mut self, size: usize) -> &mut [T] {
@@ -277,30 +292,37 @@ impl<T: Real> Factors<T> {
         self.cells.resize(size * size, T::zero());
         &mut self.cells
     }
-    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column: [`Linear`] may still
-    /// do. Rows and columns may differ by any power of ten.
+    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column, or beyond 64 unknowns:
+    /// [`Linear`] may still do. Rows and columns may differ by any power of ten.
     pub fn reduce(&mut self) -> bool {
-        let (size, cells) = (self.size, &mut self.cells[..]);
+        let (size, cells, filled) = (self.size, &mut self.cells[..], &mut self.filled);
+        if size > 64 {
+            return false;
+        }
         let mut largest: SmallVec<[f64; 12]> = smallvec![0.0; size];
+        filled.clear();
         for row in cells.chunks_exact(size) {
-            for (largest, cell) in largest.iter_mut().zip(row) {
-                *largest = if cell.size() > *largest { cell.size() } else { *largest };
+            let mut bits = 0;
+            for (col, (largest, cell)) in largest.iter_mut().zip(row).enumerate() {
+                if !cell.is_zero() {
+                    bits |= 1 << col;
+                    *largest = if cell.size() > *largest { cell.size() } else { *largest };
+                }
             }
+            filled.push(bits);
         }
         largest.iter_mut().for_each(|x| *x = 1.0 / *x);
-        let mut scales: SmallVec<[f64; 12]> = smallvec![0.0; size];
-        for (scale, row) in scales.iter_mut().zip(cells.chunks_exact(size)) {
-            for (share, cell) in largest.iter().zip(row).map(|(per, cell)| (cell.size() * per, cell)) {
-                *scale = if share > *scale && !cell.is_zero() { share } else { *scale };
-            }
-            *scale = 1.0 / *scale;
+        let mut scales: SmallVec<[f64; 12]> = SmallVec::new();
+        for (row, bits) in cells.chunks_exact(size).zip(filled.iter()) {
+            let shares = places(*bits).map(|col| row[col].size() * largest[col]);
+            scales.push(1.0 / shares.fold(0.0, |most, share| if share > most { share } else { most }));
         }
         self.order.clear();
         self.order.extend(0..size);
         for col in 0..size {
             let (mut best, mut most) = (col, 0.0);
-            for (place, scale) in scales.iter().enumerate().skip(col) {
-                let share = cells[place * size + col].size() * scale;
+            for place in (col..size).filter(|place| filled[*place] >> col & 1 == 1) {
+                let share = cells[place * size + col].size() * scales[place];
                 if share > most {
                     (best, most) = (place, share);
                 }
@@ -310,24 +332,23 @@ impl<T: Real> Factors<T> {
                 return false;
             }
             if best != col {
+                places(filled[col] | filled[best]).for_each(|c| cells.swap(col * size + c, best * size + c));
                 self.order.swap(col, best);
                 scales.swap(col, best);
-                (0..size).for_each(|c| cells.swap(col * size + c, best * size + c));
+                filled.swap(col, best);
             }
             let (above, below) = cells.split_at_mut((col + 1) * size);
-            let pivot = &mut above[col * size + col..];
-            pivot[0] = T::of(1.0) / pivot[0];
-            for row in below.chunks_exact_mut(size) {
-                let row = &mut row[col..];
-                if row[0].is_zero() {
+            let (pivot, bits) = (&mut above[col * size..], filled[col] & beyond(col));
+            pivot[col] = T::of(1.0) / pivot[col];
+            for (row, filled) in below.chunks_exact_mut(size).zip(&mut filled[col + 1..]) {
+                if row[col].is_zero() {
                     continue;
                 }
-                let factor = row[0] * pivot[0];
-                row[0] = factor;
-                for (cell, above) in row[1..].iter_mut().zip(&pivot[1..]) {
-                    if !above.is_zero() {
-                        *cell = *cell - factor * *above;
-                    }
+                let factor = row[col] * pivot[col];
+                row[col] = factor;
+                *filled |= bits;
+                for c in places(bits).filter(|c| !pivot[*c].is_zero()) {
+                    row[c] = row[c] - factor * pivot[c];
                 }
             }
         }
@@ -336,25 +357,22 @@ impl<T: Real> Factors<T> {
     /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
-        let less = |(sum, size): &mut (T, f64), cell: T, x: T| {
-            if !x.is_zero() && !cell.is_zero() {
-                let term = cell * x;
-                (*sum, *size) = (*sum - term, *size + term.size());
+        let less = |(sum, size): (T, f64), (cell, x): (T, T)| {
+            if x.is_zero() || cell.is_zero() {
+                return (sum, size);
             }
+            let term = cell * x;
+            (sum - term, size + term.size())
         };
-        let rows = || self.cells.chunks_exact(self.size).enumerate();
-        for (r, row) in rows() {
-            let (before, rest) = x.split_at_mut(r);
+        let rows = || self.cells.chunks_exact(self.size).zip(&self.filled).enumerate();
+        for (r, (row, bits)) in rows() {
             let own = right[self.order[r]];
-            rest[0] = (own, own.size());
-            row.iter().zip(before).for_each(|(cell, x)| less(&mut rest[0], *cell, x.0));
+            x[r] = places(bits & !(!0 << r)).map(|c| (row[c], x[c].0)).fold((own, own.size()), less);
         }
-        for (r, row) in rows().rev() {
-            let (here, after) = x.split_at_mut(r + 1);
-            let own = &mut here[r];
-            row[r + 1..].iter().zip(after).for_each(|(cell, x)| less(own, *cell, x.0));
-            own.0 = own.0.cleared(own.1) * row[r];
-            right[r] = own.0;
+        for (r, (row, bits)) in rows().rev() {
+            let (sum, size) = places(bits & beyond(r)).map(|c| (row[c], x[c].0)).fold(x[r], less);
+            right[r] = sum.cleared(size) * row[r];
+            x[r].0 = right[r];
         }
     }
 }
