@@ -255,24 +255,25 @@ const APART: f64 = 1.0 / (1u64 << 24) as f64;
 /// A pivot below this share of its row, 2^-20, would cost more than a few digits.
 const POOR: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// A matrix in triangular factors, for many right-hand sides. It is made again and again in the same place.
+/// A matrix in triangular factors, for many right-hand sides. It is made again and again in the same place. Most of its cells are 0.
 #[derive(Debug, Clone, Default)]
 pub struct Factors<T> {
     size: usize,
     /// The factors row by row, with the inverse of each pivot in its place.
     cells: Vec<T>,
-    /// Which row of the matrix each one is.
-    order: SmallVec<[usize; 12]>,
-    /// For each row a bit for each column that may hold more than 0: most hold nothing.
-    filled: SmallVec<[u64; 12]>,
+    /// For each row a bit for each column that may be other than 0.
+    filled: Vec<u64>,
+    /// The rows in the order of their pivots.
+    order: Vec<usize>,
 }
 
 /// The places of the bits that are set, from the lowest.
+#[inline]
 fn places(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
-        let place = (bits != 0).then_some(bits.trailing_zeros() as usize);
+        let place = bits.trailing_zeros() as usize;
         bits &= bits.wrapping_sub(1);
-        place
+        (place < 64).then_some(place)
     })
 }
 /// The bits of all columns beyond this one.
@@ -282,73 +283,77 @@ const fn beyond(col: usize) -> u64 {
 
 impl<T: Real> Factors<T> {
     /// No matrix yet.
-    pub fn none() -> Self {
-        Self { size: 0, cells: Vec::new(), order: SmallVec::new(), filled: SmallVec::new() }
+    pub const fn none() -> Self {
+        Self { size: 0, cells: Vec::new(), filled: Vec::new(), order: Vec::new() }
     }
-    /// Makes room for a matrix: the zeros of its cells, row by row, to be filled.
-    pub fn room(&mut self, size: usize) -> &mut [T] {
+    /// Makes room for a matrix of zeros, to be filled.
+    pub fn room(&mut self, size: usize) {
         self.size = size;
         self.cells.clear();
         self.cells.resize(size * size, T::zero());
-        &mut self.cells
+        self.filled.clear();
+        self.filled.resize(size, 0);
     }
-    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column, or beyond 64 unknowns:
-    /// [`Linear`] may still do. Rows and columns may differ by any power of ten.
+    /// Adds to a cell.
+    pub fn add(&mut self, row: usize, col: usize, value: T) {
+        if !value.is_zero() {
+            add(&mut self.cells[row * self.size + col], value);
+            self.filled[row] |= 1 << (col % 64);
+        }
+    }
+    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column, or of more than 64
+    /// unknowns: [`Linear`] may still do. Rows and columns may differ by any power of ten.
     pub fn reduce(&mut self) -> bool {
-        let (size, cells, filled) = (self.size, &mut self.cells[..], &mut self.filled);
+        let (size, cells, filled) = (self.size, &mut self.cells[..], &mut self.filled[..]);
         if size > 64 {
             return false;
         }
-        let mut largest: SmallVec<[f64; 12]> = smallvec![0.0; size];
-        filled.clear();
-        for row in cells.chunks_exact(size) {
-            let mut bits = 0;
-            for (col, (largest, cell)) in largest.iter_mut().zip(row).enumerate() {
-                if !cell.is_zero() {
-                    bits |= 1 << col;
-                    *largest = if cell.size() > *largest { cell.size() } else { *largest };
-                }
+        let mut both: SmallVec<[f64; 24]> = smallvec![0.0; 2 * size];
+        let (largest, scales) = both.split_at_mut(size);
+        for (row, bits) in cells.chunks_exact(size).zip(&*filled) {
+            for col in places(*bits) {
+                largest[col] = if row[col].size() > largest[col] { row[col].size() } else { largest[col] };
             }
-            filled.push(bits);
         }
         largest.iter_mut().for_each(|x| *x = 1.0 / *x);
-        let mut scales: SmallVec<[f64; 12]> = SmallVec::new();
-        for (row, bits) in cells.chunks_exact(size).zip(filled.iter()) {
-            let shares = places(*bits).map(|col| row[col].size() * largest[col]);
-            scales.push(1.0 / shares.fold(0.0, |most, share| if share > most { share } else { most }));
+        for ((row, bits), scale) in cells.chunks_exact(size).zip(&*filled).zip(scales.iter_mut()) {
+            for share in places(*bits).map(|col| row[col].size() * largest[col]) {
+                *scale = if share > *scale { share } else { *scale };
+            }
+            *scale = 1.0 / *scale;
         }
         self.order.clear();
         self.order.extend(0..size);
+        let order = &mut self.order[..];
         for col in 0..size {
             let (mut best, mut most) = (col, 0.0);
-            for place in (col..size).filter(|place| filled[*place] >> col & 1 == 1) {
-                let share = cells[place * size + col].size() * scales[place];
-                if share > most {
-                    (best, most) = (place, share);
+            for (place, row) in order.iter().copied().enumerate().skip(col) {
+                if filled[row] >> col & 1 == 1 {
+                    let share = cells[row * size + col].size() * scales[row];
+                    (best, most) = if share > most { (place, share) } else { (best, most) };
                 }
             }
             let kept = most * largest[col] > POOR;
             if !kept {
                 return false;
             }
-            if best != col {
-                places(filled[col] | filled[best]).for_each(|c| cells.swap(col * size + c, best * size + c));
-                self.order.swap(col, best);
-                scales.swap(col, best);
-                filled.swap(col, best);
-            }
-            let (above, below) = cells.split_at_mut((col + 1) * size);
-            let (pivot, bits) = (&mut above[col * size..], filled[col] & beyond(col));
-            pivot[col] = T::of(1.0) / pivot[col];
-            for (row, filled) in below.chunks_exact_mut(size).zip(&mut filled[col + 1..]) {
-                if row[col].is_zero() {
+            order.swap(col, best);
+            let (pivot, bits) = (order[col] * size, filled[order[col]] & beyond(col));
+            let inverse = T::of(1.0) / cells[pivot + col];
+            cells[pivot + col] = inverse;
+            for row in order[col + 1..].iter().copied() {
+                let start = row * size;
+                if filled[row] >> col & 1 == 0 || cells[start + col].is_zero() {
                     continue;
                 }
-                let factor = row[col] * pivot[col];
-                row[col] = factor;
-                *filled |= bits;
-                for c in places(bits).filter(|c| !pivot[*c].is_zero()) {
-                    row[c] = row[c] - factor * pivot[c];
+                let factor = cells[start + col] * inverse;
+                cells[start + col] = factor;
+                filled[row] |= bits;
+                for c in places(bits) {
+                    let above = cells[pivot + c];
+                    if !above.is_zero() {
+                        cells[start + c] = cells[start + c] - factor * above;
+                    }
                 }
             }
         }
@@ -357,21 +362,26 @@ impl<T: Real> Factors<T> {
     /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
-        let less = |(sum, size): (T, f64), (cell, x): (T, T)| {
-            if x.is_zero() || cell.is_zero() {
-                return (sum, size);
+        let x = &mut x[..];
+        let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
+            let cells = &self.cells[row * self.size..][..self.size];
+            let (mut sum, mut size) = x[r];
+            for c in places(self.filled[row] & columns) {
+                let (cell, x) = (cells[c], x[c].0);
+                if !x.is_zero() && !cell.is_zero() {
+                    let term = cell * x;
+                    (sum, size) = (sum - term, size + term.size());
+                }
             }
-            let term = cell * x;
-            (sum - term, size + term.size())
+            (sum, size)
         };
-        let rows = || self.cells.chunks_exact(self.size).zip(&self.filled).enumerate();
-        for (r, (row, bits)) in rows() {
-            let own = right[self.order[r]];
-            x[r] = places(bits & !(!0 << r)).map(|c| (row[c], x[c].0)).fold((own, own.size()), less);
+        for (r, row) in self.order.iter().copied().enumerate() {
+            x[r] = (right[row], right[row].size());
+            x[r] = less(x, r, row, !(!0 << r));
         }
-        for (r, (row, bits)) in rows().rev() {
-            let (sum, size) = places(bits & beyond(r)).map(|c| (row[c], x[c].0)).fold(x[r], less);
-            right[r] = sum.cleared(size) * row[r];
+        for (r, row) in self.order.iter().copied().enumerate().rev() {
+            let (sum, size) = less(x, r, row, beyond(r));
+            right[r] = sum.cleared(size) * self.cells[row * self.size + r];
             x[r].0 = right[r];
         }
     }
@@ -425,7 +435,8 @@ mod tests {
         let rows = [[0.0, 2.0, 1.0], [4.0, 1.0, -1.0], [1.0, 0.0, 3.0]];
         let mut factors = Factors::none();
         let mut fill = |size: usize, cells: &[f64]| {
-            factors.room(size).iter_mut().zip(cells).for_each(|(cell, x)| *cell = Dd::new(*x));
+            factors.room(size);
+            cells.iter().enumerate().for_each(|(i, x)| factors.add(i / size, i % size, Dd::new(*x)));
             factors.reduce().then_some(factors.clone())
         };
         let mut x = [7.0, 3.0, 10.0].map(Dd::new);
