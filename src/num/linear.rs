@@ -151,39 +151,42 @@ impl<T: Real> Linear<T> {
     /// 5 unknowns and one right-hand side.
     fn eliminated(&self, wanted: Range<usize>, scales: &[f64]) -> Result<SmallVec<[T; 8]>, Hard<T>> {
         let (n, width) = (self.unknowns, self.unknowns + self.columns);
-        let mut cells: SmallVec<[T; 30]> = self.cells.iter().copied().collect();
-        // As slices: a small vector asks at each access where it lies. First the rows that are used, then the others.
-        let mut rows: SmallVec<[(&mut [T], f64); 6]> = SmallVec::new();
-        for row in cells.chunks_exact_mut(width) {
-            let sizes = row[..n].iter().zip(scales).map(|(cell, scale)| cell.size() * scale);
-            let largest = sizes.fold(0.0, f64::max);
-            rows.push((row, largest));
-        }
+        let mut cells: SmallVec<[T; 30]> = SmallVec::from(&self.cells[..]);
+        // As slices: a small vector asks at each access where it lies.
+        let cells = &mut cells[..];
+        // Where each row begins, and its largest number: first the rows that are used, then the others.
+        let mut rows: SmallVec<[(usize, f64); 6]> = smallvec![(0, 0.0); n];
         let rows = &mut rows[..];
+        for (place, row) in rows.iter_mut().enumerate() {
+            row.0 = place * width;
+            for (cell, scale) in cells[row.0..][..n].iter().zip(scales) {
+                row.1 = f64::max(row.1, cell.size() * scale);
+            }
+        }
         for col in 0..n {
             let mut best: Option<(usize, f64)> = None;
-            for (place, (row, largest)) in rows.iter().enumerate().skip(col) {
-                if !row[col].is_zero() {
-                    let share = row[col].size() * scales[col] / largest;
+            for (place, (start, largest)) in rows.iter().enumerate().skip(col) {
+                let size = cells[start + col].size();
+                if size != 0.0 {
+                    let share = size * scales[col] / largest;
                     if best.is_none_or(|(_, s)| share > s) {
                         best = Some((place, share));
                     }
                 }
             }
             rows.swap(col, best.ok_or(Hard::Repeats)?.0);
-            let (used, rest) = rows.split_at_mut(col + 1);
-            let pivot = &used[col].0[col..];
-            for (row, _) in rest {
-                let row = &mut row[col..];
-                if row[0].is_zero() {
+            let (pivot, rest) = (rows[col].0, &rows[col + 1..]);
+            for (start, _) in rest {
+                if cells[start + col].is_zero() {
                     continue;
                 }
-                let factor = row[0] / pivot[0];
-                for (c, (cell, above)) in row.iter_mut().zip(pivot).enumerate().skip(1) {
+                let factor = cells[start + col] / cells[pivot + col];
+                for c in col + 1..width {
+                    let (cell, above) = (cells[start + c], cells[pivot + c]);
                     if !above.is_zero() {
-                        let less = factor * *above;
+                        let less = factor * above;
                         // A coefficient that is only rounding is no pivot.
-                        *cell = if col + c < n { cell.balance(-less) } else { *cell - less };
+                        cells[start + c] = if c < n { cell.balance(-less) } else { cell - less };
                     }
                 }
             }
@@ -191,7 +194,8 @@ impl<T: Real> Linear<T> {
         let mut out: SmallVec<[T; 8]> = smallvec![T::zero(); n * wanted.len()];
         let mut settled = true;
         for (k, x) in wanted.zip(out.chunks_exact_mut(n.max(1))) {
-            for (col, (row, _)) in rows.iter().enumerate().rev() {
+            for (col, (start, _)) in rows.iter().enumerate().rev() {
+                let row = &cells[*start..][..width];
                 let mut sum = row[n + k];
                 for (cell, x) in row[col + 1..n].iter().zip(&x[col + 1..]) {
                     if !cell.is_zero() && !x.is_zero() {
