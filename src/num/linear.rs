@@ -61,6 +61,12 @@ enum Hard<T> {
     Residual(SmallVec<[T; 8]>),
 }
 
+/// The largest of sizes; 0 of none, and NaN is none.
+#[inline]
+fn most(sizes: impl Iterator<Item = f64>) -> f64 {
+    sizes.fold(0.0, |most, size| if size > most { size } else { most })
+}
+
 fn add<T: Real>(cell: &mut T, v: T) {
     *cell = if cell.is_zero() { v } else { *cell + v };
 }
@@ -159,9 +165,8 @@ impl<T: Real> Linear<T> {
         let rows = &mut rows[..];
         for (place, row) in rows.iter_mut().enumerate() {
             row.0 = place * width;
-            for (cell, scale) in cells[row.0..][..n].iter().zip(scales) {
-                row.1 = f64::max(row.1, cell.size() * scale);
-            }
+            let sizes = cells[row.0..][..n].iter().zip(scales).map(|(cell, scale)| cell.size() * scale);
+            row.1 = most(sizes);
         }
         for col in 0..n {
             let mut best: Option<(usize, f64)> = None;
@@ -214,8 +219,8 @@ impl<T: Real> Linear<T> {
 
     /// Are the unknowns and the right-hand sides of very different sizes?
     fn far_apart(&self, k: usize, x: &[T]) -> bool {
-        let given = self.rows(k).map(|(.., given)| given);
-        let largest = x.iter().map(|v| v.size()).chain(given).fold(0.0, f64::max);
+        let given = self.given.iter().skip(k).step_by(self.columns).copied();
+        let largest = f64::max(most(x.iter().map(|v| v.size())), most(given));
         x.iter().any(|v| v.size() > 0.0 && v.size() < APART * largest)
     }
 
@@ -266,9 +271,9 @@ pub struct Factors<T> {
     /// The factors row by row, with the inverse of each pivot in its place.
     cells: Vec<T>,
     /// For each row a bit for each column that may be other than 0.
-    filled: Vec<u64>,
+    filled: SmallVec<[u64; 12]>,
     /// The rows in the order of their pivots.
-    order: Vec<usize>,
+    order: SmallVec<[usize; 12]>,
 }
 
 /// The places of the bits that are set, from the lowest.
@@ -287,8 +292,8 @@ const fn beyond(col: usize) -> u64 {
 
 impl<T: Real> Factors<T> {
     /// No matrix yet.
-    pub const fn none() -> Self {
-        Self { size: 0, cells: Vec::new(), filled: Vec::new(), order: Vec::new() }
+    pub fn none() -> Self {
+        Self { size: 0, cells: Vec::new(), filled: SmallVec::new(), order: SmallVec::new() }
     }
     /// Makes room for a matrix of zeros, to be filled.
     pub fn room(&mut self, size: usize) {
@@ -321,10 +326,7 @@ impl<T: Real> Factors<T> {
         }
         largest.iter_mut().for_each(|x| *x = 1.0 / *x);
         for ((row, bits), scale) in cells.chunks_exact(size).zip(&*filled).zip(scales.iter_mut()) {
-            for share in places(*bits).map(|col| row[col].size() * largest[col]) {
-                *scale = if share > *scale { share } else { *scale };
-            }
-            *scale = 1.0 / *scale;
+            *scale = 1.0 / most(places(*bits).map(|col| row[col].size() * largest[col]));
         }
         self.order.clear();
         self.order.extend(0..size);
@@ -367,10 +369,11 @@ impl<T: Real> Factors<T> {
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
         let x = &mut x[..];
+        let filled = &self.filled[..];
         let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
             let cells = &self.cells[row * self.size..][..self.size];
             let (mut sum, mut size) = x[r];
-            for c in places(self.filled[row] & columns) {
+            for c in places(filled[row] & columns) {
                 let (cell, x) = (cells[c], x[c].0);
                 if !x.is_zero() && !cell.is_zero() {
                     let term = cell * x;
@@ -379,11 +382,12 @@ impl<T: Real> Factors<T> {
             }
             (sum, size)
         };
-        for (r, row) in self.order.iter().copied().enumerate() {
+        let order = &self.order[..];
+        for (r, row) in order.iter().copied().enumerate() {
             x[r] = (right[row], right[row].size());
             x[r] = less(x, r, row, !(!0 << r));
         }
-        for (r, row) in self.order.iter().copied().enumerate().rev() {
+        for (r, row) in order.iter().copied().enumerate().rev() {
             let (sum, size) = less(x, r, row, beyond(r));
             right[r] = sum.cleared(size) * self.cells[row * self.size + r];
             x[r].0 = right[r];
