@@ -61,8 +61,6 @@ pub fn value(
 #[derive(Debug)]
 pub struct Methods<'p> {
     problem: &'p Problem,
-    /// The quantities that they are asked for.
-    labels: Vec<Label>,
     /// Those that guard a draw first, and of these first those that need no other solution: they cost least.
     methods: Vec<Method<'p>>,
 }
@@ -137,7 +135,7 @@ impl<'p> Methods<'p> {
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
         methods.sort_by_key(|m| (m.mistake.unguarded.is_some(), m.solves.is_some()));
-        Self { problem, labels: labels.to_vec(), methods }
+        Self { problem, methods }
     }
 
     /// The quantities of the right solution from which they start.
@@ -159,11 +157,9 @@ impl<'p> Methods<'p> {
     ) -> Vec<Wrong> {
         let most = self.methods.iter().map(|m| m.before + m.spoils.len()).max();
         let mut found = vec![None; most.unwrap_or(0)];
-        let right = |label: &Label| solved.get(*label).map_or(f64::NAN, Entry::value);
-        let truths: Vec<f64> = self.labels.iter().map(right).collect();
         for method in &self.methods {
             let (mut more, mut places) = (true, found[method.before..].iter_mut());
-            method.values(self.problem, data, (solved, &truths), &mut |wrong| {
+            method.values(self.problem, data, solved, &mut |wrong| {
                 more &= go_on(&wrong);
                 if let Some(place) = places.next() {
                     *place = Some(wrong);
@@ -187,13 +183,7 @@ fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Ite
 }
 
 impl Method<'_> {
-    fn values(
-        &self,
-        problem: &Problem,
-        data: &[f64],
-        (solved, truths): (&Solved, &[f64]),
-        tell: &mut dyn FnMut(Wrong),
-    ) {
+    fn values(&self, problem: &Problem, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
         let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
         let changes = !self.mistake.data.is_empty() || !self.mistake.scenes.is_empty();
         // Most methods come to a value by an expression alone.
@@ -216,7 +206,7 @@ impl Method<'_> {
             },
         };
         for (label, asked, by) in &self.spoils {
-            let (label, truth) = (*label, truths[*asked]);
+            let (label, truth) = (*label, right(*label));
             let value = match by {
                 SpoiltBy::Change => other(label),
                 SpoiltBy::Expression(expression) => expression.eval(data, &other),

@@ -164,19 +164,15 @@ impl<T: Real> Linear<T> {
         let mut rows: SmallVec<[(usize, f64); 6]> = smallvec![(0, 0.0); n];
         let rows = &mut rows[..];
         for (place, row) in rows.iter_mut().enumerate() {
-            row.0 = place * width;
-            let sizes = cells[row.0..][..n].iter().zip(scales).map(|(cell, scale)| cell.size() * scale);
-            row.1 = most(sizes);
+            let numbers = cells[place * width..][..n].iter().zip(scales);
+            *row = (place * width, most(numbers.map(|(cell, scale)| cell.size() * scale)));
         }
         for col in 0..n {
             let mut best: Option<(usize, f64)> = None;
             for (place, (start, largest)) in rows.iter().enumerate().skip(col) {
-                let size = cells[start + col].size();
-                if size != 0.0 {
-                    let share = size * scales[col] / largest;
-                    if best.is_none_or(|(_, s)| share > s) {
-                        best = Some((place, share));
-                    }
+                let share = cells[start + col].size() * scales[col] / largest;
+                if !cells[start + col].is_zero() && best.is_none_or(|(_, s)| share > s) {
+                    best = Some((place, share));
                 }
             }
             rows.swap(col, best.ok_or(Hard::Repeats)?.0);
@@ -285,10 +281,6 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
         (place < 64).then_some(place)
     })
 }
-/// The bits of all columns beyond this one.
-const fn beyond(col: usize) -> u64 {
-    !1 << col
-}
 
 impl<T: Real> Factors<T> {
     /// No matrix yet.
@@ -317,8 +309,8 @@ impl<T: Real> Factors<T> {
         if size > 64 {
             return false;
         }
-        let mut both: SmallVec<[f64; 24]> = smallvec![0.0; 2 * size];
-        let (largest, scales) = both.split_at_mut(size);
+        let mut sizes: SmallVec<[f64; 24]> = smallvec![0.0; 2 * size];
+        let (largest, scales) = sizes.split_at_mut(size);
         for (row, bits) in cells.chunks_exact(size).zip(&*filled) {
             for col in places(*bits) {
                 largest[col] = if row[col].size() > largest[col] { row[col].size() } else { largest[col] };
@@ -344,7 +336,7 @@ impl<T: Real> Factors<T> {
                 return false;
             }
             order.swap(col, best);
-            let (pivot, bits) = (order[col] * size, filled[order[col]] & beyond(col));
+            let (pivot, bits) = (order[col] * size, filled[order[col]] & !1 << col);
             let inverse = T::of(1.0) / cells[pivot + col];
             cells[pivot + col] = inverse;
             for row in order[col + 1..].iter().copied() {
@@ -368,8 +360,7 @@ impl<T: Real> Factors<T> {
     /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
-        let x = &mut x[..];
-        let filled = &self.filled[..];
+        let (x, filled, order) = (&mut x[..], &self.filled[..], &self.order[..]);
         let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
             let cells = &self.cells[row * self.size..][..self.size];
             let (mut sum, mut size) = x[r];
@@ -382,13 +373,12 @@ impl<T: Real> Factors<T> {
             }
             (sum, size)
         };
-        let order = &self.order[..];
         for (r, row) in order.iter().copied().enumerate() {
             x[r] = (right[row], right[row].size());
             x[r] = less(x, r, row, !(!0 << r));
         }
         for (r, row) in order.iter().copied().enumerate().rev() {
-            let (sum, size) = less(x, r, row, beyond(r));
+            let (sum, size) = less(x, r, row, !1 << r);
             right[r] = sum.cleared(size) * self.cells[row * self.size + r];
             x[r].0 = right[r];
         }

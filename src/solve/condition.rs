@@ -61,10 +61,13 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
     // What was found needs no further road.
     let solved = |data: &[f64], conds: &[Option<f64>]| {
-        let missing = || entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
-        let road = eom::road_of(scene, data, Scope::only(missing().map(|(e, _)| e.label.quantity))).ok();
-        let value = |at: usize| road.as_ref().and_then(|road| value(road, at, entries[at].label));
-        let values: Values<T> = (0..entries.len()).map(|at| conds[at].map_or_else(|| value(at), |_| None)).collect();
+        let missing = entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
+        let road = eom::road_of(scene, data, Scope::only(missing.map(|(e, _)| e.label.quantity))).ok();
+        let value = |at: usize| match conds[at] {
+            Some(_) => None,
+            None => value(road.as_ref()?, at, entries[at].label),
+        };
+        let values: Values<T> = (0..entries.len()).map(value).collect();
         let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
         (values, road.as_ref().map(kind))
     };

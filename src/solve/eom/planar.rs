@@ -153,12 +153,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let levers = |body: usize| {
             let planar = scene.bodies[body].planar.as_ref();
             let centre = planar.map_or_else(T::zero, |p| pose::along(n, p.centre));
-            let points = 0..planar.map_or(0, |p| p.points.len());
-            let lever = |point| {
-                let [along, aside] = pose::of_spot(scene, n, Spot { body, point });
-                [along - centre, aside]
-            };
-            (centre, points.map(lever).collect())
+            let spots = (0..planar.map_or(0, |p| p.points.len())).map(|point| Spot { body, point });
+            let places = spots.map(|spot| pose::of_spot(scene, n, spot));
+            (centre, places.map(|[along, aside]| [along - centre, aside]).collect())
         };
         let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
         if LOOKED_THROUGH
@@ -386,7 +383,6 @@ impl<'a, T: Real> Mechanism<'a, T> {
             state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
         }
         let (columns, count) = (self.columns, state.rows.len() + 1);
-        let held = || state.rows.iter().chain([&state.leads.0]);
         let mut speeds: SmallVec<[T; 12]> = smallvec![T::zero(); count];
         speeds[count - 1] = state.leads.1;
         state.determined = count == columns && {
@@ -400,7 +396,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         } else {
             // Joints that repeat each other, or a place near to where they do.
             let mut equations = Equations::new(columns);
-            for (held, speed) in held().zip(&speeds) {
+            for (held, speed) in state.rows.iter().chain([&state.leads.0]).zip(&speeds) {
                 let row = equations.row();
                 self.speeds(held, |at, x| row[at] = row[at] + x);
                 row[columns] = *speed;
