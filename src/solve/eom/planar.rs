@@ -34,6 +34,8 @@ pub const SQUARE: usize = 1;
 
 /// A vector of the plane.
 type Vector<T> = [T; 2];
+/// One for each named point of a body.
+type Levers<T> = SmallVec<[Vector<T>; 4]>;
 
 /// Bodies and joints in numbers.
 #[derive(Debug, Clone)]
@@ -54,7 +56,7 @@ pub struct Mechanism<'a, T: Real> {
     /// Where nothing pushes it along its guide: the direction of that.
     drift: Option<Vector<T>>,
     /// For each body: how far its mass centre is along its axis, and its points from there, along the axis and to its left.
-    levers: SmallVec<[(T, SmallVec<[Vector<T>; 4]>); 3]>,
+    levers: SmallVec<[(T, Levers<T>); 3]>,
     /// Natural length of each spring; 0 of a torsion spring.
     natural: SmallVec<[T; 2]>,
     /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
