@@ -267,9 +267,9 @@ pub struct Factors<T> {
     /// The factors row by row, with the inverse of each pivot in its place.
     cells: Vec<T>,
     /// For each row a bit for each column that may be other than 0.
-    filled: SmallVec<[u64; 12]>,
+    filled: Vec<u64>,
     /// The rows in the order of their pivots.
-    order: SmallVec<[usize; 12]>,
+    order: Vec<usize>,
 }
 
 /// The places of the bits that are set, from the lowest.
@@ -284,8 +284,8 @@ fn places(mut bits: u64) -> impl Iterator<Item = usize> {
 
 impl<T: Real> Factors<T> {
     /// No matrix yet.
-    pub fn none() -> Self {
-        Self { size: 0, cells: Vec::new(), filled: SmallVec::new(), order: SmallVec::new() }
+    pub const fn none() -> Self {
+        Self { size: 0, cells: Vec::new(), filled: Vec::new(), order: Vec::new() }
     }
     /// Makes room for a matrix of zeros, to be filled.
     pub fn room(&mut self, size: usize) {
