@@ -109,31 +109,31 @@ impl<V: Copy> Formula<V> {
             if WEIGHED {
                 scale_of(*step, &stack, &mut scales, top);
             }
-            match *step {
-                Step::Number(x) => stack[top] = number(x),
-                Step::Pi => stack[top] = T::constant(Dd::PI),
+            let (at, value) = match *step {
+                Step::Number(x) => (top, number(x)),
+                Step::Pi => (top, T::constant(Dd::PI)),
                 Step::Name(name) => {
                     let (value, scale) = value(name);
-                    (stack[top], scales[top]) = (value, scale);
+                    if WEIGHED {
+                        scales[top] = scale;
+                    }
+                    (top, value)
                 }
-                Step::Negate => stack[b] = -stack[b],
+                Step::Negate => (b, -stack[b]),
                 // What is known to no radius decides nothing here: its root has none either.
-                Step::Sqrt if stack[b].f64() < 0.0 => stack[b] = T::of(f64::NAN),
-                Step::Sqrt => stack[b] = stack[b].root(),
-                Step::Abs => stack[b] = stack[b].abs(),
-                Step::Sin => stack[b] = sine_cosine(stack[b]).0,
-                Step::Cos => stack[b] = sine_cosine(stack[b]).1,
-                Step::Power(n) => stack[b] = power(stack[b], n),
-                Step::Add => stack[a] = stack[a] + stack[b],
-                Step::Subtract => stack[a] = stack[a] - stack[b],
-                Step::Multiply => stack[a] = stack[a] * stack[b],
-                Step::Divide => stack[a] = stack[a] / stack[b],
-            }
-            match step {
-                Step::Number(_) | Step::Pi | Step::Name(_) => top += 1,
-                Step::Add | Step::Subtract | Step::Multiply | Step::Divide => top -= 1,
-                _ => {}
-            }
+                Step::Sqrt if stack[b].f64() < 0.0 => (b, T::of(f64::NAN)),
+                Step::Sqrt => (b, stack[b].root()),
+                Step::Abs => (b, stack[b].abs()),
+                Step::Sin => (b, sine_cosine(stack[b]).0),
+                Step::Cos => (b, sine_cosine(stack[b]).1),
+                Step::Power(n) => (b, power(stack[b], n)),
+                Step::Add => (a, stack[a] + stack[b]),
+                Step::Subtract => (a, stack[a] - stack[b]),
+                Step::Multiply => (a, stack[a] * stack[b]),
+                Step::Divide => (a, stack[a] / stack[b]),
+            };
+            stack[at] = value;
+            top = at + 1;
         }
         (stack[0], scales[0])
     }

@@ -61,6 +61,12 @@ enum Hard<T> {
     Residual(SmallVec<[T; 8]>),
 }
 
+/// The largest of sizes; 0 of none, and NaN is none.
+#[inline]
+fn most(sizes: impl Iterator<Item = f64>) -> f64 {
+    sizes.fold(0.0, |most, size| if size > most { size } else { most })
+}
+
 fn add<T: Real>(cell: &mut T, v: T) {
     *cell = if cell.is_zero() { v } else { *cell + v };
 }
@@ -151,39 +157,37 @@ impl<T: Real> Linear<T> {
     /// 5 unknowns and one right-hand side.
     fn eliminated(&self, wanted: Range<usize>, scales: &[f64]) -> Result<SmallVec<[T; 8]>, Hard<T>> {
         let (n, width) = (self.unknowns, self.unknowns + self.columns);
-        let mut cells: SmallVec<[T; 30]> = self.cells.iter().copied().collect();
-        // As slices: a small vector asks at each access where it lies. First the rows that are used, then the others.
-        let mut rows: SmallVec<[(&mut [T], f64); 6]> = SmallVec::new();
-        for row in cells.chunks_exact_mut(width) {
-            let sizes = row[..n].iter().zip(scales).map(|(cell, scale)| cell.size() * scale);
-            let largest = sizes.fold(0.0, f64::max);
-            rows.push((row, largest));
-        }
+        let mut cells: SmallVec<[T; 30]> = SmallVec::from(&self.cells[..]);
+        // As slices: a small vector asks at each access where it lies.
+        let cells = &mut cells[..];
+        // Where each row begins, and its largest number: first the rows that are used, then the others.
+        let mut rows: SmallVec<[(usize, f64); 6]> = smallvec![(0, 0.0); n];
         let rows = &mut rows[..];
+        for (place, row) in rows.iter_mut().enumerate() {
+            let numbers = cells[place * width..][..n].iter().zip(scales);
+            *row = (place * width, most(numbers.map(|(cell, scale)| cell.size() * scale)));
+        }
         for col in 0..n {
             let mut best: Option<(usize, f64)> = None;
-            for (place, (row, largest)) in rows.iter().enumerate().skip(col) {
-                if !row[col].is_zero() {
-                    let share = row[col].size() * scales[col] / largest;
-                    if best.is_none_or(|(_, s)| share > s) {
-                        best = Some((place, share));
-                    }
+            for (place, (start, largest)) in rows.iter().enumerate().skip(col) {
+                let share = cells[start + col].size() * scales[col] / largest;
+                if !cells[start + col].is_zero() && best.is_none_or(|(_, s)| share > s) {
+                    best = Some((place, share));
                 }
             }
             rows.swap(col, best.ok_or(Hard::Repeats)?.0);
-            let (used, rest) = rows.split_at_mut(col + 1);
-            let pivot = &used[col].0[col..];
-            for (row, _) in rest {
-                let row = &mut row[col..];
-                if row[0].is_zero() {
+            let (pivot, rest) = (rows[col].0, &rows[col + 1..]);
+            for (start, _) in rest {
+                if cells[start + col].is_zero() {
                     continue;
                 }
-                let factor = row[0] / pivot[0];
-                for (c, (cell, above)) in row.iter_mut().zip(pivot).enumerate().skip(1) {
+                let factor = cells[start + col] / cells[pivot + col];
+                for c in col + 1..width {
+                    let (cell, above) = (cells[start + c], cells[pivot + c]);
                     if !above.is_zero() {
-                        let less = factor * *above;
+                        let less = factor * above;
                         // A coefficient that is only rounding is no pivot.
-                        *cell = if col + c < n { cell.balance(-less) } else { *cell - less };
+                        cells[start + c] = if c < n { cell.balance(-less) } else { cell - less };
                     }
                 }
             }
@@ -191,7 +195,8 @@ impl<T: Real> Linear<T> {
         let mut out: SmallVec<[T; 8]> = smallvec![T::zero(); n * wanted.len()];
         let mut settled = true;
         for (k, x) in wanted.zip(out.chunks_exact_mut(n.max(1))) {
-            for (col, (row, _)) in rows.iter().enumerate().rev() {
+            for (col, (start, _)) in rows.iter().enumerate().rev() {
+                let row = &cells[*start..][..width];
                 let mut sum = row[n + k];
                 for (cell, x) in row[col + 1..n].iter().zip(&x[col + 1..]) {
                     if !cell.is_zero() && !x.is_zero() {
@@ -210,8 +215,8 @@ impl<T: Real> Linear<T> {
 
     /// Are the unknowns and the right-hand sides of very different sizes?
     fn far_apart(&self, k: usize, x: &[T]) -> bool {
-        let given = self.rows(k).map(|(.., given)| given);
-        let largest = x.iter().map(|v| v.size()).chain(given).fold(0.0, f64::max);
+        let given = self.given.iter().skip(k).step_by(self.columns).copied();
+        let largest = f64::max(most(x.iter().map(|v| v.size())), most(given));
         x.iter().any(|v| v.size() > 0.0 && v.size() < APART * largest)
     }
 
@@ -255,78 +260,97 @@ const APART: f64 = 1.0 / (1u64 << 24) as f64;
 /// A pivot below this share of its row, 2^-20, would cost more than a few digits.
 const POOR: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// A matrix in triangular factors, for many right-hand sides. It is made again and again in the same place.
+/// A matrix in triangular factors, for many right-hand sides. It is made again and again in the same place. Most of its cells are 0.
 #[derive(Debug, Clone, Default)]
 pub struct Factors<T> {
     size: usize,
     /// The factors row by row, with the inverse of each pivot in its place.
     cells: Vec<T>,
-    /// Which row of the matrix each one is.
-    order: SmallVec<[usize; 12]>,
+    /// For each row a bit for each column that may be other than 0.
+    filled: Vec<u64>,
+    /// The rows in the order of their pivots.
+    order: Vec<usize>,
+}
+
+/// The places of the bits that are set, from the lowest.
+#[inline]
+fn places(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = bits.trailing_zeros() as usize;
+        bits &= bits.wrapping_sub(1);
+        (place < 64).then_some(place)
+    })
 }
 
 impl<T: Real> Factors<T> {
     /// No matrix yet.
-    pub fn none() -> Self {
-        Self { size: 0, cells: Vec::new(), order: SmallVec::new() }
+    pub const fn none() -> Self {
+        Self { size: 0, cells: Vec::new(), filled: Vec::new(), order: Vec::new() }
     }
-    /// Makes room for a matrix: the zeros of its cells, row by row, to be filled.
-    pub fn room(&mut self, size: usize) -> &mut [T] {
+    /// Makes room for a matrix of zeros, to be filled.
+    pub fn room(&mut self, size: usize) {
         self.size = size;
         self.cells.clear();
         self.cells.resize(size * size, T::zero());
-        &mut self.cells
+        self.filled.clear();
+        self.filled.resize(size, 0);
     }
-    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column: [`Linear`] may still
-    /// do. Rows and columns may differ by any power of ten.
+    /// Adds to a cell.
+    pub fn add(&mut self, row: usize, col: usize, value: T) {
+        if !value.is_zero() {
+            add(&mut self.cells[row * self.size + col], value);
+            self.filled[row] |= 1 << (col % 64);
+        }
+    }
+    /// Puts the factors of the matrix in its place. False where a pivot is lost beside its row and its column, or of more than 64
+    /// unknowns: [`Linear`] may still do. Rows and columns may differ by any power of ten.
     pub fn reduce(&mut self) -> bool {
-        let (size, cells) = (self.size, &mut self.cells[..]);
-        let mut largest: SmallVec<[f64; 12]> = smallvec![0.0; size];
-        for row in cells.chunks_exact(size) {
-            for (largest, cell) in largest.iter_mut().zip(row) {
-                *largest = if cell.size() > *largest { cell.size() } else { *largest };
+        let (size, cells, filled) = (self.size, &mut self.cells[..], &mut self.filled[..]);
+        if size > 64 {
+            return false;
+        }
+        let mut sizes: SmallVec<[f64; 24]> = smallvec![0.0; 2 * size];
+        let (largest, scales) = sizes.split_at_mut(size);
+        for (row, bits) in cells.chunks_exact(size).zip(&*filled) {
+            for col in places(*bits) {
+                largest[col] = if row[col].size() > largest[col] { row[col].size() } else { largest[col] };
             }
         }
         largest.iter_mut().for_each(|x| *x = 1.0 / *x);
-        let mut scales: SmallVec<[f64; 12]> = smallvec![0.0; size];
-        for (scale, row) in scales.iter_mut().zip(cells.chunks_exact(size)) {
-            for (share, cell) in largest.iter().zip(row).map(|(per, cell)| (cell.size() * per, cell)) {
-                *scale = if share > *scale && !cell.is_zero() { share } else { *scale };
-            }
-            *scale = 1.0 / *scale;
+        for ((row, bits), scale) in cells.chunks_exact(size).zip(&*filled).zip(scales.iter_mut()) {
+            *scale = 1.0 / most(places(*bits).map(|col| row[col].size() * largest[col]));
         }
         self.order.clear();
         self.order.extend(0..size);
+        let order = &mut self.order[..];
         for col in 0..size {
             let (mut best, mut most) = (col, 0.0);
-            for (place, scale) in scales.iter().enumerate().skip(col) {
-                let share = cells[place * size + col].size() * scale;
-                if share > most {
-                    (best, most) = (place, share);
+            for (place, row) in order.iter().copied().enumerate().skip(col) {
+                if filled[row] >> col & 1 == 1 {
+                    let share = cells[row * size + col].size() * scales[row];
+                    (best, most) = if share > most { (place, share) } else { (best, most) };
                 }
             }
             let kept = most * largest[col] > POOR;
             if !kept {
                 return false;
             }
-            if best != col {
-                self.order.swap(col, best);
-                scales.swap(col, best);
-                (0..size).for_each(|c| cells.swap(col * size + c, best * size + c));
-            }
-            let (above, below) = cells.split_at_mut((col + 1) * size);
-            let pivot = &mut above[col * size + col..];
-            pivot[0] = T::of(1.0) / pivot[0];
-            for row in below.chunks_exact_mut(size) {
-                let row = &mut row[col..];
-                if row[0].is_zero() {
+            order.swap(col, best);
+            let (pivot, bits) = (order[col] * size, filled[order[col]] & !1 << col);
+            let inverse = T::of(1.0) / cells[pivot + col];
+            cells[pivot + col] = inverse;
+            for row in order[col + 1..].iter().copied() {
+                let start = row * size;
+                if filled[row] >> col & 1 == 0 || cells[start + col].is_zero() {
                     continue;
                 }
-                let factor = row[0] * pivot[0];
-                row[0] = factor;
-                for (cell, above) in row[1..].iter_mut().zip(&pivot[1..]) {
+                let factor = cells[start + col] * inverse;
+                cells[start + col] = factor;
+                filled[row] |= bits;
+                for c in places(bits) {
+                    let above = cells[pivot + c];
                     if !above.is_zero() {
-                        *cell = *cell - factor * *above;
+                        cells[start + c] = cells[start + c] - factor * above;
                     }
                 }
             }
@@ -336,25 +360,27 @@ impl<T: Real> Factors<T> {
     /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
-        let less = |(sum, size): &mut (T, f64), cell: T, x: T| {
-            if !x.is_zero() && !cell.is_zero() {
-                let term = cell * x;
-                (*sum, *size) = (*sum - term, *size + term.size());
+        let (x, filled, order) = (&mut x[..], &self.filled[..], &self.order[..]);
+        let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
+            let cells = &self.cells[row * self.size..][..self.size];
+            let (mut sum, mut size) = x[r];
+            for c in places(filled[row] & columns) {
+                let (cell, x) = (cells[c], x[c].0);
+                if !x.is_zero() && !cell.is_zero() {
+                    let term = cell * x;
+                    (sum, size) = (sum - term, size + term.size());
+                }
             }
+            (sum, size)
         };
-        let rows = || self.cells.chunks_exact(self.size).enumerate();
-        for (r, row) in rows() {
-            let (before, rest) = x.split_at_mut(r);
-            let own = right[self.order[r]];
-            rest[0] = (own, own.size());
-            row.iter().zip(before).for_each(|(cell, x)| less(&mut rest[0], *cell, x.0));
+        for (r, row) in order.iter().copied().enumerate() {
+            x[r] = (right[row], right[row].size());
+            x[r] = less(x, r, row, !(!0 << r));
         }
-        for (r, row) in rows().rev() {
-            let (here, after) = x.split_at_mut(r + 1);
-            let own = &mut here[r];
-            row[r + 1..].iter().zip(after).for_each(|(cell, x)| less(own, *cell, x.0));
-            own.0 = own.0.cleared(own.1) * row[r];
-            right[r] = own.0;
+        for (r, row) in order.iter().copied().enumerate().rev() {
+            let (sum, size) = less(x, r, row, !1 << r);
+            right[r] = sum.cleared(size) * self.cells[row * self.size + r];
+            x[r].0 = right[r];
         }
     }
 }
@@ -407,7 +433,8 @@ mod tests {
         let rows = [[0.0, 2.0, 1.0], [4.0, 1.0, -1.0], [1.0, 0.0, 3.0]];
         let mut factors = Factors::none();
         let mut fill = |size: usize, cells: &[f64]| {
-            factors.room(size).iter_mut().zip(cells).for_each(|(cell, x)| *cell = Dd::new(*x));
+            factors.room(size);
+            cells.iter().enumerate().for_each(|(i, x)| factors.add(i / size, i % size, Dd::new(*x)));
             factors.reduce().then_some(factors.clone())
         };
         let mut x = [7.0, 3.0, 10.0].map(Dd::new);

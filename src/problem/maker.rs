@@ -381,15 +381,15 @@ impl<'p> Maker<'p> {
         let off = |comes_to: f64| (comes_to - value).abs() < reach;
         // Where a magnitude is asked, a sign is no answer.
         let magnitude = || self.problem.cases.iter().all(|case| case.scene.is_magnitude(wrong.label));
-        off(wrong.value) || magnitude() && off(-wrong.value)
+        off(wrong.value) || off(-wrong.value) && magnitude()
     }
 
     /// Does a wrong method refuse a draw?
     fn refuses(&self, wrong: &Wrong, right: &[Right]) -> bool {
         let mistake = &self.problem.mistakes[wrong.mistake];
         let unguarded = &self.problem.questions[wrong.asked].unguarded;
-        self.near(wrong, right)
-            && mistake.unguarded.is_none()
+        mistake.unguarded.is_none()
+            && self.near(wrong, right)
             && !unguarded.iter().any(|(id, _)| *id == mistake.id)
     }
 

@@ -9,6 +9,7 @@ use crate::num::{Fast, NOISE, Real};
 use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road, Scope};
+use smallvec::SmallVec;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-26, -29, -36, -46];
@@ -33,8 +34,11 @@ struct Changed<T> {
     by: f64,
     /// Is it a motion of the same kind?
     alike: bool,
-    values: Vec<Option<T>>,
+    values: Values<T>,
 }
+
+/// One value for each entry, where it has one and it is asked.
+type Values<T> = SmallVec<[Option<T>; 4]>;
 
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
@@ -52,43 +56,53 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell.
 fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> (Vec<f64>, Vec<bool>) {
     let used = used(scene, data);
-    let values =
-        |road: &Road<T>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
-    let nothing = vec![None; entries.len()];
-    let asked = Scope::only(entries.iter().map(|e| e.label.quantity));
-    let solved = |data: &[f64]| eom::road_of(scene, data, asked);
-    let base: Vec<Option<T>> = solved(data).map_or_else(|_| nothing.clone(), |road| values(&road));
-    let mut moved = data.to_vec();
-    let mut change = |i: usize, by: f64| {
-        moved[i] = data[i] * (1.0 + by);
-        let road = solved(&moved).ok();
-        let by = moved[i] / data[i] - 1.0;
-        moved[i] = data[i];
-        let alike = road.as_ref().is_some_and(|r| r.course.as_ref().map(|c| (c.sense, c.reached)) == kind);
-        Changed { by, alike, values: road.map_or_else(|| nothing.clone(), |r| values(&r)) }
-    };
     let mut rounded = vec![false; entries.len()];
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
-    for power in STEPS {
+    // What was found needs no further road.
+    let solved = |data: &[f64], conds: &[Option<f64>]| {
+        let missing = entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
+        let road = eom::road_of(scene, data, Scope::only(missing.map(|(e, _)| e.label.quantity))).ok();
+        let value = |at: usize| match conds[at] {
+            Some(_) => None,
+            None => value(road.as_ref()?, at, entries[at].label),
+        };
+        let values: Values<T> = (0..entries.len()).map(value).collect();
+        let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
+        (values, road.as_ref().map(kind))
+    };
+    let (base, _) = solved(data, &conds);
+    let mut moved = data.to_vec();
+    let mut changed = |by: f64, conds: &[Option<f64>]| -> Vec<Changed<T>> {
+        let change = |i: &usize| {
+            moved[*i] = data[*i] * (1.0 + by);
+            let (values, found) = solved(&moved, conds);
+            let by = moved[*i] / data[*i] - 1.0;
+            moved[*i] = data[*i];
+            Changed { by, alike: found == Some(kind), values }
+        };
+        used.iter().map(change).collect()
+    };
+    'found: for power in STEPS {
         let step = pow2(power);
-        let up: Vec<Changed<T>> = used.iter().map(|i| change(*i, step)).collect();
+        let up = changed(step, &conds);
         let mut down: Vec<Changed<T>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
-                down = used.iter().map(|i| change(*i, -step)).collect();
+                down = changed(-step, &conds);
             } else if !up.iter().all(|c| c.alike) {
                 continue;
             }
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let slopes = || (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i)));
-                let found = relative(entry, slopes().map(|s| s.size).sum());
+                let slopes = (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i)));
+                let (sum, uneven) = slopes.fold((0.0, false), |(sum, u), s| (sum + s.size, u || s.uneven));
+                let found = relative(entry, sum);
                 let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
                 if found * step <= fine || last {
                     // A kink beside the data is left behind by a smaller step; one at the data is not.
-                    if slopes().any(|s| s.uneven) {
+                    if uneven {
                         let kink = *kinks[at].get_or_insert(found);
                         // Seen from the widest step, where rounding tells least, unless the last one sees something else.
                         let same = (found - kink).abs() <= UNEVEN * found;
@@ -100,11 +114,8 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
                 }
             }
             if conds.iter().all(Option::is_some) {
-                break;
+                break 'found;
             }
-        }
-        if conds.iter().all(Option::is_some) {
-            break;
         }
     }
     let told = |cond: Option<f64>| match cond {

@@ -34,6 +34,8 @@ pub const SQUARE: usize = 1;
 
 /// A vector of the plane.
 type Vector<T> = [T; 2];
+/// One for each named point of a body.
+type Levers<T> = SmallVec<[Vector<T>; 4]>;
 
 /// Bodies and joints in numbers.
 #[derive(Debug, Clone)]
@@ -51,6 +53,10 @@ pub struct Mechanism<'a, T: Real> {
     /// How many velocities there are.
     columns: usize,
     layout: Layout<'a, T>,
+    /// Where nothing pushes it along its guide: the direction of that.
+    drift: Option<Vector<T>>,
+    /// For each body: how far its mass centre is along its axis, and its points from there, along the axis and to its left.
+    levers: SmallVec<[(T, Levers<T>); 3]>,
     /// Natural length of each spring; 0 of a torsion spring.
     natural: SmallVec<[T; 2]>,
     /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
@@ -59,7 +65,7 @@ pub struct Mechanism<'a, T: Real> {
 
 /// Where all bodies are.
 type Poses<T> = pose::Poses<T>;
-/// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise.
+/// Velocity or acceleration of each mass centre, and of each turn, counter-clockwise; or force and moment.
 type Rates<T> = SmallVec<[[T; 3]; 3]>;
 
 /// Where all bodies are, and how fast they move for a unit rate of the leading angle.
@@ -146,6 +152,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
         };
         let first = scene.bodies.iter().map(|b| if b.turns { 3 } else { 2 });
         let held = scene.joints.iter().map(|j| j.kind.forces().len());
+        let levers = |body: usize| {
+            let planar = scene.bodies[body].planar.as_ref();
+            let centre = planar.map_or_else(T::zero, |p| pose::along(n, p.centre));
+            let spots = (0..planar.map_or(0, |p| p.points.len())).map(|point| Spot { body, point });
+            let places = spots.map(|spot| pose::of_spot(scene, n, spot));
+            (centre, places.map(|[along, aside]| [along - centre, aside]).collect())
+        };
         let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
         if LOOKED_THROUGH
             && !T::is_double()
@@ -161,6 +174,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
             first: first.scan(0, sums).collect(),
             held: held.scan(0, sums).collect(),
             layout,
+            drift: scene.drifts().map(|direction| pose::direction(n, direction)),
+            levers: (0..scene.bodies.len()).map(levers).collect(),
             natural: SmallVec::new(),
             relaxed: SmallVec::new(),
         };
@@ -211,18 +226,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
         poses[spot.body].point(pose::of_spot(self.scene, self.n, spot))
     }
     fn centre(&self, poses: &Poses<T>, body: usize) -> Vector<T> {
-        let along =
-            self.scene.bodies[body].planar.as_ref().map_or_else(T::zero, |p| pose::along(self.n, p.centre));
-        poses[body].point([along, T::zero()])
+        poses[body].point([self.levers[body].0, T::zero()])
     }
     /// From the mass centre to a point.
     fn lever(&self, poses: &Poses<T>, spot: Spot) -> Vector<T> {
-        let centre = self.scene.bodies[spot.body]
-            .planar
-            .as_ref()
-            .map_or_else(T::zero, |p| pose::along(self.n, p.centre));
-        let [along, aside] = pose::of_spot(self.scene, self.n, spot);
-        let ([c, s], apart) = (poses[spot.body].axis, along - centre);
+        let (centre, points) = &self.levers[spot.body];
+        let [apart, aside] = points.get(spot.point).copied().unwrap_or([-*centre, T::zero()]);
+        let [c, s] = poses[spot.body].axis;
         if aside.is_zero() {
             return [c * apart, s * apart];
         }
@@ -368,31 +378,19 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if !moving {
             return Ok(());
         }
-        if let Some(direction) = self.scene.drifts() {
-            // Nothing pushes it along the guide: from rest its mass centre does not move that way.
+        if let Some(along) = self.drift {
+            // From rest its mass centre does not move that way.
             let zero = T::zero();
-            let along = pose::direction(self.n, direction);
             let end = End { body: self.lead, along, lever: [zero; 2], radius: zero };
             state.rows.push(Row::new(self.scene.joints.len(), end, None, zero));
         }
         let (columns, count) = (self.columns, state.rows.len() + 1);
-        let held = || state.rows.iter().chain([&state.leads.0]);
-        let fill = |row: &mut [T], held: &Row<T>| {
-            for end in held.ends() {
-                let at = self.first[end.body];
-                row[at] = row[at] + end.along[0];
-                row[at + 1] = row[at + 1] + end.along[1];
-                if self.turns(end.body) {
-                    row[at + 2] =
-                        row[at + 2] + plant!("eom: speed of a joint about the mass centre", end.turn());
-                }
-            }
-        };
         let mut speeds: SmallVec<[T; 12]> = smallvec![T::zero(); count];
         speeds[count - 1] = state.leads.1;
         state.determined = count == columns && {
-            let cells = state.kinematics.room(columns);
-            cells.chunks_exact_mut(columns).zip(held()).for_each(|(row, held)| fill(row, held));
+            state.kinematics.room(columns);
+            let rows = state.rows.iter().chain([&state.leads.0]).enumerate();
+            rows.for_each(|(r, held)| self.speeds(held, |at, x| state.kinematics.add(r, at, x)));
             state.kinematics.reduce()
         };
         if state.determined {
@@ -400,9 +398,9 @@ impl<'a, T: Real> Mechanism<'a, T> {
         } else {
             // Joints that repeat each other, or a place near to where they do.
             let mut equations = Equations::new(columns);
-            for (held, speed) in held().zip(&speeds) {
+            for (held, speed) in state.rows.iter().chain([&state.leads.0]).zip(&speeds) {
                 let row = equations.row();
-                fill(row, held);
+                self.speeds(held, |at, x| row[at] = row[at] + x);
                 row[columns] = *speed;
             }
             let reduced = equations.reduce(&[]);
@@ -411,6 +409,18 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         self.per_body(&speeds, &mut state.rates);
         Ok(())
+    }
+
+    /// What a row makes of the velocities: of each that it holds its place among all, and its share.
+    fn speeds(&self, held: &Row<T>, mut tell: impl FnMut(usize, T)) {
+        for end in held.ends() {
+            let at = self.first[end.body];
+            tell(at, end.along[0]);
+            tell(at + 1, end.along[1]);
+            if self.turns(end.body) {
+                tell(at + 2, plant!("eom: speed of a joint about the mass centre", end.turn()));
+            }
+        }
     }
 
     /// Sorts velocities or accelerations by bodies.
@@ -437,8 +447,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
 
     /// For each body: the forces on it and their moment about the mass centre, save those of joints; or the impulses of blows.
-    fn forces(&self, poses: &Poses<T>, blows: bool) -> SmallVec<[[T; 3]; 2]> {
-        let mut forces: SmallVec<[[T; 3]; 2]> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
+    fn forces(&self, poses: &Poses<T>, blows: bool) -> Rates<T> {
+        let mut forces: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
         if !blows {
             for (force, numbers) in forces.iter_mut().zip(&self.n.bodies) {
                 force[1] = -plant!("eom: weight in the plane", numbers.mass * self.n.gravity);
@@ -588,7 +598,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
     ) -> Result<(Response<T>, T), Refusal> {
         let mut response = self.respond(state, sliding)?;
         let rows = self.rubbing(state, sliding);
-        let mut couple: SmallVec<[[T; 3]; 2]> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
+        let mut couple: Rates<T> = smallvec![[T::zero(); 3]; self.n.bodies.len()];
         couple[self.lead][2] = plant!("eom: couple of a drive", T::of(self.sense(self.lead)));
         let unit = self.answer(state, &rows, &couple, false)?;
         let (constant, by_square) = self.turning(&response, self.lead);
@@ -651,13 +661,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
         state.kinematics.solve(&mut bend);
         self.per_body(&bend, &mut bends);
         let mut factors = Factors::none();
-        let cells = factors.room(count);
+        factors.room(count);
         let mut rights: [SmallVec<[T; 12]>; 2] = [smallvec![T::zero(); count], smallvec![T::zero(); count]];
         for (b, force) in forces.iter().enumerate() {
             let inertias = self.inertias(b);
             for k in 0..if self.turns(b) { 3 } else { 2 } {
                 let at = self.first[b] + k;
-                cells[at * count + count - 1] = inertias[k] * state.rates[b][k];
+                factors.add(at, count - 1, inertias[k] * state.rates[b][k]);
                 rights[0][at] = force[k];
                 rights[1][at] = -(inertias[k] * bends[b][k]);
             }
@@ -666,8 +676,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             for end in row.ends() {
                 let force = Self::reacts(row, end);
                 for (k, f) in force.iter().enumerate().take(if self.turns(end.body) { 3 } else { 2 }) {
-                    let cell = &mut cells[(self.first[end.body] + k) * count + j];
-                    *cell = *cell - *f;
+                    factors.add(self.first[end.body] + k, j, -*f);
                 }
             }
         }
