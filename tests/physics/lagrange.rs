@@ -988,7 +988,13 @@ impl<'s> System<'s> {
             }
             if f.line && f.on_surface {
                 let normal = pressed(s, &self.frames, self.mass[3 * b], b);
-                say("normal", own, normal, forces);
+                // On a wall what rolls without a coefficient of friction has teeth.
+                let wall = matches!(s.bodies[b].way, Way::Along(i) if s.surfaces[i].vertical);
+                let toothed = |tie: &Tie| matches!(tie, Tie::Rolls { body, mu_s: None, .. } if *body == b);
+                let pulled = |tie: &Tie| matches!(tie, Tie::Cord { from, .. } if from.body == b && from.tilt.is_some());
+                if !wall || !s.ties.iter().any(toothed) || s.ties.iter().any(pulled) {
+                    say("normal", own, normal, forces);
+                }
             }
         }
         if arrived || told.rests {
@@ -1012,7 +1018,7 @@ impl<'s> System<'s> {
             _ => 0.0,
         };
         // As far as the scene looks: to its end, or to the turning point if it turns before.
-        let last = if !moves {
+        let last = if !moves || s.event == Event::AtOnce {
             tension
         } else if arrived {
             stretch_at(at)
