@@ -1,10 +1,9 @@
 //! The keys of a whole set, laid out for looking up by bytes.
 use crate::csv_field::unguarded;
-use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::id_index::Ids;
 use crate::grade::row::AnswerRow;
-use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey, WrongValue};
+use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey};
 use crate::policy::Policy;
 use crate::units::{Unit, spell};
 use rustc_hash::FxHashMap;
@@ -87,10 +86,6 @@ pub struct KeyTable {
     /// In the order of the sheets.
     pub columns: Vec<Column>,
     entries: Vec<Option<KeyEntry>>,
-    /// For each entry what a wrong answer is compared with.
-    known: Vec<Option<Comparison>>,
-    /// The wrong values of all entries, one behind the other.
-    wrong: Vec<WrongValue>,
     /// For each column the ids of the wrong methods of its problem.
     methods: Vec<Arc<[String]>>,
     /// For each column the relations between the parts of its problem.
@@ -169,7 +164,6 @@ impl KeyTable {
         let columns = columns(&sheets);
         let mut table = KeyTable {
             entries: Vec::with_capacity(sheets.len() * columns.len()),
-            known: Vec::with_capacity(sheets.len() * columns.len()),
             methods: vec![Arc::from([]); columns.len()],
             follows: vec![Arc::from([]); columns.len()],
             numbers: Vec::with_capacity(sheets.len() * columns.len()),
@@ -223,14 +217,6 @@ impl KeyTable {
             for (column, entry) in found.iter().enumerate() {
                 let quick = table.quick_key(column, entry.as_ref());
                 table.quick.push(quick);
-            }
-            for (at, (first, end)) in table.problems.iter().enumerate() {
-                let mut known = Comparison::of(at - first, &found[*first..*end]);
-                if let (Some(known), Some(entry)) = (&mut known, &found[at]) {
-                    known.wrong = (table.wrong.len() as u32, entry.wrong.len() as u32);
-                    table.wrong.extend_from_slice(&entry.wrong);
-                }
-                table.known.push(known);
             }
             table.entries.append(&mut found);
             table.numbers.append(&mut numbers);
@@ -296,17 +282,11 @@ impl KeyTable {
     pub fn entry(&self, student: usize, column: usize) -> Option<&KeyEntry> {
         self.entries.get(student * self.columns.len() + column).and_then(Option::as_ref)
     }
-    /// The entries of the problem to which a column belongs, the place of the column among them, and the ids of the wrong
-    /// methods of the problem.
-    pub(crate) fn problem_of(
-        &self,
-        student: usize,
-        column: usize,
-    ) -> (&[Option<KeyEntry>], usize, &[String]) {
-        let Some((first, end)) = self.problems.get(column).copied() else { return (&[], 0, &[]) };
+    /// The entries of the problem to which a column belongs, and the place of the column among them.
+    pub(crate) fn problem_of(&self, student: usize, column: usize) -> (&[Option<KeyEntry>], usize) {
+        let Some((first, end)) = self.problems.get(column).copied() else { return (&[], 0) };
         let row = student * self.columns.len();
-        let parts = self.entries.get(row + first..row + end).unwrap_or_default();
-        (parts, column - first, &self.methods[column])
+        (self.entries.get(row + first..row + end).unwrap_or_default(), column - first)
     }
     /// Ids of the wrong methods of a column's problem.
     pub(crate) fn methods(&self, column: usize) -> &[String] {
@@ -341,20 +321,6 @@ impl KeyTable {
             for entry in self.entries.iter_mut().skip(column).step_by(width).flatten() {
                 entry.points = points;
             }
-        }
-    }
-    /// What a wrong answer fits.
-    #[inline]
-    pub(crate) fn diagnose(&self, x: f64, cell: &[u8], student: usize, column: usize) -> Diagnosis {
-        let Some((first, end)) = self.problems.get(column).copied() else { return Diagnosis::default() };
-        let row = student * self.columns.len();
-        match (self.known.get(row + column), self.entries.get(row + first..row + end)) {
-            (Some(Some(known)), Some(parts)) => {
-                let (from, count) = known.wrong;
-                let wrong = self.wrong.get(from as usize..from as usize + count as usize);
-                known.diagnose(x, cell, column - first, parts, wrong.unwrap_or_default())
-            }
-            _ => Diagnosis::default(),
         }
     }
     /// What the quick way needs of an entry, and how it is asked.

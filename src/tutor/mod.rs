@@ -139,7 +139,8 @@ impl<'a, 'w> Tutor<'a, 'w> {
         }
         let mut hints = Vec::new();
         if judgement.number.is_finite() {
-            let found = diagnose::diagnose(judgement.number, cell, part, &self.parts);
+            let found =
+                diagnose::diagnose(judgement.number, cell.as_bytes(), part, &self.parts, &entry.wrong);
             let index = found.methods.iter().map(|m| usize::from(*m));
             told.methods = index.filter_map(|m| self.ids.get(m).cloned()).collect();
             // That a number of one or two figures is the right one rounded would give away the next figure of the key.
