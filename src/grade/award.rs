@@ -51,9 +51,11 @@ pub(crate) fn diagnosed(
 ) -> Fits {
     let GradingJob { table, say, .. } = *job;
     let methods = table.methods(what as usize);
-    let (parts, part) = table.problem_of(who as usize, what as usize);
-    let wrong = job.wrong_values(who as usize, what as usize);
-    let Diagnosis { methods: found, near, slip } = diagnose(judgement.number, cell, part, parts, wrong);
+    let at = (who as usize, what as usize);
+    let Diagnosis { methods: found, near, slip } = match table.problem_of(at.0, at.1) {
+        Some((key, part)) => diagnose(judgement.number, cell, part, &key.parts, job.wrong_values(at.0, at.1)),
+        None => Diagnosis::default(),
+    };
     let mut fits = Fits { methods: String::new(), slip: String::new(), near };
     let told = slip.map(|slip| slip_in_words(slip, table, what, say));
     if let Some((word, told)) = told {

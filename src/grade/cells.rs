@@ -68,11 +68,14 @@ pub(crate) fn cells<'a>(record: &Record<'a>, layout: &'a FileLayout, mut each: i
 impl GradingJob<'_> {
     /// Where wrong methods come to for a part of a student.
     pub fn wrong_values(&self, who: usize, what: usize) -> &[WrongValue] {
-        let Some(wrong) = self.wrong else {
-            return self.table.entry(who, what).map_or(&[], |entry| &entry.wrong);
-        };
-        let of_part = what - self.table.first_of(what);
-        wrong.values(who, self.table.columns[what].number - 1).get(of_part).map_or(&[], Vec::as_slice)
+        let Some((problem, part)) = self.table.problem_of(who, what) else { return &[] };
+        match self.wrong {
+            Some(wrong) => {
+                let of_problem = wrong.values(who, self.table.columns[what].number - 1);
+                of_problem.get(part).map_or(&[], Vec::as_slice)
+            }
+            None => &problem.parts[part].wrong,
+        }
     }
 
     /// The number of a student and a column in lists of all cells.

@@ -55,8 +55,8 @@ pub(crate) fn credit(
         let found = match methods {
             Some(methods) => share(methods),
             None => {
-                let (parts, part) = table.problem_of(who, what);
-                share(&diagnose::methods(x, part, parts, job.wrong_values(who, what)))
+                let Some((problem, part)) = table.problem_of(who, what) else { return best };
+                share(&diagnose::methods(x, part, &problem.parts, job.wrong_values(who, what)))
             }
         };
         if found > best.share {
@@ -83,7 +83,7 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
     if follow.from.iter().any(|part| table.code(who, first + part) != table.code(who, what)) {
         return None;
     }
-    let numbers = table.numbers(who, first)?;
+    let (numbers, _) = table.problem_of(who, what)?;
     let (key, half_width, kind) = number(table, who, what)?;
     let trivial = |n: f64| {
         let same = |a: f64| (n.abs() - a.abs()).abs() <= COPIED * a.abs();

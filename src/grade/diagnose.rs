@@ -97,8 +97,8 @@ fn width(value: f64, share: f64) -> f64 {
 
 impl Comparison {
     /// Of `parts[part]`; `None` where no number is asked.
-    fn of(part: usize, parts: &[Option<KeyEntry>]) -> Option<Comparison> {
-        let entry = parts.get(part)?.as_ref()?;
+    fn of(part: usize, parts: &[KeyEntry]) -> Option<Comparison> {
+        let entry = parts.get(part)?;
         let Answer::Number { value: key, half_width, magnitude, .. } = entry.answer else { return None };
         let share = if key == 0.0 { 0.0 } else { half_width / key.abs() };
         let dimension = entry.unit.dimension();
@@ -109,8 +109,8 @@ impl Comparison {
             TIME => (6, 7),
             _ => (0, 0),
         };
-        let others = parts.iter().enumerate().filter(|(i, _)| *i != part).filter_map(|(_, p)| p.as_ref());
-        let alike = others.into_iter().any(|other| other.unit.dimension() == dimension);
+        let alike = |(i, other): (usize, &KeyEntry)| i != part && other.unit.dimension() == dimension;
+        let alike = parts.iter().enumerate().any(alike);
         let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
         Some(Comparison { key, magnitude, share, reach, confused, alike })
     }
@@ -164,7 +164,7 @@ impl Comparison {
         Vec::new()
     }
 
-    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[Option<KeyEntry>]) -> Option<AnswerSlip> {
+    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[KeyEntry]) -> Option<AnswerSlip> {
         let Comparison { key, share, .. } = *self;
         // Between these ratios no power of ten fits a tolerance below a half.
         let ratio = x / key;
@@ -191,11 +191,10 @@ impl Comparison {
         if !self.alike {
             return None;
         }
-        let entry = parts.get(part)?.as_ref()?;
+        let entry = parts.get(part)?;
         parts
             .iter()
             .enumerate()
-            .filter_map(|(i, other)| Some((i, other.as_ref()?)))
             .filter(|(i, other)| *i != part && other.unit.dimension() == entry.unit.dimension())
             .find(|(_, other)| match other.answer {
                 Answer::Number { value, half_width, .. } => {
@@ -230,13 +229,7 @@ impl Comparison {
 
 /// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, has in common with what is known of its
 /// problem; `wrong` is where wrong methods come to.
-pub fn diagnose(
-    x: f64,
-    cell: &[u8],
-    part: usize,
-    parts: &[Option<KeyEntry>],
-    wrong: &[WrongValue],
-) -> Diagnosis {
+pub fn diagnose(x: f64, cell: &[u8], part: usize, parts: &[KeyEntry], wrong: &[WrongValue]) -> Diagnosis {
     let known = Comparison::of(part, parts);
     let Some((known, x)) = known.and_then(|known| Some((known, known.compared(x)?))) else {
         return Diagnosis::default();
@@ -248,7 +241,7 @@ pub fn diagnose(
 
 /// The wrong methods within the tolerance of the number `x`, SI, judged wrong for `parts[part]`.
 #[cfg(feature = "program")]
-pub fn methods(x: f64, part: usize, parts: &[Option<KeyEntry>], wrong: &[WrongValue]) -> Vec<u16> {
+pub fn methods(x: f64, part: usize, parts: &[KeyEntry], wrong: &[WrongValue]) -> Vec<u16> {
     let known = Comparison::of(part, parts);
     let found = known.and_then(|known| Some(known.methods(known.compared(x)?, wrong)));
     found.unwrap_or_default()
