@@ -3,7 +3,7 @@ use crate::bank::any::AnyNumber;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, named, shorten};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
@@ -183,19 +183,47 @@ fn excluded(name: &str, body: &Node, faults: &Faults) {
     }
 }
 
-/// An end with a value: its word, the field of the value, an example of it, what it is along a line and in turning, and
-/// what is made of it.
-type EndRow = (&'static str, &'static str, &'static str, Need, Need, fn(Coordinate, Num) -> End);
-const ENDS: [EndRow; 6] = [
-    ("travel", "by", "d", Need::LENGTH, Need::TURN, End::Travel),
-    ("turn", "by", "phi", Need::TURN, Need::TURN, End::Travel),
-    ("position", "at", "s", Need::PLACE, Need::PLACE, End::Position),
-    ("time", "is", "t1", Need::TIME, Need::TIME, End::Time),
-    ("speed", "reaches", "v1", Need::SPEED_REACHED, Need::SPIN_REACHED, End::Speed),
-    ("angle", "reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle),
+/// How an end is written.
+enum EndForm {
+    /// A body and a value: the field of the value, an example of it, what it is along a line and in turning, what is made of it.
+    Value(&'static str, &'static str, Need, Need, fn(Coordinate, Num) -> End),
+    /// The name of a body, and what is made of it: by whether it turns, and whether it moves along a line.
+    Body(fn(&Body, usize) -> End),
+    /// A height: is it gained?
+    Height(bool),
+    /// A length of cord.
+    Unwinds,
+    /// The name of a joint that can only push.
+    Leaves,
+}
+
+const fn along(body: usize) -> Coordinate {
+    Coordinate { body, degree: Degree::Along }
+}
+
+#[rustfmt::skip] // a table
+const ENDS: [(&str, EndForm); 13] = [
+    ("travel", EndForm::Value("by", "d", Need::LENGTH, Need::TURN, End::Travel)),
+    ("turn", EndForm::Value("by", "phi", Need::TURN, Need::TURN, End::Travel)),
+    ("position", EndForm::Value("at", "s", Need::PLACE, Need::PLACE, End::Position)),
+    ("time", EndForm::Value("is", "t1", Need::TIME, Need::TIME, End::Time)),
+    ("speed", EndForm::Value("reaches", "v1", Need::SPEED_REACHED, Need::SPIN_REACHED, End::Speed)),
+    ("turning point", EndForm::Body(|b, body| {
+        End::TurningPoint(Coordinate { body, degree: if b.line.is_some() { Degree::Along } else { Degree::Turn } })
+    })),
+    ("rolling", EndForm::Body(|_, body| End::Rolling(along(body)))),
+    ("stops slipping", EndForm::Body(|b, body| match b.turns {
+        true => End::Rolling(along(body)),
+        false => End::TurningPoint(along(body)),
+    })),
+    ("angle", EndForm::Value("reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle)),
+    ("rise", EndForm::Height(true)),
+    ("descent", EndForm::Height(false)),
+    ("unwinds", EndForm::Unwinds),
+    ("leaves", EndForm::Leaves),
 ];
 
-struct Surface<'n> {
+struct NamedSurface<'n> {
     name: &'n str,
     slope: Slope,
 }
@@ -287,8 +315,7 @@ impl SceneReader<'_> {
         let f = self.faults;
         let Some(text) = node.text().map(str::trim) else {
             let hint = told!("a symbol of the data, or a constant such as `{}`", need.example);
-            f.hint(node, told!("expected {}, found {}", need.words, node.kind()), hint);
-            return None;
+            return f.expected(node, need.words, hint);
         };
         if text == "any" {
             return self.any(node, need);
@@ -296,12 +323,10 @@ impl SceneReader<'_> {
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
             // A unit that is wrong is a finding already; the datum counts as used all the same.
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
-                f.hint(
-                    node,
-                    told!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words),
-                    told!("{} has a unit such as {}", need.words, need.unit),
-                );
-                return None;
+                let message =
+                    told!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words);
+                let hint = told!("{} has a unit such as {}", need.words, need.unit);
+                return f.refuse_with(node, message, hint);
             }
             self.uses.borrow_mut().push(DatumUse { datum, need });
             return Some(Num::Datum(datum));
@@ -318,19 +343,22 @@ impl SceneReader<'_> {
                     need.example
                 )
             });
-            f.hint(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
-            return None;
+            return f.refuse_with(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
         }
         match measure::constant(text, need.unit) {
-            Ok(value) => match need.admits(value) {
-                Ok(()) => return Some(Num::Fixed(value)),
-                Err(message) => f.at(node, told!("`{}`: {message}", shorten(text))),
-            },
+            Ok(value) => self.constant(node, text, value, need),
             Err(message) => {
-                f.hint(node, message, told!("{} is written like `{}`", need.words, need.example));
+                f.refuse_with(node, message, told!("{} is written like `{}`", need.words, need.example))
             }
         }
-        None
+    }
+
+    /// A number that no datum enters, if its use admits it.
+    fn constant(&self, node: &Node, text: &str, value: f64, need: Need) -> Option<Num> {
+        match need.admits(value) {
+            Ok(()) => Some(Num::Fixed(value)),
+            Err(message) => self.faults.refuse(node, told!("`{}`: {message}", shorten(text))),
+        }
     }
 
     /// A mass or a radius that cancels: 1 in its unit, which is proved to make no difference.
@@ -339,13 +367,8 @@ impl SceneReader<'_> {
             words if words == Need::MASS.words => "m",
             words if words == Need::RADIUS.words => "R",
             _ => {
-                let message = told!("{} cannot be `any`", need.words);
-                self.faults.hint(
-                    node,
-                    message,
-                    "only a mass or the radius of a shape may be `any`, where it cancels",
-                );
-                return None;
+                let hint = "only a mass or the radius of a shape may be `any`, where it cancels";
+                return self.faults.refuse_with(node, told!("{} cannot be `any`", need.words), hint);
             }
         };
         let formula = Formula::new(vec![Step::Number(1.0)]);
@@ -388,8 +411,8 @@ impl SceneReader<'_> {
             let found = measure::powers_text(expression.powers);
             let message =
                 told!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
-            f.hint(node, message, told!("{} has the dimension {}", need.words, measure::powers_text(wanted)));
-            return None;
+            let hint = told!("{} has the dimension {}", need.words, measure::powers_text(wanted));
+            return f.refuse_with(node, message, hint);
         }
         let mut uses = self.uses.borrow_mut();
         let symbols = data.iter().filter(|i| own(**i).is_some());
@@ -405,14 +428,7 @@ impl SceneReader<'_> {
         });
         let number = Derived { formula, degrees: need.in_degrees(), text: text.to_owned(), any: false };
         if data.is_empty() {
-            let value = number.value(&[]);
-            return match need.admits(value) {
-                Ok(()) => Some(Num::Fixed(value)),
-                Err(message) => {
-                    f.at(node, told!("`{}`: {message}", shorten(text)));
-                    None
-                }
-            };
+            return self.constant(node, text, number.value(&[]), need);
         }
         let mut derived = self.derived.borrow_mut();
         let at = derived.iter().position(|d| *d == number).unwrap_or_else(|| {
@@ -430,8 +446,7 @@ impl SceneReader<'_> {
             }
             _ => {
                 let message = told!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
-                self.faults.at(node, message);
-                None
+                self.faults.refuse(node, message)
             }
         }
     }
@@ -446,6 +461,21 @@ impl SceneReader<'_> {
         fields.need(name, example).and_then(|n| self.number(n, need))
     }
 
+    /// A number that may be left out. `None`: given but wrong; `Some(None)`: left out.
+    #[expect(clippy::option_option, reason = "left out and wrong are told apart")]
+    fn optional(&self, fields: &mut Fields, name: &'static str, need: Need) -> Option<Option<Num>> {
+        fields.get(name).map_or(Some(None), |n| self.number(n, need).map(Some))
+    }
+
+    /// Mass or weight of a body or of a part, if one of them is given.
+    fn given_mass(&self, mass: Option<&Node>, weight: Option<&Node>) -> Option<Mass> {
+        match (mass, weight) {
+            (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
+            (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
+            _ => None,
+        }
+    }
+
     /// One word out of a list, said in one of its spellings.
     fn word<T: Copy>(&self, node: &Node, what: &str, words: &[(&str, T)]) -> Option<T> {
         let text = node.text().unwrap_or("").split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
@@ -453,8 +483,19 @@ impl SceneReader<'_> {
             return Some(*meaning);
         }
         let hint = spell::hint(&text, "words known here", words.iter().map(|(w, _)| *w));
-        self.faults.hint(node, told!("expected {what}, found {}", node.kind()), hint);
-        None
+        self.faults.expected(node, what, hint)
+    }
+
+    /// The place of what is called so, among those of a kind.
+    fn called<'s>(
+        &self,
+        node: &Node,
+        (what, kind): (&str, &str),
+        names: impl Iterator<Item = &'s str> + Clone,
+    ) -> Option<usize> {
+        let text = node.text().unwrap_or("").trim();
+        let found = names.clone().position(|name| name == text);
+        found.or_else(|| self.faults.expected(node, what, spell::hint(text, kind, names)))
     }
 
     fn one<'n>(&self, node: &'n Node, what: &str) -> Option<(&'n str, &'n Node, &'n Node)> {
@@ -463,10 +504,7 @@ impl SceneReader<'_> {
                 let (key, value) = &entries[0];
                 Some((key.text().unwrap_or(""), key, value))
             }
-            _ => {
-                self.faults.at(node, told!("expected {what}, found {}", node.kind()));
-                None
-            }
+            _ => self.faults.refuse(node, told!("expected {what}, found {}", node.kind())),
         }
     }
 
@@ -476,7 +514,7 @@ impl SceneReader<'_> {
         self.faults.hint(key, told!("`{}` is no {what}", shorten(text)), hint);
     }
 
-    fn surfaces<'n>(&self, node: &'n Node) -> Vec<Surface<'n>> {
+    fn surfaces<'n>(&self, node: &'n Node) -> Vec<NamedSurface<'n>> {
         let mut list = Vec::new();
         for (name, _, value) in named(node, "surfaces by name", self.faults) {
             let slope = match &value.value {
@@ -494,13 +532,13 @@ impl SceneReader<'_> {
                 ),
             };
             // A slope that is wrong is a finding already; the name stays known, so that no other finding follows from it.
-            list.push(Surface { name, slope: slope.unwrap_or(Slope::Level) });
+            list.push(NamedSurface { name, slope: slope.unwrap_or(Slope::Level) });
         }
         list
     }
 
     /// What carries the scene: along which line, its speed and its acceleration.
-    fn carrier(&self, node: &Node, surfaces: &[Surface]) -> Option<Carrier> {
+    fn carrier(&self, node: &Node, surfaces: &[NamedSurface]) -> Option<Carrier> {
         let f = self.faults;
         let mut fields = Fields::open(node, "what carries the scene (along, speed, acceleration)", f)?;
         let along = fields.need("along", "horizontal");
@@ -521,7 +559,7 @@ impl SceneReader<'_> {
         Some(Carrier { slope: slope?, speed_m_s: speed?, acceleration_m_s2: acceleration? })
     }
 
-    fn bodies(&self, node: &Node, surfaces: &[Surface], carried_along: Option<&str>) -> Vec<Body> {
+    fn bodies(&self, node: &Node, surfaces: &[NamedSurface], carried_along: Option<&str>) -> Vec<Body> {
         let mut bodies = Vec::new();
         for (name, key, value) in named(node, "bodies by name", self.faults) {
             if WHOLE && !plain_name(name) {
@@ -533,7 +571,7 @@ impl SceneReader<'_> {
             }
             bodies.push(self.body(name, value, surfaces));
         }
-        let used = |surface: &Surface| {
+        let used = |surface: &NamedSurface| {
             let Value::Map(entries) = &node.value else { return false };
             let moves = entries.iter().filter_map(|(_, body)| body.field("moves")?.text());
             let mut on = moves.filter_map(|text| text.trim().strip_prefix("along")).map(str::trim);
@@ -549,7 +587,7 @@ impl SceneReader<'_> {
         bodies
     }
 
-    fn body(&self, name: &str, node: &Node, surfaces: &[Surface]) -> Body {
+    fn body(&self, name: &str, node: &Node, surfaces: &[NamedSurface]) -> Body {
         let f = self.faults;
         let mut body = Body {
             name: name.to_owned(),
@@ -669,17 +707,14 @@ impl SceneReader<'_> {
                 }
                 Some(Mass::Kilograms(Num::Fixed(0.0)))
             }
-            (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
-            (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
-            // That there are both is told elsewhere.
-            (Some(_), Some(_)) => None,
-            (None, None) if node.field("parts").is_some() => None,
             // The mass of a body on a fixed axle whose moment of inertia is given enters but the force of the axle.
-            (None, None) if holds(node, FIXED) && holds(node, "moment of inertia") => None,
-            (None, None) => {
-                self.faults.hint(node, "`mass` is missing", "write `mass: m`, or `weight: W`");
-                None
+            (None, None)
+                if !holds(node, "parts") && !(holds(node, FIXED) && holds(node, "moment of inertia")) =>
+            {
+                self.faults.refuse_with(node, "`mass` is missing", "write `mass: m`, or `weight: W`")
             }
+            // That there are both is told elsewhere.
+            _ => self.given_mass(mass, weight),
         };
         given.unwrap_or(Mass::OfParts)
     }
@@ -712,14 +747,11 @@ impl SceneReader<'_> {
         ];
         let from = match angle {
             Some(n) => self.word(n, "from where the angle counts", &zeros),
-            None => {
-                f.hint(
-                    node,
-                    told!("`angle` of `{}` is missing", body.name),
-                    "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
-                );
-                None
-            }
+            None => f.refuse_with(
+                node,
+                told!("`angle` of `{}` is missing", body.name),
+                "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
+            ),
         };
         let arm = pinned.and_then(|node| match &node.value {
             Value::Map(_) => Fields::open(node, "where it is pinned", f).and_then(|mut fields| {
@@ -736,14 +768,11 @@ impl SceneReader<'_> {
                 &body.inertia,
             ) {
                 (Some(()), Some(RotaryInertia::Shape(Shape::Rod, length))) => Some(Arm::HalfOf(*length)),
-                (Some(()), Some(_)) => {
-                    f.hint(
-                        node,
-                        told!("`{}` is no rod, so it has no end", body.name),
-                        "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
-                    );
-                    None
-                }
+                (Some(()), Some(_)) => f.refuse_with(
+                    node,
+                    told!("`{}` is no rod, so it has no end", body.name),
+                    "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
+                ),
                 _ => None,
             },
         });
@@ -756,7 +785,12 @@ impl SceneReader<'_> {
         }
     }
 
-    fn line(&self, moves: &Node, positive: Option<&Node>, surfaces: &[Surface]) -> Result<Option<Line>, ()> {
+    fn line(
+        &self,
+        moves: &Node,
+        positive: Option<&Node>,
+        surfaces: &[NamedSurface],
+    ) -> Result<Option<Line>, ()> {
         let text = moves.text().unwrap_or("").trim();
         let (slope, surface) = if text == "about a fixed axle" {
             if let Some(n) = positive {
@@ -825,16 +859,8 @@ impl SceneReader<'_> {
 
     fn parts(&self, node: &Node) -> Vec<Part> {
         let f = self.faults;
-        let Value::List(items) = &node.value else {
-            f.at(
-                node,
-                told!(
-                    "expected a list of parts such as `- disc: {{mass: m1, radius: R}}`, found {}",
-                    node.kind()
-                ),
-            );
-            return Vec::new();
-        };
+        let what = "a list of parts such as `- disc: {mass: m1, radius: R}`";
+        let Some(items) = items(node, what, f) else { return Vec::new() };
         if items.is_empty() {
             f.at(node, "a body made of parts has at least one");
         }
@@ -849,14 +875,11 @@ impl SceneReader<'_> {
                 self.unknown(key, "shape", SHAPES);
             }
             let Some(mut fields) = Fields::open(value, "mass and radius of the part", f) else { continue };
-            let mass = match (fields.get("mass"), fields.get("weight")) {
-                (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
-                (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
-                _ => {
-                    f.hint(value, "a part has a mass or a weight", "write `mass: m1`");
-                    None
-                }
-            };
+            let [mass, weight] = fields.each(["mass", "weight"]);
+            if mass.is_some() == weight.is_some() {
+                f.hint(value, "a part has a mass or a weight", "write `mass: m1`");
+            }
+            let mass = self.given_mass(mass, weight);
             let radius = self.need_number(&mut fields, "radius", "R", Need::RADIUS);
             fields.close();
             if let (Some(mass), Some(shape), Some(radius_m)) = (mass, shape, radius) {
@@ -867,13 +890,7 @@ impl SceneReader<'_> {
     }
 
     fn body_named(&self, node: &Node, bodies: &[Body]) -> Option<usize> {
-        let text = node.text().unwrap_or("").trim();
-        let found = bodies.iter().position(|b| b.name == text);
-        if found.is_none() {
-            let hint = spell::hint(text, "bodies", bodies.iter().map(|b| b.name.as_str()));
-            self.faults.hint(node, told!("expected a body of this scene, found {}", node.kind()), hint);
-        }
-        found
+        self.called(node, ("a body of this scene", "bodies"), bodies.iter().map(|b| b.name.as_str()))
     }
 
     fn need_body(&self, fields: &mut Fields, name: &'static str, bodies: &[Body]) -> Option<usize> {
@@ -883,23 +900,15 @@ impl SceneReader<'_> {
 
     /// The radius of a body at which a tie acts; this is what makes a radius used.
     fn radius(&self, node: &Node, body: &Body) -> Option<Num> {
-        let text = node.text().unwrap_or("").trim();
-        let Some((_, num)) = body.radii_m.iter().find(|(n, _)| n == text) else {
-            let hint = if body.radii_m.is_empty() {
-                told!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
-            } else {
-                let names = body.radii_m.iter().map(|(n, _)| n.as_str());
-                spell::hint(text, &told!("radii of `{}`", body.name), names)
-            };
-            self.faults.hint(
-                node,
-                told!("expected a radius of `{}`, found {}", body.name, node.kind()),
-                hint,
-            );
-            return None;
-        };
-        self.winds_on(*num);
-        Some(*num)
+        let what = told!("a radius of `{}`", body.name);
+        if body.radii_m.is_empty() {
+            let hint = told!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name);
+            return self.faults.expected(node, &what, hint);
+        }
+        let names = body.radii_m.iter().map(|(n, _)| n.as_str());
+        let (_, num) = body.radii_m[self.called(node, (&what, &told!("radii of `{}`", body.name)), names)?];
+        self.winds_on(num);
+        Some(num)
     }
 
     /// Notes a radius as used.
@@ -918,10 +927,7 @@ impl SceneReader<'_> {
 
     fn ties(&self, node: &Node, bodies: &[Body]) -> Vec<Tie> {
         let f = self.faults;
-        let Value::List(items) = &node.value else {
-            f.at(node, told!("expected a list of ties, each after `- `, found {}", node.kind()));
-            return Vec::new();
-        };
+        let Some(items) = items(node, "a list of ties, each after `- `", f) else { return Vec::new() };
         let mut ties: Vec<Tie> = Vec::new();
         for item in items {
             let Some((word, key, value)) =
@@ -964,8 +970,8 @@ impl SceneReader<'_> {
                 }
             };
             let Some(tie) = tie else { continue };
-            if let Some(body) = contact_body(&tie)
-                && ties.iter().filter_map(contact_body).any(|b| b == body)
+            if let Some(body) = tie.touching()
+                && ties.iter().filter_map(Tie::touching).any(|b| b == body)
             {
                 f.hint(
                     item,
@@ -1009,19 +1015,15 @@ impl SceneReader<'_> {
         }
         if word == "slides" {
             let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
-            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::FRICTION));
+            let mu_s = self.optional(&mut fields, "mu_s", Need::FRICTION);
             fields.close();
             if let Some(b) = body
                 && bodies[b].turns
             {
-                f.hint(
-                    node,
-                    told!("`{}` can turn, so it rolls or slips", bodies[b].name),
-                    "write `rolls:` or `slips:`",
-                );
-                return None;
+                let message = told!("`{}` can turn, so it rolls or slips", bodies[b].name);
+                return f.refuse_with(node, message, "write `rolls:` or `slips:`");
             }
-            return Some(Tie::Slide { body: body?, mu_s: settle(mu_s)?, mu_k: mu_k? });
+            return Some(Tie::Slide { body: body?, mu_s: mu_s?, mu_k: mu_k? });
         }
         let on = fields.need("on its", "rim");
         let radius = body.zip(on).and_then(|(b, n)| self.radius(n, &bodies[b]));
@@ -1035,9 +1037,9 @@ impl SceneReader<'_> {
             );
         }
         if word == "rolls" {
-            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::FRICTION));
+            let mu_s = self.optional(&mut fields, "mu_s", Need::FRICTION);
             fields.close();
-            return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: settle(mu_s)? });
+            return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: mu_s? });
         }
         let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::FRICTION);
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
@@ -1078,77 +1080,49 @@ impl SceneReader<'_> {
         let place = if matches!(of, GivenForce::Pull(_)) { "x" } else { "phi" };
         let text = node.text().unwrap_or("").replace(' ', "");
         let powers = |name: &str| {
-            [
-                format!("sqrt({name})"),
-                name.to_owned(),
-                format!("{name}^1.5"),
-                format!("{name}^2"),
-                format!("{name}^3"),
-            ]
+            [("sqrt(_)", 1), ("_", 2), ("_^1.5", 3), ("_^2", 4), ("_^3", 6)]
+                .map(|(power, halves)| (power.replace('_', name), halves))
         };
         let halves =
-            |name: &str| powers(name).iter().position(|word| *word == text).map(|i| [1, 2, 3, 4, 6][i]);
+            |name| powers(name).into_iter().find(|(word, _)| *word == text).map(|(_, halves)| halves);
         let law = |with, name| halves(name).map(|halves| Law { with, halves });
-        let found = law(Grows::Time, "t").or_else(|| law(Grows::Place, place));
-        if found.is_none() {
-            let what = if place == "x" {
-                "x is the way of its point along it"
-            } else {
-                "phi is the turn of its body"
+        law(Grows::Time, "t").or_else(|| law(Grows::Place, place)).or_else(|| {
+            let what = match place {
+                "x" => "x is the way of its point along it",
+                _ => "phi is the turn of its body",
             };
-            self.faults.hint(
-                node,
-                told!("expected what it grows with, found {}", node.kind()),
-                told!(
-                    "one of {}; {what} since the start",
-                    ["t", place].iter().flat_map(|name| powers(name)).collect::<Vec<_>>().join(", ")
-                ),
-            );
-        }
-        found
+            let known: Vec<String> =
+                ["t", place].into_iter().flat_map(powers).map(|(word, _)| word).collect();
+            let hint = told!("one of {}; {what} since the start", known.join(", "));
+            self.faults.expected(node, "what it grows with", hint)
+        })
     }
 
     /// Two wheels that turn each other, by teeth or a belt: rims by body and radius.
     fn mesh(&self, node: &Node, bodies: &[Body], (made, like): (Made, usize)) -> Option<Cord> {
         let f = self.faults;
-        let Value::List(both) = &node.value else {
-            f.at(node, told!("expected two rims such as `[gear.rim, pinion.rim]`, found {}", node.kind()));
-            return None;
-        };
-        let [one, other] = &both[..] else {
-            f.at(node, told!("expected two rims such as `[gear.rim, pinion.rim]`, found {}", both.len()));
-            return None;
+        let what = "two rims such as `[gear.rim, pinion.rim]`";
+        let both = items(node, what, f)?;
+        let [one, other] = both else {
+            return f.refuse(node, told!("expected {what}, found {}", both.len()));
         };
         let rim = |node: &Node| {
-            let text = node.text().unwrap_or("").trim();
-            let (name, radius) = text.split_once('.')?;
-            let (index, body) = bodies.iter().enumerate().find(|(_, b)| b.name == name)?;
+            let (index, body, radius) = wheel_of(node, bodies)?;
             let (_, radius) = body.radii_m.iter().find(|(n, _)| n == radius)?;
             (body.line.is_none() && body.turns && body.pin.is_none()).then_some((index, *radius))
         };
         let rim = |node: &Node| {
-            let found = rim(node);
-            if found.is_none() {
-                let hint = "a body about a fixed axle and one of its radii, such as `gear.rim`";
-                f.hint(node, told!("expected the rim of a wheel, found {}", node.kind()), hint);
-            }
-            found
+            let hint = "a body about a fixed axle and one of its radii, such as `gear.rim`";
+            rim(node).or_else(|| f.expected(node, "the rim of a wheel", hint))
         };
         let ((body, radius), (second, other_radius)) = rim(one).zip(rim(other))?;
         self.winds_on(radius);
         self.winds_on(other_radius);
         if body == second {
-            f.at(node, "a wheel does not drive itself");
-            return None;
+            return f.refuse(node, "a wheel does not drive itself");
         }
         // What the rim of the one gains, that of the other loses: teeth turn the other way, a belt the same way.
-        let end = |body, radius, forward| CordEnd {
-            body,
-            attach: Attach::Wound(radius, Side::Top),
-            forward,
-            upright: None,
-            tilt_deg: None,
-        };
+        let end = |body, radius, forward| CordEnd::new(body, Attach::Wound(radius, Side::Top), forward);
         let (from, to) = (end(body, radius, true), end(second, other_radius, made == Made::Teeth));
         let word = if made == Made::Teeth { "mesh" } else { "belt" };
         let name = if like == 0 { word.to_owned() } else { format!("{word}{}", like + 1) };
@@ -1175,8 +1149,7 @@ impl SceneReader<'_> {
             _ => std::slice::from_ref(on),
         };
         let end = |node: &Node| {
-            let (name, radius) = node.text().unwrap_or("").trim().split_once('.')?;
-            let (index, wheel) = bodies.iter().enumerate().find(|(_, b)| b.name == name)?;
+            let (index, wheel, radius) = wheel_of(node, bodies)?;
             let attach = match radius {
                 "centre" | "center" | "axle" => Attach::Centre,
                 _ => Attach::Wound(wheel.radii_m.iter().find(|(n, _)| n == radius)?.1, Side::Top),
@@ -1189,23 +1162,17 @@ impl SceneReader<'_> {
             let wheels = wheel.turns && wheel.pin.is_none() && wheel.planar.is_none() && beside;
             // What moves the load forward moves the wheel forward.
             let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
-            wheels.then_some((
-                name.to_owned(),
-                CordEnd { body: index, attach, forward: !same, upright: None, tilt_deg: None },
-            ))
+            wheels.then(|| CordEnd::new(index, attach, !same))
         };
-        let mut list = Vec::new();
-        for wheel in wheels {
-            let Some((name, to)) = end(wheel) else {
+        let rests = |wheel: &Node| {
+            let Some(to) = end(wheel) else {
                 let hint = "a wheel on the same surface or on a fixed axle, with one of its radii, or with `.centre` for its axle: `roller.rim`";
-                f.hint(wheel, told!("expected the rim or the axle of a wheel, found {}", wheel.kind()), hint);
-                continue;
+                return f.expected(wheel, "the rim or the axle of a wheel", hint);
             };
-            let from =
-                CordEnd { body: load, attach: Attach::Centre, forward: true, upright: None, tilt_deg: None };
-            list.push(Cord { name, from, to: Far::Body(to), made: Made::Rests });
-        }
-        list
+            let from = CordEnd::new(load, Attach::Centre, true);
+            Some(Cord { name: bodies[to.body].name.clone(), from, to: Far::Body(to), made: Made::Rests })
+        };
+        wheels.iter().filter_map(rests).collect()
     }
 
     /// The name of a cord or a light rod.
@@ -1238,8 +1205,7 @@ impl SceneReader<'_> {
         if WHOLE && (from.body == to.body || !straight()) {
             let hint = "both bodies move along the same surface, or both vertically, each end is `tied at: centre`, and of two that count \
                         positive alike one end leaves `forward`, the other `back`; round a corner only a `cord` goes";
-            f.hint(node, "a light rod is straight: its ends leave toward each other", hint);
-            return None;
+            return f.refuse_with(node, "a light rod is straight: its ends leave toward each other", hint);
         }
         Some(Cord { name: name?, from, to: Far::Body(to), made: Made::Link })
     }
@@ -1286,8 +1252,7 @@ impl SceneReader<'_> {
         if let (Some(from), Some(Far::Body(to))) = (&from, &far)
             && from.body == to.body
         {
-            f.at(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
-            return None;
+            return f.refuse(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
         }
         Some(Cord { name, from: from?, to: far?, made: Made::Cord })
     }
@@ -1331,27 +1296,21 @@ impl SceneReader<'_> {
             );
         }
         if !body.particles.is_empty() {
-            f.at(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
-            return None;
+            return f.refuse(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
         }
         if body.pin.is_some() {
-            f.hint(
+            return f.refuse_with(
                 node,
                 told!("no cord is tied to the pinned body `{}`", body.name),
                 "a spring stands under `forces`: `spring: {on: ..., at: b, anchor: [x_A, y_A], ...}`",
             );
-            return None;
         }
         match (wound, tied) {
             (Some(n), None) => {
                 let radius = self.radius(n, body);
                 if !body.turns {
-                    f.hint(
-                        node,
-                        told!("`{}` has no inertia, so it cannot turn", body.name),
-                        "write `tied at: centre`",
-                    );
-                    return None;
+                    let message = told!("`{}` has no inertia, so it cannot turn", body.name);
+                    return f.refuse_with(node, message, "write `tied at: centre`");
                 }
                 let (side, forward) = self.leaves_wound(leaves?, body)?;
                 let said = leaves.and_then(Node::text).and_then(|text| text.trim().rsplit_once(' '));
@@ -1371,34 +1330,20 @@ impl SceneReader<'_> {
                     &[("centre", ()), ("center", ()), ("its centre", ()), ("mass centre", ())],
                 )?;
                 let Some(line) = body.line else {
-                    f.hint(
-                        node,
-                        told!("the centre of `{}` does not move", body.name),
-                        "write `wound on: ...`",
-                    );
-                    return None;
+                    let message = told!("the centre of `{}` does not move", body.name);
+                    return f.refuse_with(node, message, "write `wound on: ...`");
                 };
-                let up = if line.forward_up { ("up", true) } else { ("up", false) };
-                let down = ("down", !line.forward_up);
-                let forward = if line.slope == Slope::Level {
-                    self.word(leaves?, "where the cord leaves", &[("forward", true), ("back", false)])
-                } else {
-                    self.word(
-                        leaves?,
-                        "where the cord leaves",
-                        &[("forward", true), ("back", false), up, down],
-                    )
-                }?;
-                Some(CordEnd { body: index, attach: Attach::Centre, forward, upright: None, tilt_deg: tilt })
+                let words =
+                    [("forward", true), ("back", false), ("up", line.forward_up), ("down", !line.forward_up)];
+                let words = if line.slope == Slope::Level { &words[..2] } else { &words };
+                let forward = self.word(leaves?, "where the cord leaves", words)?;
+                Some(CordEnd { tilt_deg: tilt, ..CordEnd::new(index, Attach::Centre, forward) })
             }
-            _ => {
-                f.hint(
-                    node,
-                    "a cord is tied at the centre or wound on a radius",
-                    "write `tied at: centre` or `wound on: rim`",
-                );
-                None
-            }
+            _ => f.refuse_with(
+                node,
+                "a cord is tied at the centre or wound on a radius",
+                "write `tied at: centre` or `wound on: rim`",
+            ),
         }
     }
 
@@ -1437,10 +1382,8 @@ impl SceneReader<'_> {
 
     fn forces(&self, node: &Node, bodies: &mut [Body]) -> Forces {
         let f = self.faults;
-        let Value::List(items) = &node.value else {
-            f.at(node, told!("expected a list of forces, each after `- `, found {}", node.kind()));
-            return Forces::default();
-        };
+        let what = "a list of forces, each after `- `";
+        let Some(items) = items(node, what, f) else { return Forces::default() };
         let mut list = Forces::default();
         for item in items {
             let Some((word, key, value)) =
@@ -1529,12 +1472,8 @@ impl SceneReader<'_> {
             return Vec::new();
         }
         if !matches!(node.value, Value::Map(_)) {
-            f.hint(
-                node,
-                told!("expected the start, found {}", node.kind()),
-                "`at rest`, or for example `{wheel: {speed: v0}}`",
-            );
-            return Vec::new();
+            let hint = "`at rest`, or for example `{wheel: {speed: v0}}`";
+            return f.expected(node, "the start", hint).unwrap_or_default();
         }
         let mut list = Vec::new();
         for (name, key, value) in named(node, "bodies with their speeds", f) {
@@ -1583,19 +1522,10 @@ impl SceneReader<'_> {
                 }
                 continue;
             }
-            let particle = fields.need("velocity of", "A").and_then(|n| {
-                let text = n.text().unwrap_or("").trim();
-                let found = bodies[body].particles.iter().position(|p| p.name == text);
-                if found.is_none() {
-                    let names = || bodies[body].particles.iter().map(|p| p.name.as_str());
-                    f.hint(
-                        n,
-                        told!("expected a particle, found {}", n.kind()),
-                        told!("particles: {}", names().collect::<Vec<_>>().join(", ")),
-                    );
-                }
-                found
-            });
+            let names = bodies[body].particles.iter().map(|p| p.name.as_str());
+            let particle = fields
+                .need("velocity of", "A")
+                .and_then(|n| self.called(n, ("a particle", "particles"), names));
             let vx = self.need_number(&mut fields, "x", "vx", Need::VELOCITY);
             let vy = self.need_number(&mut fields, "y", "vy", Need::VELOCITY);
             let spin = self.need_number(&mut fields, "spin", "omega", Need::SPIN);
@@ -1626,12 +1556,11 @@ impl SceneReader<'_> {
         // What is no number at all is told as such.
         let constant = if known { None } else { Some(self.number(node, Need::LENGTH)?) };
         let Some((by, bare)) = by else {
-            self.faults.hint(
+            return self.faults.refuse_with(
                 node,
                 "this length is divided by the radius on which the cord is wound, which is no datum",
                 "make the radius a datum, such as `r: {name: radius, unit: m, draw: always 0.2}`",
             );
-            return None;
         };
         let over = match constant {
             Some(Num::Fixed(length_m)) => length_m.to_string(),
@@ -1661,10 +1590,8 @@ impl SceneReader<'_> {
                 (self.over(by, slope.map(|s| (format!("sin({s})"), false)), Need::LENGTH), line)
             }
             _ => {
-                let name = &bodies[body].name;
-                let message = told!("`{name}` gains and loses no height along its line");
-                self.faults.hint(value, message, "write `travel`, `turn` or another end");
-                return None;
+                let message = told!("`{}` gains and loses no height along its line", bodies[body].name);
+                return self.faults.refuse_with(value, message, "write `travel`, `turn` or another end");
             }
         };
         let heading = if up == line.forward_up { Heading::Forward } else { Heading::Back };
@@ -1695,8 +1622,8 @@ impl SceneReader<'_> {
             let names = || wound.iter().map(|(name, ..)| name.as_str());
             let message =
                 told!("`{}` is no cord that is wound on a body", shorten(cord.text().unwrap_or("")));
-            self.faults.hint(cord, message, told!("wound cords: {}", names().collect::<Vec<_>>().join(", ")));
-            return None;
+            let hint = told!("wound cords: {}", names().collect::<Vec<_>>().join(", "));
+            return self.faults.refuse_with(cord, message, hint);
         };
         let radius = match *radius {
             Num::Fixed(radius_m) => Some((radius_m.to_string(), true)),
@@ -1714,69 +1641,51 @@ impl SceneReader<'_> {
         joints: &[Joint],
     ) -> Option<(End, Option<Heading>)> {
         let f = self.faults;
-        if node.text().is_some_and(|t| t.trim() == "at once") {
-            return Some((End::AtOnce, None));
-        }
-        if node.text().is_some_and(|t| t.trim() == "equilibrium") {
-            if !bodies.iter().any(|b| b.planar.is_some()) {
-                let hint = "write `moves: in the plane` with joints; of a spring on a line, ask `period_small` of its motion";
-                f.hint(node, "only joined bodies are looked for in their equilibrium", hint);
-                return None;
+        match node.text().map(str::trim) {
+            Some("at once") => return Some((End::AtOnce, None)),
+            Some("equilibrium") if bodies.iter().any(|b| b.planar.is_some()) => {
+                return Some((End::Equilibrium, None));
             }
-            return Some((End::Equilibrium, None));
+            Some("equilibrium") => {
+                let hint = "write `moves: in the plane` with joints; of a spring on a line, ask `period_small` of its motion";
+                return f.refuse_with(node, "only joined bodies are looked for in their equilibrium", hint);
+            }
+            _ => {}
         }
         let (word, key, value) = self
             .one(node, "the end: `at once`, `equilibrium`, or for example `{travel: {of: wheel, by: d}}`")?;
-        if word == "turning point" {
-            let body = self.body_named(value, bodies)?;
-            let degree = if bodies[body].line.is_some() { Degree::Along } else { Degree::Turn };
-            return Some((End::TurningPoint(Coordinate { body, degree }), None));
-        }
-        if word == "leaves" {
-            let text = value.text().unwrap_or("").trim();
-            let found = joints.iter().position(|j| j.name == text && j.kind.only_pushes());
-            if found.is_none() {
-                let hint = "a joint that can only push is written `wall: {guides: rod.B, along: vertical, pushes: right}`";
-                f.hint(value, told!("expected a joint that can only push, found {}", value.kind()), hint);
-            }
-            return found.map(|joint| (End::Leaves(joint), None));
-        }
-        if word == "stops slipping" {
-            let body = self.body_named(value, bodies)?;
-            let along = Coordinate { body, degree: Degree::Along };
-            let end = if bodies[body].turns { End::Rolling(along) } else { End::TurningPoint(along) };
-            return Some((end, None));
-        }
-        if word == "rolling" {
-            let body = self.body_named(value, bodies)?;
-            return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
-        }
-        match word {
-            "rise" => return self.height(value, bodies, true),
-            "descent" => return self.height(value, bodies, false),
-            "unwinds" => return self.unwound(value, ties),
-            _ => {}
-        }
-        let Some((_, by, example, along, in_turning, end)) = ENDS.into_iter().find(|row| row.0 == word)
-        else {
-            let names = [
-                "travel",
-                "turn",
-                "position",
-                "time",
-                "speed",
-                "turning point",
-                "rolling",
-                "stops slipping",
-                "angle",
-                "rise",
-                "descent",
-                "unwinds",
-                "leaves",
-            ];
-            self.unknown(key, "end", &names);
+        let Some((_, form)) = ENDS.iter().find(|(name, _)| *name == word) else {
+            self.unknown(key, "end", &ENDS.map(|(name, _)| name));
             return None;
         };
+        match form {
+            EndForm::Value(..) => self.end_at_value(word, form, (key, value), bodies),
+            EndForm::Body(end) => {
+                let body = self.body_named(value, bodies)?;
+                Some((end(&bodies[body], body), None))
+            }
+            EndForm::Height(up) => self.height(value, bodies, *up),
+            EndForm::Unwinds => self.unwound(value, ties),
+            EndForm::Leaves => {
+                let text = value.text().unwrap_or("").trim();
+                let found = joints.iter().position(|j| j.name == text && j.kind.only_pushes());
+                let hint = "a joint that can only push is written `wall: {guides: rod.B, along: vertical, pushes: right}`";
+                let joint = found.or_else(|| f.expected(value, "a joint that can only push", hint))?;
+                Some((End::Leaves(joint), None))
+            }
+        }
+    }
+
+    /// An end at which a coordinate of a body has a value.
+    fn end_at_value(
+        &self,
+        word: &str,
+        form: &EndForm,
+        (key, value): (&Node, &Node),
+        bodies: &[Body],
+    ) -> Option<(End, Option<Heading>)> {
+        let EndForm::Value(by, example, along, in_turning, end) = *form else { return None };
+        let f = self.faults;
         let mut fields = Fields::open(value, "the body and the value", f)?;
         let body = self.need_body(&mut fields, "of", bodies);
         let line = body.and_then(|b| bodies[b].line);
@@ -1804,8 +1713,7 @@ impl SceneReader<'_> {
         fields.close();
         let body = body?;
         if word == "turn" && !bodies[body].turns {
-            f.at(value, told!("`{}` does not turn", bodies[body].name));
-            return None;
+            return f.refuse(value, told!("`{}` does not turn", bodies[body].name));
         }
         let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
         let name = &bodies[body].name;
@@ -1841,23 +1749,6 @@ struct Forces {
     struts: Vec<Strut>,
 }
 
-/// `None`: given but wrong; `Some(None)`: absent.
-#[expect(clippy::option_option, reason = "absent and wrong are told apart")]
-fn settle(field: Option<Option<Num>>) -> Option<Option<Num>> {
-    match field {
-        None => Some(None),
-        Some(Some(num)) => Some(Some(num)),
-        Some(None) => None,
-    }
-}
-
-fn contact_body(tie: &Tie) -> Option<usize> {
-    match tie {
-        Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => Some(*body),
-        Tie::Cord(_) => None,
-    }
-}
-
 const SHAPES: &[&str] = &[
     "disc",
     "disk",
@@ -1882,6 +1773,13 @@ fn shape_of(word: &str) -> Option<Shape> {
         "rod" | "slender rod" | "uniform rod" | "bar" => Some(Shape::Rod),
         _ => None,
     }
+}
+
+/// A wheel and the name of one of its radii: `gear.rim`.
+fn wheel_of<'b, 'n>(node: &'n Node, bodies: &'b [Body]) -> Option<(usize, &'b Body, &'n str)> {
+    let (name, radius) = node.text()?.trim().split_once('.')?;
+    let (index, body) = bodies.iter().enumerate().find(|(_, b)| b.name == name)?;
+    Some((index, body, radius))
 }
 
 /// Is it to be worked out, and no symbol alone and no constant with its unit (`4 kg*m^2`, `-2 m/s`)?

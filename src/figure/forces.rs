@@ -366,10 +366,7 @@ fn contact(
 ) {
     let this = &view.scene.bodies[body];
     let at = p.centre - p.top * p.contact;
-    let tie = view.scene.ties.iter().position(|t| match t {
-        Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
-        Tie::Cord(_) => false,
-    });
+    let tie = view.scene.ties.iter().position(|t| t.touching() == Some(body));
     let whose = |q: Quantity| {
         let by_tie = tie.and_then(|t| view.solved(q, Owner::Tie(t)));
         view.solved(q, Owner::Body(body)).or(by_tie).or_else(|| view.solved(q, Owner::Scene))
@@ -534,7 +531,7 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 
 /// The diagrams of a body in the plane, at the position that is asked.
 fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
-    let plane = joined::Plane::new(view)?;
+    let plane = joined::PlaneLayout::new(view)?;
     let mut laid = plane.at_end(view).unwrap_or_else(|| plane.start.clone());
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
@@ -678,7 +675,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
 fn surfaces(
     board: &mut Board,
     view: &SceneView,
-    plane: &joined::Plane,
+    plane: &joined::PlaneLayout,
     laid: &[joined::Laid],
     body: usize,
     shift: Vec2,
