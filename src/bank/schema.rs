@@ -289,7 +289,7 @@ fn problem(
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
-    let margins = fields.get("margins").filter(|_| WHOLE).map_or_else(Vec::new, |n| margins(n, faults));
+    let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
     let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
     let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
     let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
@@ -364,20 +364,7 @@ fn problem(
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
         soundness::templates(statement_node, questions_node, &names, variables, faults);
     }
-    // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
-    // are checked up to there.
-    let in_formulas = |label: Label| {
-        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
-            Owner::Asked(i) => scene.formulas.asked.get(i),
-            _ => None,
-        });
-        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
-            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
-            Term::Given(_) => None,
-        })
-    };
-    let quantities = asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity]));
-    let span = Span::of(quantities);
+    let span = span(&asked, &scenes);
     for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
         scene.look(span);
         scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
@@ -386,11 +373,6 @@ fn problem(
         .into_iter()
         .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
         .collect();
-    let mut all_margins: Vec<(CheckKind, f64)> = MARGINS.to_vec();
-    for (kind, share) in margins {
-        all_margins.retain(|(k, _)| *k != kind);
-        all_margins.push((kind, share));
-    }
     let title = title?;
     (faults.count() == before && !cases.is_empty()).then(|| Problem {
         id: name.to_owned(),
@@ -404,8 +386,24 @@ fn problem(
         methods: mistakes.iter().map(|m| m.id.clone()).collect(),
         mistakes,
         follows,
-        margins: all_margins,
+        margins,
     })
+}
+
+/// How far conditions of validity are checked: some quantities lie beyond the end of the motion, at the turning point, and where one
+/// is asked, up to there.
+fn span(asked: &[Question], scenes: &[(&str, &Scene)]) -> Span {
+    let in_formulas = |label: Label| {
+        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i),
+            _ => None,
+        });
+        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
+            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
+            Term::Given(_) => None,
+        })
+    };
+    Span::of(asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity])))
 }
 
 /// Tells of answers and bounds that depend on a mass or a radius that is `any`.
@@ -806,16 +804,20 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
     list
 }
 
-fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
-    let mut list = Vec::new();
-    for (name, key, value) in named(node, "margins by check", faults) {
+/// The margins of the checks: those that are usual, with the ones that are written over them.
+fn margins(node: Option<&Node>, faults: &Faults) -> Vec<(CheckKind, f64)> {
+    let mut list = MARGINS.to_vec();
+    for (name, key, value) in node.map_or_else(Vec::new, |n| named(n, "margins by check", faults)) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
             faults.hint(key, told!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
-            Some(s) if (0.0..1.0).contains(&s) => list.push((kind, s)),
+            Some(s) if (0.0..1.0).contains(&s) => {
+                list.retain(|(k, _)| *k != kind);
+                list.push((kind, s));
+            }
             Some(_) => {
                 faults.hint(value, told!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %")
             }

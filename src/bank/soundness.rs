@@ -85,6 +85,32 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
 
 /// What no data can make solvable: too few or too many freedoms, combinations that the assembly does not have.
 pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
+    // What moves in the plane has a message of its own, with its joints.
+    let planar = scene.bodies.iter().any(|b| b.planar.is_some());
+    if !planar && !grows_alike(scene, node, faults) {
+        return;
+    }
+    carrier(scene, node, faults);
+    loads(scene, node, faults);
+    if let Some((b, _)) = scene.pinned() {
+        let name = Some(scene.bodies[b].name.as_str());
+        let (company, tied) = (scene.bodies.len() > 1, !scene.ties.is_empty());
+        #[rustfmt::skip] // a table
+        let rules: [SceneRule; 2] = [
+            (name.filter(|_| company), "", "`{}` is pinned, and there is another body", "a pinned body is alone in its scene"),
+            (name.filter(|_| tied), "", "`{}` is pinned, and there are ties", "write a spring under `forces`"),
+        ];
+        tell(&rules, node, faults);
+    } else if planar {
+        mechanism(scene, node, faults);
+    } else if !matches!(scene.end, End::AtOnce) {
+        on_lines(scene, node, faults);
+    }
+}
+
+/// Is a scene in which forces grow one whose acceleration grows alike?
+fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
+    let Some(law) = scene.law() else { return true };
     let even = |t: &Tie| match t {
         Tie::Roll { .. } => true,
         Tie::Cord(c) => !matches!(c.to, Far::Spring { .. }),
@@ -92,112 +118,64 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     };
     let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
     let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
-    // What moves in the plane has a message of its own, with its joints.
-    let planar = scene.bodies.iter().any(|b| b.planar.is_some());
-    if let (Some(law), false) = (scene.law(), planar) {
-        let (ends, with, end) = match law.with {
-            Grows::Time => (matches!(scene.end, End::Time(..)), "time", "`end: {time: {of: wheel, is: t1}}`"),
-            Grows::Place => (
-                matches!(scene.end, End::Travel(..) | End::Position(..)),
-                "place",
-                "an end after a way or a turn, such as `end: {travel: {of: wheel, by: d}}`",
-            ),
-        };
-        if !(simple && ends) {
-            faults.hint(
-                node,
-                told!(
-                    "a force grows with {with}, and the scene is not one whose acceleration then grows alike"
-                ),
-                told!("one freedom, contacts that roll, no spring, no pin, and {end}"),
-            );
-            return;
-        }
-        if scene.growths.iter().any(|g| g.law != law) {
-            let hint = "write the same `with:` for all of them";
-            faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);
-            return;
-        }
+    let (ends, with, end) = match law.with {
+        Grows::Time => (matches!(scene.end, End::Time(..)), "time", "`end: {time: {of: wheel, is: t1}}`"),
+        Grows::Place => (
+            matches!(scene.end, End::Travel(..) | End::Position(..)),
+            "place",
+            "an end after a way or a turn, such as `end: {travel: {of: wheel, by: d}}`",
+        ),
+    };
+    let mixed = scene.growths.iter().any(|g| g.law != law);
+    if !(simple && ends) {
+        let message =
+            told!("a force grows with {with}, and the scene is not one whose acceleration then grows alike");
+        faults.hint(node, message, told!("one freedom, contacts that roll, no spring, no pin, and {end}"));
+    } else if mixed {
+        let hint = "write the same `with:` for all of them";
+        faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);
     }
-    carrier(scene, node, faults);
-    loads(scene, node, faults);
-    if let Some((b, _)) = scene.pinned() {
-        let name = Some(scene.bodies[b].name.as_str());
-        let rules: [SceneRule; 2] = [
-            (
-                name.filter(|_| scene.bodies.len() > 1),
-                "",
-                "`{}` is pinned, and there is another body",
-                "a pinned body is alone in its scene",
-            ),
-            (
-                name.filter(|_| !scene.ties.is_empty()),
-                "",
-                "`{}` is pinned, and there are ties",
-                "write a spring under `forces`",
-            ),
-        ];
-        return tell(&rules, node, faults);
-    }
-    if scene.bodies.iter().any(|b| b.planar.is_some()) {
-        mechanism(scene, node, faults);
-        return;
-    }
-    if matches!(scene.end, End::AtOnce) {
-        return;
-    }
+    simple && ends && !mixed
+}
+
+/// Bodies on lines and axles: one freedom, or more from rest, and one spring at most.
+fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     if scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         faults.hint(node, "only an instant is asked of a body of particles", "write `end: at once`");
         return;
     }
-    let cord_to = |what: fn(&Far) -> bool| {
-        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if what(&c.to))).count()
-    };
-    let springs = cord_to(|far| matches!(far, Far::Spring { .. }));
+    let spring = |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. }));
+    let springs = scene.ties.iter().filter(spring).count();
     let slips = scene.ties.iter().find_map(|t| match t {
-        Tie::Slip { body, .. } => Some(&scene.bodies[*body].name),
+        Tie::Slip { body, .. } => Some(scene.bodies[*body].name.as_str()),
         _ => None,
     });
     let freedoms = scene.freedoms();
-    if freedoms == 0 {
-        faults.hint(node, "the ties leave nothing free to move", "take one of the ties away");
-    }
-    if springs > 1 {
-        faults.at(node, "a scene has at most one spring");
-    }
-    if let (Some(name), true) = (slips, springs > 0) {
-        faults.hint(
-            node,
-            told!("`{name}` slips, and there is a spring; that is not solved"),
-            "let the wheel roll, or take the spring away",
-        );
-    } else if freedoms > 1 && springs > 0 {
-        faults.hint(
-            node,
-            told!("a spring holds a scene with {freedoms} freedoms; one is solved"),
-            "let the wheel roll",
-        );
-    }
+    let count = freedoms.to_string();
+    let several = Some(count.as_str()).filter(|_| freedoms > 1 && slips.is_none());
+    let held = springs > 0;
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 4] = [
+        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away"),
+        (is(springs > 1), "", "a scene has at most one spring", ""),
+        (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is not solved",
+            "let the wheel roll, or take the spring away"),
+        (several.filter(|_| held), "", "a spring holds a scene with {} freedoms; one is solved", "let the wheel roll"),
+    ];
+    tell(&rules, node, faults);
     thrown(scene, node, faults);
-    if (freedoms > 1 || slips.is_some()) && !scene.start.is_empty() && scene.thrown().is_none() {
-        match slips {
-            Some(name) => faults.hint(part(node, "start"),
-                told!("`{name}` slips, so its speed and its spin at the start are both given, or it starts from rest"),
-                told!("write `start: {{{name}: {{speed: v0, spin: w0}}}}` (one of them may be 0), or `start: at rest`"),
-            ),
-            None => faults.hint(part(node, "start"),
-                told!("a scene with {freedoms} freedoms starts from rest"),
-                "write `start: at rest`",
-            ),
-        }
-    }
-    if freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_)) {
-        faults.hint(
-            part(node, "start"),
-            "the ties leave one freedom, so one speed at the start gives all others",
-            "give one speed or spin",
-        );
-    }
+    let given = !scene.start.is_empty() && scene.thrown().is_none();
+    let twice = freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_));
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 3] = [
+        (slips.filter(|_| given), "start",
+            "`{}` slips, so its speed and its spin at the start are both given, or it starts from rest",
+            "write `start: {{}: {speed: v0, spin: w0}}` (one of them may be 0), or `start: at rest`"),
+        (several.filter(|_| given), "start", "a scene with {} freedoms starts from rest", "write `start: at rest`"),
+        (is(twice), "start", "the ties leave one freedom, so one speed at the start gives all others",
+            "give one speed or spin"),
+    ];
+    tell(&rules, node, faults);
 }
 
 /// Bodies that rest on wheels: how the wheels share the load is not known, so nothing is asked of it.
@@ -254,19 +232,15 @@ fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
 }
 
 /// A rule of scenes: who breaks it, if anybody does; the field of the scene at which that is told (the whole, if it is not
-/// written), what is said (`{}`: who), and what would be right.
+/// written), what is said (`{}`: who), and what would be right, if that is not plain.
 type SceneRule<'s> = (Option<&'s str>, &'static str, &'static str, &'static str);
 
 /// Tells which of these rules are broken.
 fn tell(rules: &[SceneRule], node: &Node, faults: &Faults) {
     for (who, field, message, hint) in rules {
-        if let Some(who) = who {
-            faults.hint(
-                node.field(field).unwrap_or(node),
-                message.replace("{}", who),
-                hint.replace("{}", who),
-            );
-        }
+        let Some(who) = who else { continue };
+        let hint = Some(*hint).filter(|hint| !hint.is_empty()).map(|hint| hint.replace("{}", who));
+        faults.maybe(part(node, field), message.replace("{}", who), hint);
     }
 }
 

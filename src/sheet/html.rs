@@ -147,27 +147,7 @@ impl<'w> Converter<'w> {
             Event::InlineMath(tex) => out.push(Event::InlineHtml(self.formulas.html(&tex, false).into())),
             Event::DisplayMath(tex) => {
                 walk.formulas += 1;
-                let wide = signs(&tex);
-                let mut class = String::from("formula");
-                if wide > PAPER {
-                    class.push_str(" long");
-                }
-                let parts = beside(&tex);
-                let widest = parts.iter().map(|part| signs(part)).max().unwrap_or(0);
-                let scrolls = if widest > PHONE {
-                    let label = format!("{} {}", self.words.get("sheet.formula"), walk.formulas);
-                    format!(" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"")
-                } else {
-                    String::new()
-                };
-                let math = match parts.as_slice() {
-                    [whole] => formula(whole, true),
-                    parts => {
-                        let shown = |part: &String| formula(part, false).replacen("<math", ROW, 1);
-                        parts.iter().map(shown).collect::<Vec<_>>().join(" ")
-                    }
-                };
-                out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
+                out.push(html(self.displayed(&tex, walk.formulas)));
             }
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
                 out.push(html(match walk.part.take().filter(|part| !walk.boxed.contains(part)) {
@@ -190,41 +170,9 @@ impl<'w> Converter<'w> {
             Event::End(TagEnd::Heading(level)) => {
                 out.push(Event::End(TagEnd::Heading(lowered(level, place.lower))))
             }
-            // A wide table scrolls by itself and not with the page.
-            Event::Start(Tag::Table(columns)) => {
-                walk.tables += 1;
-                walk.columns = columns;
-                let label = format!("{} {}", self.words.get("sheet.table"), walk.tables);
-                out.push(html(format!(
-                    "<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"><table>\n"
-                )));
-            }
-            Event::End(TagEnd::Table) => out.push(html("</tbody></table></div>\n".to_owned())),
-            Event::Start(Tag::TableHead) => {
-                (walk.in_head, walk.cell) = (true, 0);
-                out.push(html("<thead><tr>".to_owned()));
-            }
-            Event::End(TagEnd::TableHead) => {
-                walk.in_head = false;
-                out.push(html("</tr></thead>\n<tbody>\n".to_owned()));
-            }
-            Event::Start(Tag::TableRow) => {
-                walk.cell = 0;
-                out.push(html("<tr>".to_owned()));
-            }
-            Event::End(TagEnd::TableRow) => out.push(html("</tr>\n".to_owned())),
-            Event::Start(Tag::TableCell) => {
-                let class = match walk.columns.get(walk.cell) {
-                    Some(Alignment::Right) => " class=\"right\"",
-                    Some(Alignment::Center) => " class=\"middle\"",
-                    _ => "",
-                };
-                walk.cell += 1;
-                let tag = if walk.in_head { "th scope=\"col\"" } else { "td" };
-                out.push(html(format!("<{tag}{class}>")));
-            }
-            Event::End(TagEnd::TableCell) => {
-                out.push(html(if walk.in_head { "</th>" } else { "</td>" }.to_owned()));
+            Event::Start(Tag::Table(_) | Tag::TableHead | Tag::TableRow | Tag::TableCell)
+            | Event::End(TagEnd::Table | TagEnd::TableHead | TagEnd::TableRow | TagEnd::TableCell) => {
+                out.push(html(self.of_table(event, walk)));
             }
             Event::Start(Tag::CodeBlock(_)) => {
                 walk.in_code = true;
@@ -251,6 +199,65 @@ impl<'w> Converter<'w> {
             Event::HardBreak => out.push(html("<br>\n".to_owned())),
             event => out.push(event),
         }
+    }
+
+    /// A formula on a line of its own, the one of this number in its document.
+    fn displayed(&self, tex: &str, number: usize) -> String {
+        let class = if signs(tex) > PAPER { "formula long" } else { "formula" };
+        let parts = beside(tex);
+        let widest = parts.iter().map(|part| signs(part)).max().unwrap_or(0);
+        let scrolls = if widest > PHONE { self.scrolls("sheet.formula", number) } else { String::new() };
+        let math = match parts.as_slice() {
+            [whole] => formula(whole, true),
+            parts => {
+                let shown = |part: &String| formula(part, false).replacen("<math", ROW, 1);
+                parts.iter().map(shown).collect::<Vec<_>>().join(" ")
+            }
+        };
+        format!("<span class=\"{class}\"{scrolls}>{math}</span>")
+    }
+
+    /// Attributes of what may be wider than the page and scrolls by itself.
+    fn scrolls(&self, name: &str, number: usize) -> String {
+        format!(" role=\"group\" tabindex=\"0\" aria-label=\"{} {number}\"", self.words.get(name))
+    }
+
+    /// What begins and ends a table, its rows and its cells.
+    fn of_table(&self, event: Event, walk: &mut HtmlWalk) -> String {
+        match event {
+            Event::Start(Tag::Table(columns)) => {
+                walk.tables += 1;
+                walk.columns = columns;
+                return format!("<div class=\"wide\"{}><table>\n", self.scrolls("sheet.table", walk.tables));
+            }
+            Event::End(TagEnd::Table) => "</tbody></table></div>\n",
+            Event::Start(Tag::TableHead) => {
+                (walk.in_head, walk.cell) = (true, 0);
+                "<thead><tr>"
+            }
+            Event::End(TagEnd::TableHead) => {
+                walk.in_head = false;
+                "</tr></thead>\n<tbody>\n"
+            }
+            Event::Start(Tag::TableRow) => {
+                walk.cell = 0;
+                "<tr>"
+            }
+            Event::End(TagEnd::TableRow) => "</tr>\n",
+            Event::End(_) if walk.in_head => "</th>",
+            Event::End(_) => "</td>",
+            _ => {
+                let class = match walk.columns.get(walk.cell) {
+                    Some(Alignment::Right) => " class=\"right\"",
+                    Some(Alignment::Center) => " class=\"middle\"",
+                    _ => "",
+                };
+                walk.cell += 1;
+                let tag = if walk.in_head { "th scope=\"col\"" } else { "td" };
+                return format!("<{tag}{class}>");
+            }
+        }
+        .to_owned()
     }
 
     /// A box for an answer, which only a script shows, and the line that stands on paper without one.
