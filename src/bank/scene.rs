@@ -492,7 +492,7 @@ impl SceneReader<'_> {
             }
             // The mass of a body on a fixed axle whose moment of inertia is given enters but the force of the axle.
             (None, None)
-                if !holds(node, "parts") && !(holds(node, FIXED) && holds(node, "moment of inertia")) =>
+                if !(holds(node, "parts") || holds(node, FIXED) && holds(node, "moment of inertia")) =>
             {
                 self.faults.refuse_with(node, "`mass` is missing", "write `mass: m`, or `weight: W`")
             }
