@@ -3,7 +3,7 @@ use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Course, Entry, Refusal, Road, Said, Scope, Solved, Unsupported};
+use crate::solve::outcome::{Course, Entry, Refusal, Road, Said, Scope, Set, Solved, Unsupported};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -157,21 +157,25 @@ pub fn in_scales<R>(
     solve(&scene, &data)
 }
 
-/// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
+/// A scene that is solved again and again on the first road in doubles, for what is never published: where wrong methods would
 /// come to. What the right scene shares with it was admissible there and is not looked at again.
 #[derive(Debug)]
 pub struct Quick<'s> {
     scene: &'s Scene,
-    asked: Scope,
     /// Rules that the other data or the other scene may break.
     rules: Vec<(Num, Rule)>,
     /// Is the combination one that the assembly has? `None` where that hangs on the data.
     supported: Option<bool>,
 }
 
+/// Is it cheaper to solve the scene with several sets of data at once?
+pub fn side_by_side(scene: &Scene) -> bool {
+    eom::side_by_side(scene)
+}
+
 impl<'s> Quick<'s> {
-    /// Prepares `scene`, which stands for `right` with other values of these data and is asked for so much.
-    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize], asked: Scope) -> Self {
+    /// Prepares `scene`, which stands for `right` with other values of these data.
+    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
         // A formula may be another one in another scene.
         let other = |n: Num| match n {
             Num::Datum(i) => changed.contains(&i),
@@ -197,7 +201,7 @@ impl<'s> Quick<'s> {
             }
         });
         let supported = (!scene.ties.iter().any(is_held)).then(|| supported(scene, &[]).is_ok());
-        Self { scene, asked, rules, supported }
+        Self { scene, rules, supported }
     }
 
     /// Does a pinned body swing in it?
@@ -205,11 +209,15 @@ impl<'s> Quick<'s> {
         self.scene.pinned().is_some()
     }
 
-    /// What the equations of motion say with these data; `None` where the data are no such scene or have no motion.
-    pub fn road(&self, data: &[f64]) -> Option<Road<Fast>> {
-        let admissible = self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule));
-        let supported = || self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok());
-        if admissible && supported() { eom::road_of(self.scene, data, self.asked).ok() } else { None }
+    /// Are these data such a scene?
+    pub fn admits(&self, data: &[f64]) -> bool {
+        self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule))
+            && self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok())
+    }
+
+    /// What the equations of motion say of what is asked with each of these sets of data; `None` where there is no motion.
+    pub fn roads(&self, sets: &[Set], asked: Scope) -> Vec<Option<Road<Fast>>> {
+        eom::roads(self.scene, sets, asked)
     }
 }
 

@@ -2,7 +2,7 @@
 use crate::num::dd::pow2;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
-use crate::num::{Real, ball};
+use crate::num::{Fast, Lanes, Real, ball};
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Taken,
     Term, admissible, pose,
@@ -719,6 +719,9 @@ pub struct Throw {
     pub available: f64,
 }
 
+/// A set of data, where a scene is solved with several.
+pub type Set = SmallVec<[f64; 16]>;
+
 /// What is asked of a road; beside it, a road always says where the motion goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Scope {
@@ -737,6 +740,10 @@ impl Scope {
     }
     /// All but the time: of joined bodies it is a quadrature of its own, and no other answer hangs on it.
     pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), held: true };
+    /// What is asked by either.
+    pub const fn with(self, other: Self) -> Self {
+        Self { quantities: self.quantities.with(other.quantities), held: self.held || other.held }
+    }
     /// Is one of these quantities asked?
     pub fn any(self, quantities: &[Quantity]) -> bool {
         quantities.iter().any(|q| self.quantities.has(*q))
@@ -892,6 +899,22 @@ impl<T: Real> Road<T> {
             }
         }
         Ok(Some(road))
+    }
+}
+
+impl Road<Lanes> {
+    /// What it says with one of several sets of data of what is asked.
+    pub fn lane(&self, lane: usize) -> Road<Fast> {
+        let of = |x: Lanes| x.lane(lane);
+        let said = self.said.iter().map(|s| Said { label: s.label, value: of(s.value), scale: s.scale });
+        let course = self.course.map(|c| Course {
+            sense: c.sense,
+            drive: (of(c.drive.0), of(c.drive.1)),
+            asked: c.asked.map(of),
+            farthest: of(c.farthest),
+            reached: c.reached,
+        });
+        Road { said: said.collect(), course, ..Road::new(Scope::only([])) }
     }
 }
 
