@@ -7,10 +7,9 @@ use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
 use crate::num::formula::Formula;
 use crate::num::lanes::LANES;
-use crate::num::{Fast, Real as _};
 use crate::scene::{Label, Owner, Quantity, Term};
 use crate::solve::agree::{self, Quick};
-use crate::solve::outcome::{Entry, Road, Scope, Set, Solved};
+use crate::solve::outcome::{Entry, Scope, Set, Solved, Told};
 
 /// Where a wrong method comes to for one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,8 +68,6 @@ pub struct Methods<'p> {
 struct Method<'p> {
     /// Its index in the problem.
     index: usize,
-    /// How many values those before it in the problem can have.
-    before: usize,
     mistake: &'p Mistake,
     /// The scene that it solves, if it changes scene or data, and what it asks of it.
     solves: Option<Quick<'p>>,
@@ -98,7 +95,6 @@ impl<'p> Methods<'p> {
         let right = problem.cases.get(case).map(|c| &c.scene);
         let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
         let mistakes = problem.mistakes.iter().enumerate().filter(|(i, m)| wanted(*i) && taken(m));
-        let mut before = 0;
         let method = |(index, mistake): (usize, &'p Mistake)| {
             let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
             let scene = match mistake.scenes.is_empty() {
@@ -134,8 +130,7 @@ impl<'p> Methods<'p> {
             let asked = Scope::only(spoils.iter().flat_map(needed).map(|label| label.quantity));
             let joins =
                 solves.is_some() && mistake.scenes.is_empty() && right.is_some_and(agree::side_by_side);
-            before += spoils.len();
-            Method { index, before: before - spoils.len(), mistake, solves, asked, joins, spoils }
+            Method { index, mistake, solves, asked, joins, spoils }
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
         methods.sort_by_key(|m| (m.solves.is_some(), !m.joins, m.mistake.unguarded.is_some()));
@@ -159,42 +154,44 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let most = self.methods.iter().map(|m| m.before + m.spoils.len()).max();
-        let mut found = vec![None; most.unwrap_or(0)];
+        let mut found: Vec<Wrong> = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
         let together = self.methods.chunk_by(|a, b| a.joins && b.joins).flat_map(|all| all.chunks(LANES - 1));
         'all: for methods in together {
             let mut roads = self.roads(methods, data, solved).into_iter();
             for method in methods {
-                let (mut more, mut places) = (true, found[method.before..].iter_mut());
+                let mut more = true;
                 method.values(roads.next().flatten().as_ref(), data, solved, &mut |wrong| {
                     more &= go_on(&wrong);
-                    if let Some(place) = places.next() {
-                        *place = Some(wrong);
-                    }
+                    found.push(wrong);
                 });
                 if !more {
                     break 'all;
                 }
             }
         }
-        found.into_iter().flatten().collect()
+        found.sort_unstable_by_key(|wrong| (wrong.mistake, wrong.asked));
+        found
     }
 
     /// The solutions of the scenes that these methods take for the right one.
-    fn roads(&self, methods: &[Method], data: &[f64], solved: &Solved) -> Vec<Option<Road<Fast>>> {
+    fn roads(&self, methods: &[Method], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
         let Some(quick) = &methods[0].solves else { return Vec::new() };
         let changed: Vec<Option<Set>> =
             methods.iter().map(|m| m.changed(self.problem, data, solved)).collect();
         // Several sets are solved as the first one moves: the right one leads.
-        let right = (methods.len() > 1).then(|| Set::from_slice(data));
+        let right = (methods.len() > 1).then(|| data.to_vec());
         let leads = usize::from(right.is_some());
         let sets: Vec<Set> = right.into_iter().chain(changed.iter().flatten().cloned()).collect();
         let asked = methods.iter().fold(Scope::only([]), |all, m| all.with(m.asked));
         let mut found = quick.roads(&sets, asked).into_iter().skip(leads);
         // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
-        let stops = |road: &Road<Fast>| road.course.is_some_and(|c| c.asked.is_some() && !c.reached);
-        let told = |road: &Road<Fast>| !(quick.is_pinned() && stops(road));
-        changed.iter().map(|set| set.as_ref().and_then(|_| found.next()?.filter(told))).collect()
+        let stops = |told: &Told| match told {
+            Told::Alone(road) => road.course.is_some_and(|c| c.asked.is_some() && !c.reached),
+            #[cfg(feature = "program")]
+            Told::Lane(..) => false,
+        };
+        let ends = |told: &Told| !(quick.is_pinned() && stops(told));
+        changed.iter().map(|set| set.as_ref().and_then(|_| found.next()?.filter(ends))).collect()
     }
 }
 
@@ -209,17 +206,11 @@ fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Ite
 
 impl Method<'_> {
     /// What it comes to, with the solution of the scene that it takes for the right one.
-    fn values(
-        &self,
-        changed: Option<&Road<Fast>>,
-        data: &[f64],
-        solved: &Solved,
-        tell: &mut dyn FnMut(Wrong),
-    ) {
+    fn values(&self, changed: Option<&Told>, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
         let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
         let changes = !self.mistake.data.is_empty() || !self.mistake.scenes.is_empty();
         let other = |label: Label| match changed {
-            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value.f64()),
+            Some(told) => told.value(0, label).unwrap_or(f64::NAN),
             // Without such a motion only what follows from the data alone has a value.
             None if changes => f64::NAN,
             None => right(label),
@@ -253,7 +244,7 @@ impl Method<'_> {
     /// The data that the method takes for the right ones, if they are such a scene.
     fn changed(&self, problem: &Problem, data: &[f64], solved: &Solved) -> Option<Set> {
         let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
-        let mut taken = Set::from_slice(data);
+        let mut taken = data.to_vec();
         for (index, expression) in &self.mistake.data {
             let value = expression.eval(data, &right);
             let degrees = problem.data.get(*index).is_some_and(|d| d.degrees);

@@ -6,9 +6,9 @@
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
 use crate::num::{NOISE, Real};
-use crate::scene::{Label, Scene, admissible};
+use crate::scene::{Scene, admissible};
 use crate::solve::eom;
-use crate::solve::outcome::{Entry, Road, Scope, Set};
+use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
 use smallvec::SmallVec;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
@@ -18,9 +18,6 @@ const FINE: [f64; 2] = [6e-7, 2e-4];
 
 /// Slopes to the two sides of a datum that differ by more than this share belong to a kink, or to a singularity between them.
 const UNEVEN: f64 = 0.1;
-
-/// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
-pub type Kind = Option<(f64, bool)>;
 
 /// What differences of doubles leave of a condition number of 0.
 const NOTHING: f64 = 1e-6;
@@ -43,10 +40,17 @@ type Values<T> = SmallVec<[Option<T>; 8]>;
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let (mut conds, rounded) = quotients(scene, data, kind, entries, &eom::roads);
+    let labels = || entries.iter().map(|e| e.label).enumerate();
+    let doubles = |sets: &[Set], asked| {
+        let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());
+        eom::roads(scene, sets, asked).into_iter().map(|told| told.map(values)).collect()
+    };
+    let (mut conds, rounded) = quotients(scene, data, kind, entries, &doubles);
     if !T::is_double() && rounded.contains(&true) {
-        let each = |scene: &Scene, sets: &[Set], asked| {
-            sets.iter().map(|data| eom::road_of::<T>(scene, data, asked).ok()).collect()
+        let value = |road: &Road<T>, (at, label)| road.said_at(at, label).map(|said| said.value);
+        let values = |road: Road<T>| (road.kind(), labels().map(|label| value(&road, label)).collect());
+        let each = |sets: &[Set], asked| {
+            sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(values)).collect()
         };
         let (finer, _) = quotients(scene, data, kind, entries, &each);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
@@ -56,8 +60,8 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
     conds
 }
 
-/// The roads of a scene for several sets of data.
-type Roads<'r, T> = &'r dyn Fn(&Scene, &[Set], Scope) -> Vec<Option<Road<T>>>;
+/// For each of several sets of data the kind of motion and the values of the entries; `None` where there is no motion.
+type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<(Kind, Values<T>)>>;
 
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell.
 fn quotients<T: Real>(
@@ -79,22 +83,19 @@ fn quotients<T: Real>(
         let moves: Vec<Option<usize>> =
             own.then_some(None).into_iter().chain(used.iter().map(|i| Some(*i))).collect();
         let moved = |i: &Option<usize>| {
-            let mut moved = Set::from_slice(data);
+            let mut moved = data.to_vec();
             i.iter().for_each(|i| moved[*i] = data[*i] * (1.0 + by));
             moved
         };
         let sets: Vec<Set> = moves.iter().map(moved).collect();
-        let change = |(road, (set, i)): (Option<Road<T>>, (&Set, &Option<usize>))| {
-            let value = |at: usize| match conds[at] {
-                Some(_) => None,
-                None => value(road.as_ref()?, at, entries[at].label),
-            };
-            let kind_of = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
-            let alike = road.as_ref().map(kind_of) == Some(kind);
-            let values = (0..entries.len()).map(value).collect();
-            Changed { by: i.map_or(0.0, |i| set[i] / data[i] - 1.0), alike, values }
+        let change = |(found, (set, i)): (Option<(Kind, Values<T>)>, (&Set, &Option<usize>))| {
+            let by = i.map_or(0.0, |i| set[i] / data[i] - 1.0);
+            match found {
+                Some((found, values)) => Changed { by, alike: found == kind, values },
+                None => Changed { by, alike: false, values: entries.iter().map(|_| None).collect() },
+            }
         };
-        roads(scene, &sets, asked).into_iter().zip(sets.iter().zip(&moves)).map(change).collect()
+        roads(&sets, asked).into_iter().zip(sets.iter().zip(&moves)).map(change).collect()
     };
     let mut base = None;
     'found: for power in STEPS {
@@ -164,11 +165,6 @@ fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
         used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
     }
     (0..data.len()).filter(|i| used[*i]).collect()
-}
-
-/// What a road says of a label; the roads mostly speak in the same order.
-fn value<T: Real>(road: &Road<T>, at: usize, label: Label) -> Option<T> {
-    road.said.get(at).filter(|s| s.label == label).or_else(|| road.get(label)).map(|s| s.value)
 }
 
 /// Change of an entry per relative change of a datum.

@@ -12,10 +12,11 @@ pub mod thrown;
 pub mod travel;
 
 use crate::num::dd::Dd;
-use crate::num::lanes::LANES;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Fast, Lanes, Real, lanes, trig};
+use crate::num::{Fast, Real, trig};
+#[cfg(feature = "program")]
+use crate::num::{Lanes, lanes};
 use crate::scene::pose;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
@@ -28,8 +29,10 @@ use crate::solve::found;
 use crate::solve::found::Forward;
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Set, Unsupported};
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Set, Told, Unsupported};
 use smallvec::{SmallVec, smallvec};
+#[cfg(feature = "program")]
+use std::rc::Rc;
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///
@@ -49,24 +52,31 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
 
 /// What they say of what is asked with each of several sets of data, in doubles; `None` where they say nothing. Scenes of constant
 /// velocity ratios are walked for several sets at once.
-pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Road<Fast>>> {
-    let alone = |data: &Set| road_of(scene, data, asked).ok();
-    if sets.len() < 2 || !side_by_side(scene) {
-        return sets.iter().map(alone).collect();
+pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
+    let alone = |data: &Set| road_of(scene, data, asked).ok().map(Told::Alone);
+    #[cfg(feature = "program")]
+    if sets.len() > 1 && side_by_side(scene) {
+        return sets.chunks(lanes::LANES).flat_map(|sets| together(scene, sets, asked, &alone)).collect();
     }
-    let mut found = Vec::with_capacity(sets.len());
-    let together = |sets: &[Set]| {
-        let walk = |data: &[f64]| Walk::<Lanes>::new(scene, Numbers::new(scene, data), asked)?.walk();
-        let (road, astray) = lanes::side_by_side(sets, walk);
-        let road = road.map(|(road, _)| road.telling(scene));
-        let of = |(lane, data)| match &road {
-            Ok(road) if astray >> lane & 1 == 0 => Some(road.lane(lane)),
-            _ => alone(data),
-        };
-        sets.iter().enumerate().for_each(|set| found.push(of(set)));
+    sets.iter().map(alone).collect()
+}
+
+/// The same of so many sets as go side by side.
+#[cfg(feature = "program")]
+fn together(
+    scene: &Scene,
+    sets: &[Set],
+    asked: Scope,
+    alone: &dyn Fn(&Set) -> Option<Told>,
+) -> Vec<Option<Told>> {
+    let walk = |data: &[f64]| Walk::<Lanes>::new(scene, Numbers::new(scene, data), asked)?.walk();
+    let (road, astray) = lanes::side_by_side(sets, walk);
+    let road = road.map(|(road, _)| Rc::new(road.telling(scene)));
+    let of = |(lane, data)| match &road {
+        Ok(road) if astray >> lane & 1 == 0 => Some(Told::Lane(Rc::clone(road), lane)),
+        _ => alone(data),
     };
-    sets.chunks(LANES).for_each(together);
-    found
+    sets.iter().enumerate().map(of).collect()
 }
 
 /// Is it walked for several sets of data at once? A motion on lines and axles, with all data given and nothing asked by formulas.
