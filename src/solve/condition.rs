@@ -5,10 +5,10 @@
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
-use crate::num::{Fast, NOISE, Real};
-use crate::scene::{Label, Scene, admissible};
+use crate::num::{NOISE, Real};
+use crate::scene::{Scene, admissible};
 use crate::solve::eom;
-use crate::solve::outcome::{Entry, Road, Scope};
+use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
 use smallvec::SmallVec;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
@@ -18,9 +18,6 @@ const FINE: [f64; 2] = [6e-7, 2e-4];
 
 /// Slopes to the two sides of a datum that differ by more than this share belong to a kink, or to a singularity between them.
 const UNEVEN: f64 = 0.1;
-
-/// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
-pub type Kind = Option<(f64, bool)>;
 
 /// What differences of doubles leave of a condition number of 0.
 const NOTHING: f64 = 1e-6;
@@ -38,14 +35,24 @@ struct Changed<T> {
 }
 
 /// One value for each entry, where it has one and it is asked.
-type Values<T> = SmallVec<[Option<T>; 4]>;
+type Values<T> = SmallVec<[Option<T>; 8]>;
 
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let (mut conds, rounded) = quotients::<Fast>(scene, data, kind, entries);
+    let labels = || entries.iter().map(|e| e.label).enumerate();
+    let doubles = |sets: &[Set], asked| {
+        let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());
+        eom::roads(scene, sets, asked).into_iter().map(|told| told.map(values)).collect()
+    };
+    let (mut conds, rounded) = quotients(scene, data, kind, entries, &doubles);
     if !T::is_double() && rounded.contains(&true) {
-        let (finer, _) = quotients::<T>(scene, data, kind, entries);
+        let value = |road: &Road<T>, (at, label)| road.said_at(at, label).map(|said| said.value);
+        let values = |road: Road<T>| (road.kind(), labels().map(|label| value(&road, label)).collect());
+        let each = |sets: &[Set], asked| {
+            sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(values)).collect()
+        };
+        let (finer, _) = quotients(scene, data, kind, entries, &each);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }
@@ -53,43 +60,52 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
     conds
 }
 
+/// For each of several sets of data the kind of motion and the values of the entries; `None` where there is no motion.
+type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<(Kind, Values<T>)>>;
+
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell.
-fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> (Vec<f64>, Vec<bool>) {
+fn quotients<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    kind: Kind,
+    entries: &[Entry],
+    roads: Roads<T>,
+) -> (Vec<f64>, Vec<bool>) {
     let used = used(scene, data);
     let mut rounded = vec![false; entries.len()];
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
-    // What was found needs no further road.
-    let solved = |data: &[f64], conds: &[Option<f64>]| {
+    // Where each datum is changed, after the data as they are if these are wanted.
+    let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<T>> {
+        // What was found needs no further road.
         let missing = entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
-        let road = eom::road_of(scene, data, Scope::only(missing.map(|(e, _)| e.label.quantity))).ok();
-        let value = |at: usize| match conds[at] {
-            Some(_) => None,
-            None => value(road.as_ref()?, at, entries[at].label),
+        let asked = Scope::only(missing.map(|(e, _)| e.label.quantity));
+        let moves: Vec<Option<usize>> =
+            own.then_some(None).into_iter().chain(used.iter().map(|i| Some(*i))).collect();
+        let moved = |i: &Option<usize>| {
+            let mut moved = data.to_vec();
+            i.iter().for_each(|i| moved[*i] = data[*i] * (1.0 + by));
+            moved
         };
-        let values: Values<T> = (0..entries.len()).map(value).collect();
-        let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
-        (values, road.as_ref().map(kind))
-    };
-    let (base, _) = solved(data, &conds);
-    let mut moved = data.to_vec();
-    let mut changed = |by: f64, conds: &[Option<f64>]| -> Vec<Changed<T>> {
-        let change = |i: &usize| {
-            moved[*i] = data[*i] * (1.0 + by);
-            let (values, found) = solved(&moved, conds);
-            let by = moved[*i] / data[*i] - 1.0;
-            moved[*i] = data[*i];
-            Changed { by, alike: found == Some(kind), values }
+        let sets: Vec<Set> = moves.iter().map(moved).collect();
+        let change = |(found, (set, i)): (Option<(Kind, Values<T>)>, (&Set, &Option<usize>))| {
+            let by = i.map_or(0.0, |i| set[i] / data[i] - 1.0);
+            match found {
+                Some((found, values)) => Changed { by, alike: found == kind, values },
+                None => Changed { by, alike: false, values: entries.iter().map(|_| None).collect() },
+            }
         };
-        used.iter().map(change).collect()
+        roads(&sets, asked).into_iter().zip(sets.iter().zip(&moves)).map(change).collect()
     };
+    let mut base = None;
     'found: for power in STEPS {
         let step = pow2(power);
-        let up = changed(step, &conds);
+        let mut up = changed(step, &conds, base.is_none());
+        let base = base.get_or_insert_with(|| up.remove(0).values);
         let mut down: Vec<Changed<T>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
-                down = changed(-step, &conds);
+                down = changed(-step, &conds, false);
             } else if !up.iter().all(|c| c.alike) {
                 continue;
             }
@@ -149,11 +165,6 @@ fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
         used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
     }
     (0..data.len()).filter(|i| used[*i]).collect()
-}
-
-/// What a road says of a label; the roads mostly speak in the same order.
-fn value<T: Real>(road: &Road<T>, at: usize, label: Label) -> Option<T> {
-    road.said.get(at).filter(|s| s.label == label).or_else(|| road.get(label)).map(|s| s.value)
 }
 
 /// Change of an entry per relative change of a datum.
