@@ -361,26 +361,28 @@ impl<T: Real> Factors<T> {
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
         let (x, filled, order) = (&mut x[..], &self.filled[..], &self.order[..]);
+        // The unknowns that are other than 0.
+        let mut some = 0_u64;
         let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
             let cells = &self.cells[row * self.size..][..self.size];
             let (mut sum, mut size) = x[r];
             for c in places(filled[row] & columns) {
-                let (cell, x) = (cells[c], x[c].0);
-                if !x.is_zero() && !cell.is_zero() {
-                    let term = cell * x;
-                    (sum, size) = (sum - term, size + term.size());
-                }
+                let term = cells[c] * x[c].0;
+                (sum, size) = (sum - term, size + term.size());
             }
             (sum, size)
         };
         for (r, row) in order.iter().copied().enumerate() {
             x[r] = (right[row], right[row].size());
-            x[r] = less(x, r, row, !(!0 << r));
+            x[r] = less(x, r, row, some);
+            some |= u64::from(!x[r].0.is_zero()) << r;
         }
+        some = 0;
         for (r, row) in order.iter().copied().enumerate().rev() {
-            let (sum, size) = less(x, r, row, !1 << r);
+            let (sum, size) = less(x, r, row, some);
             right[r] = sum.cleared(size) * self.cells[row * self.size + r];
             x[r].0 = right[r];
+            some |= u64::from(!right[r].is_zero()) << r;
         }
     }
 }

@@ -6,7 +6,7 @@
 //! the root singularity out of the time, or beside an equilibrium as the square of its hyperbolic sine, as the time itself would
 //! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
 use crate::num::dd::pow2;
-use crate::num::gauss::{self, PerNode, Unsettled, long};
+use crate::num::gauss::{self, PerNode, Rule, Unsettled};
 use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
@@ -27,9 +27,6 @@ use std::cell::{Cell, RefCell};
 const TURNS: f64 = 2.0;
 /// Angle after which a panel ends at the latest, radians.
 const STRIDE: f64 = 1.0;
-/// Legendre coefficients below this share are rounding of the answer, in numbers of 32 digits and in doubles: see
-/// [`gauss::Rule::rough`].
-const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
 /// Panels of a motion at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
 /// is rough by its rounding.
@@ -41,8 +38,8 @@ const BESIDE: f64 = 1.0 / 4096.0;
 /// An equilibrium farther away than this leaves the time smooth, radians.
 const NEAR: f64 = 0.25;
 
-/// The degree of coefficients that fall as those of a panel do.
-const DEGREE: f64 = 32.0;
+/// The share of the nodes of a panel that is the degree of coefficients which fall as its last ones do.
+const DEGREE: f64 = 0.8;
 
 /// A panel is no shorter than this share of the way: a singularity so far away is still seen.
 const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
@@ -84,6 +81,28 @@ struct Motion<'m, 'a, T: Real> {
     panels: Cell<u32>,
     /// What has a closed form.
     pendulum: Option<Pendulum<T>>,
+    /// How fine its panels are.
+    fine: Fine,
+}
+
+/// The panels of a motion, and the shares below which the last Legendre coefficients of its rate and of its time are smooth.
+#[derive(Debug, Clone, Copy)]
+struct Fine {
+    rule: &'static Rule,
+    rate: f64,
+    time: f64,
+    /// Are there joints that can only push, or rub?
+    watched: bool,
+}
+
+impl Fine {
+    /// Longer panels where something may happen within one, a turning point of a body on a pin, a joint that can only push or rubs being watched there, or a speed.
+    fn of<T: Real>(scene: &Scene, pinned: bool) -> Self {
+        let watched = scene.joints.iter().any(|j| j.kind.is_one_sided() || j.kind.rubs().is_some());
+        let ending = !watched && !pinned && matches!(scene.end, End::Angle(..));
+        let (rule, rate, time) = if ending { gauss::ending::<T>() } else { gauss::long::<T>() };
+        Self { rule, rate, time, watched }
+    }
 }
 
 /// What the rate has come to.
@@ -262,6 +281,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         meets: mechanism.meets(sense, (horizon(), look())),
         panels: Cell::new(PANELS),
         pendulum: teller.pendulum(&state, sense, spin),
+        fine: Fine::of::<T>(scene, teller.pinned.is_some()),
     };
     // Friction may hold what would set off without it.
     let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
@@ -441,22 +461,21 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
 
     fn panel(&self, ends: (T, T), from: Gain<T>) -> Result<Panel<T>, Refusal> {
-        let (width, share) = (ends.1 - ends.0, SMOOTH[usize::from(T::is_double())]);
+        let (width, Fine { rule, rate: share, time, watched }) = (ends.1 - ends.0, self.fine);
         let (mechanism, joints) = (self.mechanism, &self.mechanism.scene.joints);
-        let watched = joints.iter().any(|j| j.kind.is_one_sided() || j.kind.rubs().is_some());
         let [mut drives, mut growths, mut slopes, mut inertias] =
-            [(); 4].map(|()| PerNode::with_capacity(long::<T>().nodes.len()));
+            [(); 4].map(|()| PerNode::with_capacity(rule.nodes.len()));
         let mut slides_on = PerNode::new();
         let mut pushes: Watched<(T, T)> = SmallVec::new();
         let mut state = mechanism.state(self.angle(self.way(ends.1).0), true)?;
         let mut last = mechanism.inertia(&state);
-        for node in long::<T>().nodes.iter() {
+        for node in rule.nodes.iter() {
             let (way, slope) = self.way(ends.0 + width * T::constant(*node));
             let slope = slope * width;
             mechanism.next(self.angle(way), &mut state)?;
             let inertia = mechanism.inertia(&state);
             let mut drive = mechanism.drive(&state);
-            if watched || self.is_rubbed() {
+            if watched {
                 let response = mechanism.respond(&state, &self.rubs)?;
                 slides_on.push(self.slides_on(&state));
                 for joint in 0..joints.len() {
@@ -481,13 +500,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         // The integrating factor where something rubs. Growths are exponents: beside 1 they count.
         let mut rough = 0.0;
         if self.is_rubbed() {
-            rough = long::<T>().rough(&growths, share, 1.0);
-            inertias = long::<T>().running(&growths).into_iter().map(|x| trig::exp_of(-x)).collect();
-            last = trig::exp_of(-long::<T>().mean(&growths));
+            rough = rule.rough(&growths, share, 1.0);
+            inertias = rule.running(&growths).into_iter().map(|x| trig::exp_of(-x)).collect();
+            last = trig::exp_of(-rule.mean(&growths));
             drives.iter_mut().zip(&inertias).for_each(|(a, e)| *a = *a * *e);
         }
         let start = from.half_square * from.factor;
-        let squares = long::<T>().running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
+        let squares = rule.running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
         let squares: PerNode<T> = squares.collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
@@ -498,12 +517,12 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             .into_iter()
             .chain(pushes.iter().map(|p| (&p.1, self.weights())))
         {
-            rough = f64::max(rough, long::<T>().rough(values, share, beside));
+            rough = f64::max(rough, rule.rough(values, share, beside));
         }
-        let gained = long::<T>().mean(&drives);
+        let gained = rule.mean(&drives);
         let half_square = (start + gained).cleared(start.size() + gained.size()) / last;
         let factor = if self.is_rubbed() { T::of(1.0) } else { last };
-        let uneven = long::<T>().rough(&times, gauss::SMOOTH, 0.0);
+        let uneven = rule.rough(&times, time, 0.0);
         let last = Gain { half_square, factor };
         Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares })
     }
@@ -529,7 +548,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
             let rough = if timely && moves { f64::max(panel.rough, panel.uneven) } else { panel.rough };
             // The coefficients fall geometrically, the faster the farther away a singularity is in lengths of the panel.
-            let fit = 0.9 * trig::power(rough, -1.0 / DEGREE);
+            let fit = 0.9 * trig::power(rough, -1.0 / (DEGREE * self.fine.rule.nodes.len() as f64));
             width = next - at;
             let cost = if rough <= 1.0 { 1 } else { ROUGH };
             let left = self.panels.get().checked_sub(cost);
@@ -591,7 +610,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
             let part = match &found {
                 Some(stop) => stop.time,
-                None => (panel.uneven <= 1.0).then(|| long::<T>().mean(&panel.times)),
+                None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
             };
             time = time.zip(part).map(|(sum, part)| sum + plant!("eom: time of joined bodies", part));
             Ok(found.is_some())
@@ -610,8 +629,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         level: Option<T>,
         least: &mut [(usize, f64, f64)],
     ) -> Result<Option<Stop<T>>, Refusal> {
-        let (a, b) = panel.ends;
-        let nodes = long::<T>().nodes.iter().map(|s| a + (b - a) * T::constant(*s));
+        let ((a, b), rule) = (panel.ends, self.fine.rule);
+        let nodes = rule.nodes.iter().map(|s| a + (b - a) * T::constant(*s));
         let rising = level.map(|l| from.below(l));
         let mut before = a;
         let squares = panel.squares.iter().copied();
@@ -627,7 +646,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
             let force = |forces: &PerNode<T>| match forces.get(i) {
                 Some(force) => *force,
-                None => long::<T>().at(forces, T::of(1.0)),
+                None => rule.at(forces, T::of(1.0)),
             };
             let now = panel.pushes.iter().map(|(joint, forces)| (*joint, force(forces)));
             let now: SmallVec<[(usize, T); 2]> = now.collect();
@@ -651,11 +670,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
             if let Some((x, why)) = first {
                 let share = (x - a) / (b - a);
-                let fine = why != Why::Rest
-                    && long::<T>().rough(&panel.times, SMOOTH[usize::from(T::is_double())], 0.0) <= 1.0;
-                let half_square =
-                    if why == Why::Rest { T::zero() } else { long::<T>().at(&panel.squares, share) };
-                let time = fine.then(|| long::<T>().until(&panel.times, share));
+                let fine = why != Why::Rest && rule.rough(&panel.times, self.fine.rate, 0.0) <= 1.0;
+                let half_square = if why == Why::Rest { T::zero() } else { rule.at(&panel.squares, share) };
+                let time = fine.then(|| rule.until(&panel.times, share));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
             for (joint, force) in now {
@@ -677,16 +694,16 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         (before, after): (T, T),
         level: Option<(T, bool)>,
     ) -> Result<T, Refusal> {
-        let (a, b) = panel.ends;
+        let ((a, b), rule) = (panel.ends, self.fine.rule);
         let share = |x: T| (x - a) / (b - a);
-        let square = |x: T| long::<T>().at(&panel.squares, share(x));
+        let square = |x: T| rule.at(&panel.squares, share(x));
         match (why, level) {
             (Why::Speed, Some((level, rising))) => {
                 root::between_values(before, after, rising, &|x| Ok(square(x) - level))
             }
             (Why::Leaves(joint), _) => {
                 let forces = panel.pushes.iter().find(|p| p.0 == joint).map(|p| &p.1);
-                let force = |x: T| forces.map_or_else(T::zero, |forces| long::<T>().at(forces, share(x)));
+                let force = |x: T| forces.map_or_else(T::zero, |forces| rule.at(forces, share(x)));
                 let x = root::between_values(before, after, force(after).sign() > 0.0, &|x| {
                     Ok::<_, Refusal>(force(x))
                 })?;
@@ -789,7 +806,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
         let mut time = T::zero();
         let mut visit = |panel: &Panel<T>, _: Gain<T>| {
-            time = time + long::<T>().mean(&panel.times);
+            time = time + self.fine.rule.mean(&panel.times);
             Ok(false)
         };
         self.over((T::zero(), self.variable(way)), self.from, true, &mut visit)?;
@@ -845,13 +862,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let values: Vec<T> = panel.squares.iter().copied().chain([panel.last.half_square]).collect();
             let fallen = values.iter().position(|y| y.sign() < 0.0);
             let until = fallen.unwrap_or(values.len());
-            let nodes: Vec<f64> = long::<T>().nodes.iter().map(|s| s.hi).chain([1.0]).collect();
+            let nodes: Vec<f64> = self.fine.rule.nodes.iter().map(|s| s.hi).chain([1.0]).collect();
             let best = (0..until).max_by(|a, b| values[*a].f64().total_cmp(&values[*b].f64()));
             if let Some(i) = best {
                 // Between its neighbours it has one peak.
                 let (mut low, mut high) =
                     (i.checked_sub(1).map_or(0.0, |i| nodes[i]), *nodes.get(i + 1).unwrap_or(&1.0));
-                let at = |x: f64| long::<T>().at(&panel.squares, T::of(x));
+                let at = |x: f64| self.fine.rule.at(&panel.squares, T::of(x));
                 for _ in 0..PEAK {
                     let [a, b] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
                     if at(a).below(at(b)) { low = a } else { high = b }
@@ -1250,6 +1267,7 @@ impl<T: Real> Teller<'_, '_, T> {
             meets: mechanism.meets(way.sign(), (way.abs(), look())),
             panels: Cell::new(PANELS),
             pendulum: None,
+            fine: Fine::of::<T>(self.scene, self.pinned.is_some()),
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
