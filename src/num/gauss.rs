@@ -15,8 +15,6 @@ const LAST: usize = 3;
 /// A function is smooth on a panel if its last coefficients are below this share of its mean magnitude. They fall geometrically,
 /// and the mean is exact up to twice their degree: its error is about the square of this.
 pub const SMOOTH: f64 = 1e-12;
-/// The same for [`running`], which is exact up to their degree alone: its error is about this.
-pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
 /// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.

@@ -5,9 +5,8 @@ pub mod equations;
 pub mod instant;
 pub mod integrate;
 pub mod joined;
-pub mod pinned;
+pub mod pendulum;
 pub mod planar;
-pub mod swing;
 pub mod thrown;
 pub mod travel;
 
@@ -119,11 +118,8 @@ fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>,
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
-    if scene.lead().is_some() {
+    if scene.lead().is_some() || scene.pinned().is_some() {
         return Ok(joined::road_by(scene, &n, asked, None)?.0);
-    }
-    if let Some((body, pin)) = scene.pinned() {
-        return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
         return at_once(scene, n, asked);
@@ -186,15 +182,12 @@ fn alone_by<T: Real>(
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() {
+    if scene.lead().is_some() || scene.pinned().is_some() {
         // Its formula wants accelerations that do not hang on the speed.
         return match rung.method() {
-            Method::Verlet => Err(Refusal::NoMethod { method: Method::Verlet }),
-            _ => joined::road_by(scene, &n, Scope::ALL, Some(rung)),
+            Method::Verlet if scene.lead().is_some() => Err(Refusal::NoMethod { method: Method::Verlet }),
+            _ => joined::road_by(scene, &n, Scope::ALL, Some((rung, asked))),
         };
-    }
-    if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok((at_once(scene, n, Scope::ALL)?, Count::default()));
