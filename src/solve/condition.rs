@@ -64,8 +64,10 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
     conds
 }
 
-/// For each of several sets of data the kind of motion and the values of the entries; `None` where there is no motion.
-type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<(Kind, Values<T>)>>;
+/// The kind of motion and the values of the entries; `None` where there is no motion.
+type Outcome<T> = Option<(Kind, Values<T>)>;
+/// That of each of several sets of data.
+type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Outcome<T>>;
 
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell. If data may
 /// `follow` others, those are not changed.
@@ -95,7 +97,7 @@ fn quotients<T: Real>(
             moved
         };
         let sets: Vec<Set> = moves.iter().map(moved).collect();
-        let change = |(found, (set, i)): (Option<(Kind, Values<T>)>, (&Set, &Option<usize>))| {
+        let change = |(found, (set, i)): (Outcome<T>, (&Set, &Option<usize>))| {
             let by = i.map_or(0.0, |i| set[i] / data[i] - 1.0);
             match found {
                 Some((found, values)) => Changed { by, alike: found == kind, values },
