@@ -1256,6 +1256,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let scene = self.scene;
         let still = scene.end == End::AtOnce;
         self.weigh();
+        if scene.pushes.iter().any(|p| p.toward_m.is_some()) {
+            return Err(Beyond::Mechanism.into());
+        }
         for push in scene.pushes.iter().filter(|p| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             let unit = self.direction(push.direction_deg);
