@@ -319,11 +319,16 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
         faults.hint(part(node, "joints"), message, "remove `mu_k`");
     }
     if scene.lead().is_none() {
-        let name = scene.bodies.iter().find(|b| b.turns).map_or("rod", |b| b.name.as_str());
+        let hint = match scene.bodies.iter().find(|b| b.turns) {
+            Some(body) => told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
+            None => told!(
+                "a body that turns has it; what only slides along a line moves `vertically` or `along` a surface"
+            ),
+        };
         faults.hint(
             part(node, "start"),
             "the angle at which the motion starts is missing",
-            told!("write `start: {{{name}: {{angle: phi0}}}}`"),
+            hint,
         );
     }
 }
