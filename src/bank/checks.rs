@@ -325,11 +325,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
                 "a body that turns has it; what only slides along a line moves `vertically` or `along` a surface"
             ),
         };
-        faults.hint(
-            part(node, "start"),
-            "the angle at which the motion starts is missing",
-            hint,
-        );
+        faults.hint(part(node, "start"), "the angle at which the motion starts is missing", hint);
     }
 }
 

@@ -343,8 +343,7 @@ impl SceneReader<'_> {
             (None, None) => toward.map(|_| Num::Fixed(0.0)),
         };
         let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
-        let name =
-            fields.get("name").and_then(Node::text).map_or_else(|| default(symbol, count), str::to_owned);
+        let name = name(&mut fields, symbol, count);
         fields.close();
         let turns = turning.is_some();
         Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, toward_m, blow })
@@ -365,8 +364,7 @@ impl SceneReader<'_> {
                 None
             }
         };
-        let name =
-            fields.get("name").and_then(Node::text).map_or_else(|| default("spring", count), str::to_owned);
+        let name = name(&mut fields, "spring", count);
         fields.close();
         let (to, acts) = (StrutEnd::Twist, Acts::Both);
         let at = at.filter(|spot| {
@@ -406,8 +404,7 @@ impl SceneReader<'_> {
         let words = [("pushes", Acts::Pushes), ("pulls", Acts::Pulls)];
         let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
         let acts = acts.unwrap_or_default();
-        let name =
-            fields.get("name").and_then(Node::text).map_or_else(|| default("spring", count), str::to_owned);
+        let name = name(&mut fields, "spring", count);
         fields.close();
         Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
@@ -434,7 +431,11 @@ const fn on_axis(along: Place) -> [Place; 2] {
     [along, Place::At(Num::Fixed(0.0))]
 }
 
-/// The first is called as it is, the next ones are numbered.
-fn default(name: &str, count: usize) -> String {
-    if count == 0 { name.to_owned() } else { format!("{name}{}", count + 1) }
+/// What it is called; without a name the first as it is, the next ones by their number.
+fn name(fields: &mut Fields, without: &str, count: usize) -> String {
+    match fields.get("name").and_then(Node::text) {
+        Some(name) => name.to_owned(),
+        None if count == 0 => without.to_owned(),
+        None => format!("{without}{}", count + 1),
+    }
 }
