@@ -43,6 +43,17 @@
 //! itself: [`page`] solves the scene of one sheet and judges its answers, [`tutor`] finds hints, and the package in
 //! `src/page/door` makes of both the WebAssembly that pages carry (`.ci/page`).
 //!
+//! # Two ways through the house
+//! From a datum of a bank to the key: `bank/schema.rs` reads it, its range with `bank/draw.rs` and its use with `bank/scene.rs`;
+//! `draw/sample.rs` gives it a value out of `draw/stream.rs`; `problem/maker.rs` solves the scene with it (`solve/agree.rs`) and keeps
+//! the draw if each rule of `problem/rule.rs` holds; `problem/make_key.rs` writes down the answers as a [`key::ProblemKey`], which
+//! `set/key_file.rs` puts into key.csv.
+//!
+//! From a student's cell to the verdict: `answer/submissions.rs` finds the cell in what was handed in, `grade/run.rs` takes it to
+//! `grade/judge.rs` and that to `grade/compare.rs`, where `answer/read.rs` makes a reading of it; reading and key give a
+//! [`grade::verdict::Verdict`] with its reason. `grade/diagnose.rs` looks for the wrong method behind a wrong number,
+//! `grade/award.rs` gives the points.
+//!
 //! # In Rust
 //! A bank is read from its text; what is wrong with it comes as findings, all at once:
 //! ```
@@ -106,7 +117,7 @@
 //! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], its force in `solve/eom/planar.rs` and its
 //! work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
-//! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
+//! words in `bank/scene/ties.rs`, its quantities in `bank/labels.rs`. A new end of a motion: a row in `bank/scene/end.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
 //! [`policy`], a line in `bank/course.rs`, its effect in `grade/attempt.rs`, `grade/credit.rs`, `grade/rules.rs` or `grade/award.rs`,

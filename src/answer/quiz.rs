@@ -3,7 +3,7 @@
 //!
 //! Read from the platforms' own sources: moodle, `mod/quiz/report/responses` and `question/type/multianswer/question.php`;
 //! instructure/canvas-lms, `app/models/quizzes/quiz_statistics/student_analysis.rb`.
-use crate::answer::submissions::{Batch, Header, RecordScratch, RecordSource};
+use crate::answer::submissions::{Header, RecordSource};
 use crate::csv_field::unguarded;
 use crate::finding::Finding;
 use std::io::{self, Read};
@@ -182,14 +182,11 @@ pub fn read(inner: Box<dyn Read + Send>) -> io::Result<Result<Option<Quiz>, Find
         return Ok(Ok(None));
     };
     let reader = QuizReader { platform, roles: roles(platform, &header), header };
-    let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
     let mut attempts = Vec::new();
-    while source.next_batch(&mut batch)? {
-        batch.records(&mut scratch, |record| {
-            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default()).into_owned();
-            attempts.extend(reader.attempt(record.line(), &text));
-        });
-    }
+    source.each(|record| {
+        let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default()).into_owned();
+        attempts.extend(reader.attempt(record.line(), &text));
+    })?;
     Ok(Ok(Some(Quiz { platform, attempts })))
 }
 

@@ -1,5 +1,5 @@
 //! Rosters, and student ids as names of folders.
-use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
+use crate::answer::submissions::RecordSource;
 use crate::csv_field::unguarded;
 use crate::finding::{Finding, Findings};
 use rustc_hash::FxHashMap;
@@ -40,55 +40,53 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     };
     let mut all: Vec<(String, String)> = Vec::new();
     let mut seen: FxHashMap<String, u64> = FxHashMap::default();
-    let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
-    while source.next_batch(&mut batch).map_err(unread)? {
-        batch.records(&mut scratch, |r| {
-            let line = r.line();
-            let raw = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned();
-            let text = |i: usize| unguarded(raw(i).trim()).to_owned();
-            let empty = |from: usize| (from..r.len()).all(|i| text(i).is_empty());
-            if empty(0) {
-                return;
-            }
-            if r.fault().is_some() {
-                let odd = Finding::new("record", "bytes that cannot be read").at(place(line), 1);
-                findings.push(odd.hint("save the roster as UTF-8"));
-                return;
-            }
-            if !empty(header.fields.len()) {
-                let odd = format!("{} fields where the header has {}", r.len(), header.fields.len());
-                findings.push(
-                    Finding::new("record", odd).at(place(line), 1).hint("put a name with a comma in quotes"),
-                );
-                return;
-            }
-            let id = text(student);
-            // A quote that is not closed in its line, where the lines after it look like records: the id was on two lines.
-            let broken = r.quote_left_open() && raw(student).trim_start().starts_with('"');
-            if broken || raw(student).contains(line_break) {
-                let odd = format!("`{}` has a line break", raw(student).escape_debug());
-                let odd = Finding::new("student", odd).at(place(line), student + 1);
-                findings.push(odd.hint("write the id on one line, without a quote that is left open"));
-            } else if id.is_empty() {
-                findings.push(Finding::new("student", "the id is blank").at(place(line), student + 1));
-            } else if id.chars().any(char::is_control) {
-                findings.push(
-                    Finding::new("student", format!("`{}` has a control character", id.escape_debug()))
-                        .at(place(line), student + 1),
-                );
-            } else if id.len() > 100 {
-                findings.push(
-                    Finding::new("student", "the id is longer than 100 bytes").at(place(line), student + 1),
-                );
-            } else if let Some(first) = seen.get(&id) {
-                let twice = Finding::new("student", format!("`{id}` stands on lines {first} and {line}"));
-                findings.push(twice.at(place(line), student + 1).hint("keep one of them"));
-            } else {
-                seen.insert(id.clone(), line);
-                all.push((id, name.map(text).unwrap_or_default()));
-            }
-        });
-    }
+    let read = source.each(|r| {
+        let line = r.line();
+        let raw = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned();
+        let text = |i: usize| unguarded(raw(i).trim()).to_owned();
+        let empty = |from: usize| (from..r.len()).all(|i| text(i).is_empty());
+        if empty(0) {
+            return;
+        }
+        if r.fault().is_some() {
+            let odd = Finding::new("record", "bytes that cannot be read").at(place(line), 1);
+            findings.push(odd.hint("save the roster as UTF-8"));
+            return;
+        }
+        if !empty(header.fields.len()) {
+            let odd = format!("{} fields where the header has {}", r.len(), header.fields.len());
+            findings.push(
+                Finding::new("record", odd).at(place(line), 1).hint("put a name with a comma in quotes"),
+            );
+            return;
+        }
+        let id = text(student);
+        // A quote that is not closed in its line, where the lines after it look like records: the id was on two lines.
+        let broken = r.quote_left_open() && raw(student).trim_start().starts_with('"');
+        if broken || raw(student).contains(line_break) {
+            let odd = format!("`{}` has a line break", raw(student).escape_debug());
+            let odd = Finding::new("student", odd).at(place(line), student + 1);
+            findings.push(odd.hint("write the id on one line, without a quote that is left open"));
+        } else if id.is_empty() {
+            findings.push(Finding::new("student", "the id is blank").at(place(line), student + 1));
+        } else if id.chars().any(char::is_control) {
+            findings.push(
+                Finding::new("student", format!("`{}` has a control character", id.escape_debug()))
+                    .at(place(line), student + 1),
+            );
+        } else if id.len() > 100 {
+            findings.push(
+                Finding::new("student", "the id is longer than 100 bytes").at(place(line), student + 1),
+            );
+        } else if let Some(first) = seen.get(&id) {
+            let twice = Finding::new("student", format!("`{id}` stands on lines {first} and {line}"));
+            findings.push(twice.at(place(line), student + 1).hint("keep one of them"));
+        } else {
+            seen.insert(id.clone(), line);
+            all.push((id, name.map(text).unwrap_or_default()));
+        }
+    });
+    read.map_err(unread)?;
     if all.is_empty() && findings.is_empty() {
         findings.push(Finding::new("roster", "no student").at(place(header.line), 1));
     }

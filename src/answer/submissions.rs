@@ -636,6 +636,18 @@ impl RecordSource {
         Ok(())
     }
 
+    /// Calls `each` for every record that is left.
+    ///
+    /// # Errors
+    /// Those of the reader.
+    pub fn each(&mut self, mut each: impl FnMut(&Record)) -> io::Result<()> {
+        let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
+        while self.next_batch(&mut batch)? {
+            batch.records(&mut scratch, &mut each);
+        }
+        Ok(())
+    }
+
     /// Puts the next records into `batch`; `false` at the end of the stream.
     ///
     /// # Errors
@@ -841,14 +853,11 @@ pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, L
 }
 
 fn collect(source: &mut RecordSource) -> io::Result<Lines> {
-    let (mut batch, mut scratch, mut all) = (Batch::default(), RecordScratch::default(), Vec::new());
-    while source.next_batch(&mut batch)? {
-        batch.records(&mut scratch, |r| {
-            let fields =
-                (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
-            all.push((r.line(), fields.collect()));
-        });
-    }
+    let mut all = Vec::new();
+    source.each(|r| {
+        let fields = (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
+        all.push((r.line(), fields.collect()));
+    })?;
     Ok(all)
 }
 

@@ -2,7 +2,7 @@
 use crate::bank::expression::{Expression, Name};
 use crate::bank::node::{Faults, Node, WHOLE, choice, named, shorten, text};
 use crate::bank::scene::DatumUse;
-use crate::bank::{Datum, checks, measure, need::Need};
+use crate::bank::{Datum, labels, measure, need::Need, soundness};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term};
@@ -86,7 +86,7 @@ fn read(
     // On a smooth surface a body may keep a spin that its scene does not follow.
     let spins_on = target.bodies.iter().zip(&scene.bodies).any(|(there, here)| there.turns != here.turns);
     let label_of = |name: &str| {
-        let label = checks::label(target, name)?;
+        let label = labels::named(target, name)?;
         if WHOLE
             && spins_on
             && matches!(label.quantity, Quantity::KineticEnergy | Quantity::RotationalFraction)
@@ -135,7 +135,7 @@ fn read(
         None => match (name.strip_prefix(OF_NEXT), next(scene)) {
             (Some(of_next), Some(at)) => {
                 let target = &scene.formulas.others[at].1;
-                let label = checks::label(target, of_next)?;
+                let label = labels::named(target, of_next)?;
                 let (_, powers) = measure::quantity(target, label, of_next)?;
                 Ok((Name::Next(label), powers))
             }
@@ -203,7 +203,7 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
     }
     if WHOLE {
         let own = Faults::default();
-        checks::structure(&other, node, &own);
+        soundness::structure(&other, node, &own);
         if let Some(why) = own.into_sorted("").iter().next() {
             let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
             return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));

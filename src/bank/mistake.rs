@@ -2,9 +2,9 @@
 //! catalogue of misconceptions, by the same id.
 use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, WHOLE, items, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
-use crate::bank::{Datum, Follow, Mistake, Question, asked, checks, found, measure};
+use crate::bank::{Datum, Follow, Mistake, Question, asked, inverse, labels, measure};
 use crate::finding::told;
 use crate::scene::{Label, Scene};
 use crate::units::spell;
@@ -88,15 +88,8 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
             values.push((label, e));
         }
     }
-    let of = of_node.map_or_else(Vec::new, |n| match &n.value {
-        Value::List(items) => {
-            items.iter().filter_map(|i| label(i.text().unwrap_or(""), i, context, faults)).collect()
-        }
-        _ => {
-            faults.at(n, told!("expected a list of quantities, found {}", n.kind()));
-            Vec::new()
-        }
-    });
+    let of = of_node.and_then(|n| items(n, "a list of quantities", faults)).unwrap_or_default();
+    let of = of.iter().filter_map(|i| label(i.text().unwrap_or(""), i, context, faults)).collect();
     let scenes = scene_node.map_or_else(Vec::new, |changes| {
         context.cases.iter().map(|case| changed(case, changes, context, faults)).collect()
     });
@@ -106,22 +99,16 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
 
 /// The cases in which a method is taken.
 fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
-    let Value::List(items) = &node.value else {
-        faults.at(node, told!("expected a list of cases, found {}", node.kind()));
-        return Vec::new();
-    };
-    let mut found = Vec::new();
-    for item in items {
+    let index = |item: &Node| {
         let name = item.text().unwrap_or("").trim();
-        match context.cases.iter().position(|case| case.name == name) {
-            Some(index) => found.push(index),
-            None => {
-                let hint = spell::did_you_mean(name, context.cases.iter().map(|case| case.name));
-                faults.maybe(item, told!("`{}` is no case of this problem", shorten(name)), hint);
-            }
+        let found = context.cases.iter().position(|case| case.name == name);
+        if found.is_none() {
+            let hint = spell::did_you_mean(name, context.cases.iter().map(|case| case.name));
+            faults.maybe(item, told!("`{}` is no case of this problem", shorten(name)), hint);
         }
-    }
-    found
+        found
+    };
+    items(node, "a list of cases", faults).unwrap_or_default().iter().filter_map(index).collect()
 }
 
 fn is_id(text: &str) -> bool {
@@ -136,7 +123,7 @@ fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Fault
         return faults.refuse(changes, told!("expected fields of a scene, found {}", changes.kind()));
     };
     let mut scene = scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene?;
-    found::put(&node, context.measured, &mut scene, context.data, &Faults::default());
+    inverse::put(&node, context.measured, &mut scene, context.data, &Faults::default());
     if let Some(questions) = context.questions {
         // What the changed scene cannot answer, the method does not come to.
         let of = AskedContext { data: context.data, case: case.name };
@@ -148,7 +135,7 @@ fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Fault
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
     for CaseContext { scene, .. } in context.cases {
-        match checks::label(scene, name) {
+        match labels::named(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
         }
@@ -211,7 +198,7 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         scene_read.set(!context.cases.is_empty());
         let mut trouble = (told!("`{}` is not known", shorten(name)), None);
         for CaseContext { scene, .. } in context.cases {
-            match checks::label(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
+            match labels::named(scene, name).and_then(|label| measure::quantity(scene, label, name)) {
                 Ok(found) => return Ok(found),
                 Err(fault) => trouble = fault,
             }

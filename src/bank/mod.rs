@@ -299,13 +299,13 @@ pub(crate) mod any;
 pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;
-pub mod checks;
 #[cfg(feature = "program")]
 pub mod course;
 pub mod decimal;
 pub(crate) mod draw;
 pub(crate) mod expression;
-pub(crate) mod found;
+pub(crate) mod inverse;
+pub mod labels;
 pub mod load;
 pub(crate) mod measure;
 pub(crate) mod mistake;
@@ -315,6 +315,7 @@ pub(crate) mod node;
 pub mod overlay;
 pub(crate) mod scene;
 pub(crate) mod schema;
+pub(crate) mod soundness;
 #[cfg(feature = "program")]
 pub mod yaml;
 

@@ -263,6 +263,14 @@ pub fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     found.map(str::to_owned)
 }
 
+/// The items of a list; anything else is a finding.
+pub fn items<'n>(node: &'n Node, what: &str, faults: &Faults) -> Option<&'n [Node]> {
+    match &node.value {
+        Value::List(items) => Some(items),
+        _ => faults.refuse(node, told!("expected {what}, found {}", node.kind())),
+    }
+}
+
 /// What one of some words means.
 pub fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
     let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));

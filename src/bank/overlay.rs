@@ -1,6 +1,6 @@
 //! Texts of a bank in another language, put over its own: title, problems' titles, names of data, questions, statements.
 use crate::bank::node::{Faults, Fields, Node, named, shorten, text};
-use crate::bank::{Bank, Problem, Variables, checks, load, yaml};
+use crate::bank::{Bank, Problem, Variables, load, soundness, yaml};
 use crate::finding::Findings;
 use crate::units::spell;
 
@@ -83,7 +83,7 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
         let known = was.map(|w| w.questions.iter().find(|q| q.id == id));
         match this.questions.iter_mut().find(|q| q.id == id) {
             Some(question) => {
-                checks::template(node, false, &symbols, variables, faults);
+                soundness::template(node, false, &symbols, variables, faults);
                 if let Some(text) = words(node, faults)
                     && known.is_none_or(|w| w.is_some_and(|w| w.ask == question.ask))
                 {
@@ -102,7 +102,7 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
             // What is looked for is not given.
             let given = given_in(this);
             let given: Vec<&str> = given.iter().map(String::as_str).collect();
-            checks::template(node, true, &given, variables, faults);
+            soundness::template(node, true, &given, variables, faults);
         }
         if let Some(text) = words(node, faults)
             && was.is_none_or(|w| w.statement == this.statement)

@@ -5,11 +5,11 @@ use crate::bank::course;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, choice, named, shorten, text, whole};
+use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, choice, items, named, shorten, text, whole};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    any, asked, checks, draw, found, measure, mistake,
+    any, asked, draw, inverse, labels, measure, mistake, soundness,
 };
 use crate::finding::told;
 #[cfg(not(feature = "program"))]
@@ -289,7 +289,7 @@ fn problem(
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
-    let margins = fields.get("margins").filter(|_| WHOLE).map_or_else(Vec::new, |n| margins(n, faults));
+    let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
     let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
     let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
     let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
@@ -312,10 +312,10 @@ fn problem(
     let mut cases = cases;
     let measured: Vec<(usize, &Node)> =
         read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
-    let measured = found::only(node, &measured, &data, faults);
+    let measured = inverse::only(node, &measured, &data, faults);
     for case in &mut cases {
         let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
-        uses.extend(found::put(node, measured, scene, &data, faults));
+        uses.extend(inverse::put(node, measured, scene, &data, faults));
         if let Some(n) = questions_node {
             uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
         }
@@ -362,22 +362,9 @@ fn problem(
         }
         let names = data.iter().filter(|d| d.unknown.is_none());
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
-        checks::templates(statement_node, questions_node, &names, variables, faults);
+        soundness::templates(statement_node, questions_node, &names, variables, faults);
     }
-    // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
-    // are checked up to there.
-    let in_formulas = |label: Label| {
-        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
-            Owner::Asked(i) => scene.formulas.asked.get(i),
-            _ => None,
-        });
-        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
-            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
-            Term::Given(_) => None,
-        })
-    };
-    let quantities = asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity]));
-    let span = Span::of(quantities);
+    let span = span(&asked, &scenes);
     for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
         scene.look(span);
         scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
@@ -386,13 +373,6 @@ fn problem(
         .into_iter()
         .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
         .collect();
-    let mut all_margins: Vec<(CheckKind, f64)> = MARGINS.to_vec();
-    for (kind, share) in margins {
-        match all_margins.iter_mut().find(|(k, _)| *k == kind) {
-            Some(entry) => entry.1 = share,
-            None => all_margins.push((kind, share)),
-        }
-    }
     let title = title?;
     (faults.count() == before && !cases.is_empty()).then(|| Problem {
         id: name.to_owned(),
@@ -406,8 +386,24 @@ fn problem(
         methods: mistakes.iter().map(|m| m.id.clone()).collect(),
         mistakes,
         follows,
-        margins: all_margins,
+        margins,
     })
+}
+
+/// How far conditions of validity are checked: some quantities lie beyond the end of the motion, at the turning point, and where one
+/// is asked, up to there.
+fn span(asked: &[Question], scenes: &[(&str, &Scene)]) -> Span {
+    let in_formulas = |label: Label| {
+        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i),
+            _ => None,
+        });
+        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
+            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
+            Term::Given(_) => None,
+        })
+    };
+    Span::of(asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity])))
 }
 
 /// Tells of answers and bounds that depend on a mass or a radius that is `any`.
@@ -557,18 +553,18 @@ impl<'n> ProblemRead<'n> {
                     continue;
                 }
                 let draw = case.draws[i].as_ref();
-                checks::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
+                soundness::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
             }
             if let Some(scene) = &read.scene {
                 let node = case.scene_node.unwrap_or(case.node);
                 let symbols = self.data.iter().map(|d| d.datum.symbol.clone());
                 let draws: Vec<_> = symbols.zip(case.draws.iter().cloned()).collect();
-                checks::structure(scene, node, self.faults);
+                soundness::structure(scene, node, self.faults);
                 for (_, next) in scene.formulas.others.iter().filter(|(how, _)| *how == AsIf::Next) {
-                    checks::structure(next, node.field("next").unwrap_or(node), self.faults);
+                    soundness::structure(next, node.field("next").unwrap_or(node), self.faults);
                 }
-                checks::instant(scene, &draws, node, self.faults);
-                checks::inertia_where_slipping(scene, &draws, case.node, self.faults);
+                soundness::instant(scene, &draws, node, self.faults);
+                soundness::inertia_where_slipping(scene, &draws, case.node, self.faults);
             }
         }
     }
@@ -705,23 +701,14 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
     for (symbol, key, value) in named(node, "data by symbol", faults) {
         if WHOLE {
             if !scene::plain_name(symbol) {
-                faults.hint(
-                    key,
-                    told!("`{}` is no symbol", shorten(symbol)),
-                    "letters, digits and `_`, beginning with a letter, such as `mu_s`",
-                );
+                let hint = "letters, digits and `_`, beginning with a letter, such as `mu_s`";
+                faults.hint(key, told!("`{}` is no symbol", shorten(symbol)), hint);
             } else if symbol == "g" {
-                faults.hint(
-                    key,
-                    "`g` is the acceleration of free fall",
-                    "write `gravity: 9.81 m/s^2` at the top of the bank",
-                );
+                let hint = "write `gravity: 9.81 m/s^2` at the top of the bank";
+                faults.hint(key, "`g` is the acceleration of free fall", hint);
             } else if TEMPLATE_NAMES.contains(&symbol) {
-                faults.hint(
-                    key,
-                    told!("`{symbol}` has a meaning of its own in statements"),
-                    "choose another symbol",
-                );
+                let message = told!("`{symbol}` has a meaning of its own in statements");
+                faults.hint(key, message, "choose another symbol");
             }
         }
         let mut datum = Datum {
@@ -732,17 +719,11 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
             degrees: false,
             unknown: None,
         };
-        let mut own = None;
-        let mut measured = None;
-        let mut absent = false;
-        let mut unit_known = false;
-        let mut draw_wrong = false;
+        let (mut own, mut measured) = (None, None);
+        let (mut absent, mut unit_known, mut draw_wrong) = (false, false, false);
         if let Some(mut fields) = Fields::open(value, "a datum (name, unit, draw)", faults) {
-            if let Some(name) =
-                fields.need("name", "mass of the wheel").and_then(|n| text(n, "a name", faults))
-            {
-                datum.name = name;
-            }
+            let name = fields.need("name", "mass of the wheel").and_then(|n| text(n, "a name", faults));
+            datum.name = name.unwrap_or_default();
             if let Some(n) = fields.need("unit", "kg") {
                 match measure::unit(n.text().unwrap_or("")) {
                     Ok(unit) => {
@@ -754,9 +735,7 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
                     }
                 }
             }
-            if let Some(tex) = fields.get("tex").and_then(|n| text(n, "a symbol in LaTeX", faults)) {
-                datum.tex = tex;
-            }
+            fields.set("tex", &mut datum.tex, |n, f| text(n, "a symbol in LaTeX", f));
             let given = fields.get("draw");
             absent = given.is_some_and(is_none);
             own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
@@ -808,13 +787,9 @@ pub fn tex_of(symbol: &str) -> String {
 }
 
 fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
-    let items: Vec<&Node> = match &node.value {
-        Value::List(items) => items.iter().collect(),
-        Value::Text(_) => vec![node],
-        _ => {
-            faults.at(node, told!("expected a list of regimes, found {}", node.kind()));
-            return Vec::new();
-        }
+    let items = match &node.value {
+        Value::Text(_) => std::slice::from_ref(node),
+        _ => items(node, "a list of regimes", faults).unwrap_or_default(),
     };
     let mut list = Vec::new();
     for item in items {
@@ -829,16 +804,20 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
     list
 }
 
-fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
-    let mut list = Vec::new();
-    for (name, key, value) in named(node, "margins by check", faults) {
+/// The margins of the checks: those that are usual, with the ones that are written over them.
+fn margins(node: Option<&Node>, faults: &Faults) -> Vec<(CheckKind, f64)> {
+    let mut list = MARGINS.to_vec();
+    for (name, key, value) in node.map_or_else(Vec::new, |n| named(n, "margins by check", faults)) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
             faults.hint(key, told!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
-            Some(s) if (0.0..1.0).contains(&s) => list.push((kind, s)),
+            Some(s) if (0.0..1.0).contains(&s) => {
+                list.retain(|(k, _)| *k != kind);
+                list.push((kind, s));
+            }
             Some(_) => {
                 faults.hint(value, told!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %")
             }
@@ -890,9 +869,7 @@ fn question(
         Some(n) => text(n, "a quantity", faults)?,
         None => id.to_owned(),
     };
-    let unit_node = fields.get("unit");
-    let tolerance_node = fields.get("tolerance");
-    let cond_node = fields.get("cond limit");
+    let [unit_node, tolerance_node, cond_node] = fields.each(["unit", "tolerance", "cond limit"]);
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
     let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
     let figures = fields
@@ -945,7 +922,7 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
     }
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
-        match checks::label(scene, name) {
+        match labels::named(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
                 return faults.refuse_with(
@@ -1002,10 +979,7 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
 }
 
 fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) -> Vec<String> {
-    let Value::List(items) = &node.value else {
-        faults.at(node, told!("expected a list of question ids, found {}", node.kind()));
-        return Vec::new();
-    };
+    let Some(items) = items(node, "a list of question ids", faults) else { return Vec::new() };
     if items.is_empty() {
         faults.at(node, "a problem asks at least one question");
     }
@@ -1031,7 +1005,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             if let Some(found) = measure::datum(data, name) {
                 return Ok(found);
             }
-            let label = scene.map_or_else(|| unowned(name), |s| checks::label(s, name)).map_err(
+            let label = scene.map_or_else(|| unowned(name), |s| labels::named(s, name)).map_err(
                 |(message, hint)| {
                     let close = spell::did_you_mean(name, data.iter().map(|d| d.symbol.as_str()));
                     (message, close.or(hint))
@@ -1042,13 +1016,8 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                 None => measure::own_quantity(label, name),
             }
         };
-        let expression = match Expression::parse(written, &lookup) {
-            Ok(e) => Some(e),
-            Err(fault) => {
-                fault.tell(key, written, faults);
-                None
-            }
-        };
+        let expression = Expression::parse(written, &lookup);
+        let expression = expression.map_err(|fault| fault.tell(key, written, faults)).ok();
         let Some(mut fields) = Fields::open(value, "`{min: ...}`, `{max: ...}` or both", faults) else {
             continue;
         };
@@ -1061,9 +1030,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
         let limit = |n: &Node| -> Option<f64> {
             let (number, unit) = match measure::decimal_constant(n.text().unwrap_or("")) {
                 Ok(read) => read,
-                Err(message) => {
-                    return faults.refuse(n, message);
-                }
+                Err(message) => return faults.refuse(n, message),
             };
             let found = measure::powers(&unit);
             if found != expression.powers && !(number.value == 0 && unit.is_number()) {

@@ -5,7 +5,7 @@ use crate::finding::{Finding, Findings};
 use crate::folder::{files, names};
 use crate::grade::verdict::Verdict;
 use crate::inspect::sentences::{refusal, right_answer};
-use crate::misconception::catalogue::{Catalogue, Entry};
+use crate::misconception::catalogue::{Catalogue, CatalogueEntry};
 use crate::page::check::{self, CheckedProblem, Unsolved};
 use crate::page::sheet_file::{SheetFile, SheetProblem};
 use crate::sheet::{statement, terminal};
@@ -89,7 +89,7 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             });
             continue;
         };
-        let find = |id: &str| catalogue.get(id).map(Entry::words);
+        let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
         let Some(told) = problem.check(p, cell, words, &find) else { continue };
         let entry = &problem.key.parts[p];
         let right = told.verdict == Verdict::Right;

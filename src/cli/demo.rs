@@ -119,16 +119,11 @@ fn foreign(dir: &Path) -> Option<Vec<String>> {
 
 /// What the answers really were against their verdicts, a row for each kind.
 fn kinds_and_verdicts(root: &Path) -> Result<String, Findings> {
-    let column = |file: &Path, name: &str| -> Result<Vec<String>, Findings> {
-        let records = files::records(file)?;
-        let at = records.first().and_then(|h| h.iter().position(|f| f == name)).unwrap_or_default();
-        Ok(records.iter().skip(1).map(|r| r.get(at).unwrap_or_default().to_owned()).collect())
-    };
     // Both have a row for each row of the submissions, in their order.
-    let kinds = column(&root.join(TRUTH), "kind")?;
-    let verdicts = column(&root.join("grades").join(names::ANSWERS), "verdict")?;
+    let kinds = files::columns(&root.join(TRUTH), ["kind"])?;
+    let verdicts = files::columns(&root.join("grades").join(names::ANSWERS), ["verdict"])?;
     let pairs: Vec<(&str, &str)> =
-        kinds.iter().map(String::as_str).zip(verdicts.iter().map(String::as_str)).collect();
+        kinds.iter().zip(&verdicts).map(|([kind], [verdict])| (kind.as_str(), verdict.as_str())).collect();
     let met = Verdict::ALL.iter().map(|v| v.as_str()).filter(|v| pairs.iter().any(|(_, w)| w == v));
     let met: Vec<&str> = met.collect();
     let row = |kind: &str| {
@@ -147,16 +142,11 @@ fn kinds_and_verdicts(root: &Path) -> Result<String, Findings> {
 
 /// The totals, two students to a line.
 fn marks(gradebook: &Path) -> Result<String, Findings> {
-    let records = files::records(gradebook)?;
-    let Some(header) = records.first() else { return Ok(String::new()) };
-    let text = |record: &files::CsvRecord, name: &str| {
-        let column = header.iter().position(|f| f == name);
-        column.and_then(|c| record.get(c)).unwrap_or_default().to_owned()
-    };
-    let most = records.get(1).map_or_else(String::new, |record| text(record, "max_total"));
+    let students = files::columns(gradebook, ["student", "name", "total", "max_total"])?;
+    let most = students.first().map_or("", |[.., most]| most.as_str());
     let head = ["student".to_owned(), "name".to_owned(), format!("points of {most}")];
     let students: Vec<[String; 3]> =
-        records.iter().skip(1).map(|r| ["student", "name", "total"].map(|column| text(r, column))).collect();
+        students.iter().map(|[id, name, total, _]| [id, name, total].map(String::clone)).collect();
     let (left, right) = students.split_at(students.len().div_ceil(2));
     let mut rows = vec![[head.clone(), head].concat()];
     for (i, student) in left.iter().enumerate() {

@@ -8,7 +8,7 @@ use crate::folder::{files, practice};
 use crate::grade::verdict::Verdict;
 use crate::inspect::sentences;
 use crate::key::ProblemKey;
-use crate::misconception::catalogue::{Catalogue, Entry};
+use crate::misconception::catalogue::{Catalogue, CatalogueEntry};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::set::dealer;
@@ -56,7 +56,7 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let of_seed = words.say("feedback.seed", &[("seed", &seed.to_string())]);
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
     let catalogue = Catalogue::shared(words.language());
-    let find = |id: &str| catalogue.get(id).map(Entry::words);
+    let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
     let mut scratch = SheetScratch::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {

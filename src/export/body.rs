@@ -2,7 +2,8 @@
 //! its own. Only elements that QTI 2.1 knows, too.
 use crate::picture::svg::escaped;
 use crate::sheet::document::{ANSWER, Document, is_break};
-use crate::sheet::html::{self, MARKDOWN};
+use crate::sheet::formula::FormulaCache;
+use crate::sheet::html::MARKDOWN;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
 /// A piece of a text.
@@ -23,10 +24,10 @@ pub struct ItemText {
     pieces: Vec<Piece>,
 }
 
-/// Turns documents into bodies and remembers formulas, as [`html::Converter`] does.
+/// Turns documents into bodies and remembers formulas, as [`crate::sheet::html::Converter`] does.
 #[derive(Default)]
 pub struct BodyWriter {
-    formulas: html::Formulas,
+    formulas: FormulaCache,
 }
 
 /// Lists within lists whose items are pieces of their own at most.

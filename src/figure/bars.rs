@@ -1,7 +1,7 @@
 //! Energy bars: what there is at the start and what is put in, beside what there is at the end and what has become heat. Both
 //! bars are equally high; where they are not, nothing is drawn.
 use crate::bank::{FigureLabels, Problem};
-use crate::figure::joined::{Plane, ground, towards};
+use crate::figure::joined::{PlaneLayout, ground, towards};
 use crate::figure::view::SceneView;
 use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
@@ -158,7 +158,7 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
 /// forces from where the bodies lie. Where a guide rubs, what is missing at the end has become heat.
 fn joined_bodies(view: &SceneView) -> Option<Energies> {
     let scene = view.scene;
-    let plane = Plane::new(view)?;
+    let plane = PlaneLayout::new(view)?;
     let laid = plane.at_end(view)?;
     if (0..scene.bodies.len()).any(|b| view.started(b).next().is_some())
         || scene.pushes.iter().any(|p| p.turns || p.blow)

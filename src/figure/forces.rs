@@ -8,14 +8,14 @@ use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
 use crate::figure::{joined, layout, names, parts, say};
-use crate::num::{shown, trig};
+use crate::num::shown;
 use crate::picture::board::{Board, LabelTie, LabelWish, MIDDLE_FIRST, TEXT, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, JointKind, Made, Num, Owner, Pin, Quantity, Side, Slope, StrutEnd,
-    Surface, Tie, pose,
+    Arm, Couple, End, Far, GivenForce, JointKind, Made, Num, Owner, Pin, Quantity, Side, StrutEnd, Surface,
+    Tie, pose,
 };
 use crate::words::Words;
 
@@ -366,26 +366,21 @@ fn contact(
 ) {
     let this = &view.scene.bodies[body];
     let at = p.centre - p.top * p.contact;
-    let tie = view.scene.ties.iter().position(|t| match t {
-        Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
-        Tie::Cord(_) => false,
-    });
+    let tie = view.scene.ties.iter().position(|t| t.touching() == Some(body));
     let whose = |q: Quantity| {
         let by_tie = tie.and_then(|t| view.solved(q, Owner::Tie(t)));
         view.solved(q, Owner::Body(body)).or(by_tie).or_else(|| view.solved(q, Owner::Scene))
     };
-    let (sine, cosine) = slope(view, body);
-    let normal = whose(Quantity::Normal).unwrap_or(weight * cosine);
+    let own = view.numbers(this);
+    let normal = whose(Quantity::Normal).unwrap_or(weight * own.level);
     let mut friction = whose(Quantity::Friction).unwrap_or(0.0);
     if let Some(thrown) = view.scene.thrown().filter(|t| t.body == body) {
         // While it slips: against the slip.
         let radius = view.of(thrown.radius_m);
         let slip = view.of(thrown.speed_m_s) - radius * view.of(thrown.spin_rad_s);
         friction = -slip.signum() * view.of(thrown.mu_k) * normal;
-        let (mass, inertia) = (view.kilograms(this), view.inertia(this));
-        let up = if this.line.is_some_and(|l| l.forward_up) { 1.0 } else { -1.0 };
-        *a = if mass > 0.0 { (friction - up * weight * sine) / mass } else { 0.0 };
-        *alpha = if inertia > 0.0 { -friction * radius / inertia } else { 0.0 };
+        *a = if own.mass > 0.0 { (friction - weight * own.climb) / own.mass } else { 0.0 };
+        *alpha = if own.inertia > 0.0 { -friction * radius / own.inertia } else { 0.0 };
     } else if this.line.is_some_and(|l| !l.forward_up) {
         // Found positive up the incline, drawn along the body's own forward direction.
         friction = -friction;
@@ -398,18 +393,6 @@ fn contact(
     let arm = arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
     let label = symbol::magnitude(symbol::symbol(&names::friction(view, body)), negative);
     forces.push(ForceArrow { arm, ..ForceArrow::new(at, p.forward, friction, label).of(Role::Friction) });
-}
-
-/// Sine and cosine of the slope of a body's line.
-fn slope(view: &SceneView, body: usize) -> (f64, f64) {
-    match view.scene.bodies[body].line.map(|l| l.slope) {
-        None | Some(Slope::Level) => (0.0, 1.0),
-        Some(Slope::Vertical) => (1.0, 0.0),
-        Some(Slope::Degrees(n)) => {
-            let (s, c) = trig::sin_cos_degrees(view.of(n));
-            (s.hi, c.hi)
-        }
-    }
 }
 
 /// Pulls and tensions.
@@ -534,7 +517,7 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 
 /// The diagrams of a body in the plane, at the position that is asked.
 fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
-    let plane = joined::Plane::new(view)?;
+    let plane = joined::PlaneLayout::new(view)?;
     let mut laid = plane.at_end(view).unwrap_or_else(|| plane.start.clone());
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
@@ -678,7 +661,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
 fn surfaces(
     board: &mut Board,
     view: &SceneView,
-    plane: &joined::Plane,
+    plane: &joined::PlaneLayout,
     laid: &[joined::Laid],
     body: usize,
     shift: Vec2,

@@ -37,7 +37,7 @@ pub struct Laid {
 
 /// Bodies in the plane on the board.
 #[derive(Debug, Clone)]
-pub struct Plane {
+pub struct PlaneLayout {
     /// Pixels per metre.
     pub scale: f64,
     /// The bodies at the start.
@@ -46,7 +46,7 @@ pub struct Plane {
     pub end: Option<Vec<Laid>>,
 }
 
-impl Plane {
+impl PlaneLayout {
     /// How the bodies of a view lie; `None` where the joints do not place them.
     pub fn new(view: &SceneView) -> Option<Self> {
         let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
@@ -316,10 +316,12 @@ fn fixed_places(scene: &Scene) -> impl Iterator<Item = [Num; 2]> {
 
 /// Draws the bodies with their joints, forces and sizes.
 pub fn draw(board: &mut Board, view: &SceneView) {
-    let Some(plane) = Plane::new(view) else { return };
-    let runs: Vec<Run> = view.scene.joints.iter().filter_map(|j| Run::new(view, &plane, j)).collect();
+    let Some(plane) = PlaneLayout::new(view) else { return };
+    let runs: Vec<GuideRun> =
+        view.scene.joints.iter().filter_map(|j| GuideRun::new(view, &plane, j)).collect();
     for (i, run) in runs.iter().enumerate() {
-        let others: Vec<&Run> = runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, r)| r).collect();
+        let others: Vec<&GuideRun> =
+            runs.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, r)| r).collect();
         guide(board, run, &others);
         // The same coefficient a second time is named, not told again.
         let told = runs[..i].iter().any(|r| r.mu_k == run.mu_k);
@@ -379,7 +381,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     loads(board, view, &plane);
 }
 
-impl Plane {
+impl PlaneLayout {
     /// From a surface to what touches it at a place.
     pub fn normal(&self, view: &SceneView, surface: Surface, at: Vec2) -> Vec2 {
         match surface {
@@ -393,7 +395,7 @@ impl Plane {
 }
 
 /// A line that guides a point, as far as it is drawn.
-struct Run {
+struct GuideRun {
     body: usize,
     through: Vec2,
     direction: Vec2,
@@ -406,8 +408,8 @@ struct Run {
     mu_k: Option<Num>,
 }
 
-impl Run {
-    fn new(view: &SceneView, plane: &Plane, joint: &Joint) -> Option<Self> {
+impl GuideRun {
+    fn new(view: &SceneView, plane: &PlaneLayout, joint: &Joint) -> Option<Self> {
         let JointKind::Guide { at, through_m, direction_deg, one_sided, mu_k } = joint.kind else {
             return None;
         };
@@ -426,7 +428,7 @@ impl Run {
         Some(Self { body: at.body, through, direction, low, high, apart, one_sided, mu_k })
     }
     /// A line of it, this far to its left: its ends, up to the corner with the other lines on which the same body slides.
-    fn ends(&self, side: f64, others: &[&Run]) -> (Vec2, Vec2) {
+    fn ends(&self, side: f64, others: &[&GuideRun]) -> (Vec2, Vec2) {
         let (mut low, mut high) = (self.low, self.high);
         for other in others.iter().filter(|o| o.body == self.body) {
             if let Some(at) = self.meets(0.0, other, 0.0) {
@@ -439,7 +441,7 @@ impl Run {
         self.through + self.direction * along + self.direction.left() * side
     }
     /// How far along it a line beside it meets a line beside another one; `None` where they are parallel.
-    fn meets(&self, side: f64, other: &Run, other_side: f64) -> Option<f64> {
+    fn meets(&self, side: f64, other: &GuideRun, other_side: f64) -> Option<f64> {
         let cross = self.direction.perp(&other.direction);
         let gap = other.at(0.0, other_side) - self.at(0.0, side);
         (cross.abs() > 1e-6).then(|| gap.perp(&other.direction) / cross)
@@ -450,7 +452,7 @@ impl Run {
         if self.one_sided { off < -self.apart - 0.1 } else { off.abs() < self.apart - 0.1 }
     }
     /// The pieces of a line beside it that no other one covers.
-    fn pieces(&self, side: f64, others: &[&Run]) -> Vec<(Vec2, Vec2)> {
+    fn pieces(&self, side: f64, others: &[&GuideRun]) -> Vec<(Vec2, Vec2)> {
         let (from, to) = self.ends(side, others);
         let along = |p: Vec2| (p - self.through).dot(&self.direction);
         let (low, high) = (along(from), along(to));
@@ -467,7 +469,7 @@ impl Run {
 }
 
 /// A line that guides a point: hatched where it only pushes, else two rails, open where two of them cross.
-fn guide(board: &mut Board, run: &Run, others: &[&Run]) {
+fn guide(board: &mut Board, run: &GuideRun, others: &[&GuideRun]) {
     let normal = run.direction.left();
     let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
     for side in sides {
@@ -481,7 +483,7 @@ fn guide(board: &mut Board, run: &Run, others: &[&Run]) {
 }
 
 /// The coefficient of friction of a guide.
-fn rubs(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run], told: bool) {
+fn rubs(board: &mut Board, view: &SceneView, run: &GuideRun, others: &[&GuideRun], told: bool) {
     let normal = run.direction.left();
     if let Some(mu) = run.mu_k {
         let (from, to) = run.ends(-run.apart, others);
@@ -498,7 +500,7 @@ fn rubs(board: &mut Board, view: &SceneView, run: &Run, others: &[&Run], told: b
 }
 
 /// Pins, hinges and cords.
-fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
+fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint) {
     match joint.kind {
         JointKind::Guide { at, one_sided, .. } => {
             if !one_sided && view.scene.bodies[at.body].turns {
@@ -561,7 +563,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &Plane, joint: &Joint) {
 }
 
 /// Names of points, and the mass centre, of a single body or of this one alone.
-pub fn letters(board: &mut Board, view: &SceneView, plane: &Plane, laid: &[Laid], only: Option<usize>) {
+pub fn letters(board: &mut Board, view: &SceneView, plane: &PlaneLayout, laid: &[Laid], only: Option<usize>) {
     let mut named: Vec<Vec2> = Vec::new();
     let single = view.scene.bodies.len() == 1 || only.is_some();
     for (b, body) in view.scene.bodies.iter().enumerate().filter(|(b, _)| only.is_none_or(|o| o == *b)) {
@@ -598,7 +600,7 @@ pub fn letters(board: &mut Board, view: &SceneView, plane: &Plane, laid: &[Laid]
 }
 
 /// The angle of the leading body, at the start and at the position considered.
-fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
+fn angles(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     let Some(lead) = view.scene.lead() else { return };
     let Some(planar) = view.scene.planar(lead) else { return };
     let [x, y] = planar.from.components();
@@ -652,7 +654,7 @@ fn angles(board: &mut Board, view: &SceneView, plane: &Plane) {
 
 /// The side of a body on which its length stands: away from the angle of the leading body, then from where it goes; away from
 /// the other bodies for all that follow it.
-fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
+fn free_side(view: &SceneView, plane: &PlaneLayout, body: usize) -> Vec2 {
     let across = plane.start[body].axis.left();
     let middle = |laid: &[Laid], b: usize| plane.centre(view, laid, b);
     let here = middle(&plane.start, body);
@@ -669,7 +671,7 @@ fn free_side(view: &SceneView, plane: &Plane, body: usize) -> Vec2 {
 }
 
 /// Coordinates of fixed places that are data, each as a length from the origin.
-fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
+fn places(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     let springs = view.scene.struts.iter().filter_map(|s| match s.to {
         StrutEnd::Ground(place) | StrutEnd::Guide { through_m: place, .. } => Some(place),
         StrutEnd::Spot(_) | StrutEnd::Twist => None,
@@ -692,7 +694,7 @@ fn places(board: &mut Board, view: &SceneView, plane: &Plane) {
 }
 
 /// Length, mass and radius of gyration of a body.
-fn sizes(board: &mut Board, view: &SceneView, plane: &Plane, body: usize) {
+fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) {
     let this = &view.scene.bodies[body];
     let Some(planar) = &this.planar else { return };
     let Laid { origin, axis } = plane.start[body];
@@ -746,7 +748,7 @@ fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, radius_m: Num,
 }
 
 /// Forces, couples and the spin at the start.
-fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
+fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     for push in &view.scene.pushes {
         let at = plane.spot(view, &plane.start, push.at);
         let towards = towards(view, plane, &plane.start, push);
@@ -800,7 +802,7 @@ fn loads(board: &mut Board, view: &SceneView, plane: &Plane) {
 }
 
 /// Direction of a force.
-pub fn towards(view: &SceneView, plane: &Plane, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
+pub fn towards(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
     if let Some(place) = push.toward_m {
         return (ground(view, place) * plane.scale - plane.spot(view, laid, push.at)).unit();
     }

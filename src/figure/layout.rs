@@ -167,7 +167,7 @@ struct Builder<'a> {
 }
 
 /// Two bodies that a cord joins.
-struct Joint {
+struct BodyPair {
     near: CordEnd,
     far: CordEnd,
     from: Placed,
@@ -580,7 +580,7 @@ impl Builder<'_> {
         let (at, _) = self.attach(&from, near, away);
         let mut pieces: Vec<CordPiece> = self.wound(&from, near, away).into_iter().collect();
         let start = Self::visible(&from, near, at, away);
-        let mut joint = Joint { near, far, from, to, placed, grounds, away, back, at, start };
+        let mut joint = BodyPair { near, far, from, to, placed, grounds, away, back, at, start };
         let guide = if away.dot(&back) < -0.999 {
             self.straight(&mut joint, &mut pieces);
             None
@@ -633,7 +633,7 @@ impl Builder<'_> {
     }
 
     /// Moves the second body to where the cord meets it at this point; a surface that came with it comes along.
-    fn meet(&mut self, joint: &mut Joint, target: Vec2) {
+    fn meet(&mut self, joint: &mut BodyPair, target: Vec2) {
         let (own, _) = self.attach(&joint.to, joint.far, joint.back);
         joint.to.centre = target - (own - joint.to.centre);
         if let Some(ground) = joint.to.on.filter(|g| *g >= joint.grounds) {
@@ -643,17 +643,17 @@ impl Builder<'_> {
     }
 
     /// The point at which the cord is seen to meet the second body.
-    fn met(&self, joint: &Joint) -> Vec2 {
+    fn met(&self, joint: &BodyPair) -> Vec2 {
         let (own, _) = self.attach(&joint.to, joint.far, joint.back);
         Self::visible(&joint.to, joint.far, own, joint.back)
     }
 
     /// A cord whose ends point at each other.
-    fn straight(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) {
+    fn straight(&mut self, joint: &mut BodyPair, pieces: &mut Vec<CordPiece>) {
         if !joint.placed {
             self.place_along(joint);
         }
-        let Joint { from, to, away, start, .. } = &*joint;
+        let BodyPair { from, to, away, start, .. } = &*joint;
         let seen = self.met(joint);
         // Parallel to the line that both share: where the block is too low, a post holds the cord.
         let high = (*start - seen).dot(&(away.left()));
@@ -672,8 +672,8 @@ impl Builder<'_> {
     }
 
     /// Places the second body of a straight cord.
-    fn place_along(&mut self, joint: &mut Joint) {
-        let Joint { from, to, away, .. } = &*joint;
+    fn place_along(&mut self, joint: &mut BodyPair) {
+        let BodyPair { from, to, away, .. } = &*joint;
         let hangs = away.y < -0.7 && from.on.is_none();
         let far_axle = self.view.scene.bodies[joint.far.body].line.is_none();
         let free = match (hangs, far_axle) {
@@ -683,7 +683,7 @@ impl Builder<'_> {
         };
         let target = joint.at + *away * (from.reach(*away) + to.reach(*away) + free);
         self.meet(joint, target);
-        let Joint { near, far, from, to, away, grounds, .. } = joint;
+        let BodyPair { near, far, from, to, away, grounds, .. } = joint;
         if let Some(g) = to.on.filter(|g| *g < *grounds).map(|g| &self.grounds[g]) {
             // On the same surface: a block is as high as the cord wants.
             let s = (to.centre - g.origin).dot(&g.up);
@@ -710,8 +710,8 @@ impl Builder<'_> {
     }
 
     /// A cord over a guide pulley, which is told: it turns the short way.
-    fn guided(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) -> (Vec2, f64) {
-        let Joint { from, to, away, back, at, start, .. } = &*joint;
+    fn guided(&mut self, joint: &mut BodyPair, pieces: &mut Vec<CordPiece>) -> (Vec2, f64) {
+        let BodyPair { from, to, away, back, at, start, .. } = &*joint;
         let (away, travel) = (*away, -*back);
         let clockwise = away.perp(&travel) < 1e-9;
         let inward = |d: Vec2| if clockwise { d.right() } else { d.left() };

@@ -174,15 +174,11 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
         (false, _, true) => say("hangs", &[("body", &name)]),
         (false, _, false) => say("axle", &[("body", &name)]),
     });
-    for (i, tie) in view.scene.ties.iter().enumerate() {
-        let list: Vec<Num> = match tie {
-            Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } if *body == index => {
-                view.coefficients(i).into_iter().map(|(_, num)| num).collect()
-            }
-            _ => continue,
-        };
+    let ties = view.scene.ties.iter().enumerate();
+    for (i, _) in ties.filter(|(_, tie)| tie.touching() == Some(index)) {
+        let list: Vec<String> =
+            view.coefficients(i).into_iter().map(|(_, num)| text(view, num, "")).collect();
         if !list.is_empty() {
-            let list: Vec<String> = list.into_iter().map(|n| text(view, n, "")).collect();
             out.push(say("friction", &[("list", &list.join(separator(view)))]));
         }
     }

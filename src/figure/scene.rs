@@ -260,9 +260,7 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
 /// Coefficients at the contacts.
 fn ties(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     for (index, tie) in view.scene.ties.iter().enumerate() {
-        let (Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }) = *tie else {
-            continue;
-        };
+        let Some(body) = tie.touching() else { continue };
         let Some(p) = plan.bodies.get(body).and_then(Option::as_ref) else { continue };
         let contact = p.centre - p.top * p.contact;
         let under = -p.top;
@@ -378,13 +376,13 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     let beside = if crowded { Vec2::LEFT } else { Vec2::RIGHT };
     let way = if hanging {
         let from = p.centre + beside * (p.reach(Vec2::RIGHT) + 36.0);
-        Way { from, towards, real, most, hidden: 0.0, across: beside }
+        Displacement { from, towards, real, most, hidden: 0.0, across: beside }
     } else if real < reach {
         // A short one would be lost within the body: below the surface, from the contact.
         let from = p.centre - p.top * (p.contact + 24.0);
-        Way { from, towards, real, most, hidden: 0.0, across: -p.top }
+        Displacement { from, towards, real, most, hidden: 0.0, across: -p.top }
     } else {
-        Way { from: p.centre, towards, real, most, hidden: reach, across: p.top }
+        Displacement { from: p.centre, towards, real, most, hidden: reach, across: p.top }
     };
     way.draw(board, view.label(num, "m"), hanging || real < reach);
     if view.worked {
@@ -393,7 +391,7 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 }
 
 /// A displacement as a dimension: to scale, or cut short with a break.
-struct Way {
+struct Displacement {
     from: Vec2,
     towards: Vec2,
     /// Its true length.
@@ -406,7 +404,7 @@ struct Way {
     across: Vec2,
 }
 
-impl Way {
+impl Displacement {
     /// Draws it; `stands` where it begins at a mark of its own.
     fn draw(&self, board: &mut Board, label: Vec<TextRun>, stands: bool) {
         let Self { from, towards, real, most, hidden, across } = *self;
@@ -460,7 +458,7 @@ fn unwound(board: &mut Board, view: &SceneView, plan: &SceneLayout, (body, sense
     let over = plan.bodies[body].as_ref().map_or(Vec2::UP, |p| p.top);
     let real = ratio.abs() * view.of(num) * plan.scale;
     let towards = run.leaves.1 * (sense * ratio).signum();
-    let way = Way { from: end + over * 18.0, towards, real, most: 90.0, hidden: 0.0, across: over };
+    let way = Displacement { from: end + over * 18.0, towards, real, most: 90.0, hidden: 0.0, across: over };
     way.draw(board, label, true);
 }
 

@@ -3,8 +3,8 @@ use crate::bank::{FigureLabels, Problem, expression};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Body, Degree, GivenForce, Grows, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Slope,
-    Start, Tie,
+    Body, BodyNumbers, Degree, GivenForce, Grows, Label, Mass, Num, Numbers, Owner, Quantity, RotaryInertia,
+    Scene, Shape, Slope, Start, Tie,
 };
 use crate::words::Words;
 
@@ -267,42 +267,27 @@ impl<'a> SceneView<'a> {
         }
     }
 
-    /// Mass of a body, kg.
-    pub fn kilograms(&self, body: &Body) -> f64 {
-        match (&body.mass, &body.inertia) {
-            (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => {
-                parts.iter().map(|p| self.given_kilograms(&p.mass)).sum()
-            }
-            (Mass::OfParts, _) => body.particles.iter().map(|p| self.of(p.mass_kg)).sum(),
-            (mass, _) => self.given_kilograms(mass),
-        }
+    /// What the solvers read of a body, masses in kg; what cannot be read is 0.
+    pub fn numbers(&self, body: &Body) -> BodyNumbers<f64> {
+        let all = Numbers::<f64>::new(self.scene, &self.variant.data);
+        let index = self.scene.bodies.iter().position(|b| std::ptr::eq(b, body));
+        let own = index
+            .map_or(BodyNumbers { mass: 0.0, inertia: 0.0, climb: 0.0, level: 1.0, carried: None }, |b| {
+                all.bodies[b]
+            });
+        let [mass, inertia] = [own.mass, own.inertia].map(|x| all.publish(Quantity::IG, x));
+        let [mass, inertia] = [mass, inertia].map(|x| if x.is_finite() { x } else { 0.0 });
+        BodyNumbers { mass, inertia, ..own }
     }
 
-    fn given_kilograms(&self, mass: &Mass) -> f64 {
-        match mass {
-            Mass::Kilograms(n) => self.of(*n),
-            Mass::Weight(n) => self.of(*n) / self.of(self.scene.gravity_m_s2),
-            Mass::OfParts => 0.0,
-        }
+    /// Mass of a body, kg.
+    pub fn kilograms(&self, body: &Body) -> f64 {
+        self.numbers(body).mass
     }
 
     /// Moment of inertia about the mass centre, kg m^2: of a body that turns.
     pub fn inertia(&self, body: &Body) -> f64 {
-        let mass = self.kilograms(body);
-        let beta = |shape: Shape| crate::scene::inertia::beta::<f64>(shape);
-        match &body.inertia {
-            None => 0.0,
-            Some(RotaryInertia::Gyration(k)) => mass * self.of(*k) * self.of(*k),
-            Some(RotaryInertia::Moment(i)) => self.of(*i),
-            Some(RotaryInertia::Shape(shape, r)) => mass * beta(*shape) * self.of(*r) * self.of(*r),
-            Some(RotaryInertia::Parts(parts)) => parts
-                .iter()
-                .map(|p| {
-                    let r = self.of(p.radius_m);
-                    self.given_kilograms(&p.mass) * beta(p.shape) * r * r
-                })
-                .sum(),
-        }
+        self.numbers(body).inertia
     }
 
     /// Radii that are drawn on a body, each once, in metres, largest first.

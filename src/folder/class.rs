@@ -2,7 +2,7 @@
 use crate::bank::{Bank, Question, Relative};
 use crate::folder::graded::OpenGrading;
 use crate::report::class::About;
-use crate::report::marks::{Drawn, MarkedClass, MarkedPart, MarkedProblem, Student};
+use crate::report::marks::{Drawn, MarkedClass, MarkedPart, Student};
 use crate::report::{settings, table};
 use crate::set::dealer::Dealt;
 use crate::words::Words;
@@ -41,12 +41,7 @@ pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> MarkedClass {
         problem.is_some_and(|p| p.parts.iter().any(|entry| entry.part == part.id))
     };
     let asked = graded.given.iter().flat_map(|sheet| parts.iter().map(move |p| asks(sheet, p))).collect();
-    let problems = graded
-        .set
-        .problems
-        .iter()
-        .map(|id| MarkedProblem { id: id.clone(), title: title_of(bank, id) })
-        .collect();
+    let problems = graded.set.problems.iter().map(|id| title_of(bank, id)).collect();
     MarkedClass { students, problems, parts, asked, day_first: graded.policy.day_first }
 }
 

@@ -100,12 +100,12 @@ impl SetMade {
             "  {}{cut} with an equal problem or all its answers within tolerance (all in set.json):",
             terminal::count(found.len(), "pair")
         );
-        for c in found.iter().take(8) {
+        let pairs = found.iter().map(|c| {
             let [one, other] = &c.students;
-            text.push_str(&format!("\n    {}: {one} and {other}, {}", c.problem, c.what));
-        }
-        if found.len() > 8 {
-            text.push_str(&format!("\n    and {} more", found.len() - 8));
+            format!("{}: {one} and {other}, {}", c.problem, c.what)
+        });
+        for line in terminal::first_of(pairs, 8) {
+            text.push_str(&format!("\n    {line}"));
         }
         text
     }
@@ -394,6 +394,7 @@ fn store(plan: &Plan, students: Vec<StoredStudent>, keys: &[SheetKey]) -> (Store
         formats: plan.formats.iter().map(|f| f.as_str().to_owned()).collect(),
         page: plan.hosting,
         bank,
+        key_sha256: None,
         problems: plan.chosen().map(|p| p.id.clone()).collect(),
         students,
         coincidences,

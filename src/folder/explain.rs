@@ -81,14 +81,10 @@ fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<Chan
 
 /// Columns `total`, `max_total` and `dropped` of a student in the gradebook.
 fn total(graded: &OpenGrading, student: &str) -> Result<Option<[String; 3]>, Findings> {
-    let records = files::records(&graded.folder.join(names::GRADEBOOK))?;
-    let Some(header) = records.first() else { return Ok(None) };
-    let field = |record: &files::CsvRecord, name: &str| {
-        let at = header.iter().position(|h| h == name);
-        at.and_then(|i| record.get(i)).unwrap_or_default().to_owned()
-    };
-    let own = records.iter().skip(1).find(|record| unguarded(&field(record, "student")) == student);
-    Ok(own.map(|record| ["total", "max_total", "dropped"].map(|name| field(record, name))))
+    let path = graded.folder.join(names::GRADEBOOK);
+    let all = files::columns(&path, ["student", "total", "max_total", "dropped"])?;
+    let own = all.into_iter().find(|[id, ..]| unguarded(id) == student);
+    Ok(own.map(|[_, total, of, dropped]| [total, of, dropped]))
 }
 
 /// Without blanks, case and leading zeros.

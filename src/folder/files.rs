@@ -56,16 +56,17 @@ pub fn read_text(path: &Path) -> Result<String, Finding> {
     }
 }
 
-/// One line of a CSV file.
-pub type CsvRecord = csv::StringRecord;
-
-/// The records of a CSV file, its header among them. Errors: it cannot be read.
-pub fn records(path: &Path) -> Result<Vec<CsvRecord>, Finding> {
+/// Of each record of a CSV file what stands under these names, nothing where there is no such column. Errors: it cannot be read.
+pub fn columns<const N: usize>(path: &Path, names: [&str; N]) -> Result<Vec<[String; N]>, Finding> {
     let bytes = read(path)?;
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
-    let records: Result<Vec<_>, _> = reader.records().collect();
-    records.map_err(|e| Finding::of_file(path, e.to_string()))
+    let fault = |e: csv::Error| Finding::of_file(path, e.to_string());
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes.as_slice());
+    let header = reader.headers().map_err(fault)?.clone();
+    let at = names.map(|name| header.iter().position(|field| field == name));
+    let fields = |record: csv::StringRecord| {
+        at.map(|at| at.and_then(|i| record.get(i)).unwrap_or_default().to_owned())
+    };
+    reader.records().map(|record| record.map(fields).map_err(fault)).collect()
 }
 
 /// The folder above a path.

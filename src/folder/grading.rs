@@ -15,11 +15,12 @@ use crate::grade::run::{GradeFault, Options};
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
 use crate::grade::{row, run};
-use crate::key::SheetKey;
+use crate::key::{FindWrong, SheetKey};
 use crate::policy::{Counts, Policy};
 use crate::report::{gradebook, summary};
 use crate::set::grading::{self, StoredGrading};
 use crate::set::key_file;
+use crate::set::replay::WrongOnDemand;
 use crate::set::store::StoredSet;
 use crate::words::Words;
 use std::collections::{BTreeMap, BTreeSet};
@@ -77,12 +78,12 @@ pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Find
         faults.extend(banks::words(language).err().unwrap_or_default());
     }
     faults.into_result(())?;
-    let Replayed { set, bank, keys, not_drawn } = set::replayed(order.set)?;
+    let Replayed { set, bank, keys, not_drawn, whole } = set::for_grading(order.set)?;
     let text = |name: &str| files::read_text(&order.set.join(name));
     let (set_text, bank_text, key_text) = (text(names::SET)?, text(&set.bank.file)?, text(names::KEY)?);
     let replayed = not_drawn.is_none();
     let asked = None;
-    let basis = Basis { set, bank, keys, replayed, set_text, bank_text, key_text, asked };
+    let basis = Basis { set, bank, keys, whole, replayed, set_text, bank_text, key_text, asked };
     let made = make(order, basis, input)?;
     let mut summary = summary::grades(&made.table, &made.graded, &made.policy);
     if let Some(told) = not_drawn {
@@ -119,6 +120,8 @@ pub struct Basis {
     pub set: StoredSet,
     pub bank: Bank,
     pub keys: Vec<SheetKey>,
+    /// By both roads, and with wrong methods? Else these are found when an answer is wrong.
+    pub whole: bool,
     /// Was the set drawn again?
     pub replayed: bool,
     /// set.json.
@@ -205,6 +208,7 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
         quiz: false,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
+        wrong: None,
     };
     let (spooled, handed_in) = spool(order.submissions, &basis.set.name, input)?;
     let submitted = spooled.as_ref().map_or(order.submissions, NamedTempFile::path);
@@ -215,6 +219,10 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
     options.quiz = quiz.is_some();
     let (basis, of_quiz) = match &quiz {
         Some(quiz) => {
+            let basis = match basis.whole {
+                true => basis,
+                false => Basis { keys: set::replayed(order.set)?.keys, whole: true, ..basis },
+            };
             let (basis, file, taken) = of_quiz(order, quiz, basis, (&policy, &options))?;
             told.push_str(&taken.told);
             (basis, Some((file, taken)))
@@ -222,7 +230,9 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
         None => (basis, None),
     };
     let path = of_quiz.as_ref().map_or(submitted, |(file, _)| file.path());
-    let Basis { set, bank, keys, replayed, set_text, bank_text, key_text, .. } = basis;
+    let Basis { set, bank, keys, whole, replayed, set_text, bank_text, key_text, .. } = basis;
+    let on_demand = if whole { None } else { Some(WrongOnDemand::new(&bank, &set)?) };
+    let options = Options { wrong: on_demand.as_ref().map(|all| all as &dyn FindWrong), ..options };
     let table = table(&set, keys, &policy);
     let settings = courses
         .last()

@@ -47,25 +47,19 @@ impl JoinedFiles {
     pub fn told(&self) -> String {
         let mut text = format!("\n  from {}", terminal::count(self.files, "file"));
         text.push_str(&self.reasons());
-        for (name, students) in self.of_others.iter().take(LISTED) {
-            text.push_str(&format!("\n  look at: {name} holds answers of {students}"));
-        }
-        if self.of_others.len() > LISTED {
-            text.push_str(&format!("\n  and {} more", self.of_others.len() - LISTED));
-        }
-        text
+        let others = self.of_others.iter();
+        let others = others.map(|(name, students)| format!("look at: {name} holds answers of {students}"));
+        text + &below(others)
     }
     /// Which files are none of answers, line by line.
     fn reasons(&self) -> String {
-        let mut text = String::new();
-        for (name, why) in self.passed_over.iter().take(LISTED) {
-            text.push_str(&format!("\n  passed over: {name} {why}"));
-        }
-        if self.passed_over.len() > LISTED {
-            text.push_str(&format!("\n  and {} more", self.passed_over.len() - LISTED));
-        }
-        text
+        below(self.passed_over.iter().map(|(name, why)| format!("passed over: {name} {why}")))
     }
+}
+
+/// The first of some lines, below a line of the summary.
+fn below(lines: impl Iterator<Item = String>) -> String {
+    terminal::first_of(lines, LISTED).iter().map(|line| format!("\n  {line}")).collect()
 }
 
 /// Is this more than one file of submissions?

@@ -407,11 +407,7 @@ fn number(rows: &mut Vec<QuizRow>, set: &StoredSet, problems: &[usize]) {
 /// A line on the problems that were not asked.
 fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
     let left: Vec<usize> = (0..set.problems.len()).filter(|p| !problems.contains(p)).collect();
-    let mut some: Vec<String> =
-        left.iter().take(LISTED).map(|p| format!("{} ({})", p + 1, set.problems[*p])).collect();
-    if left.len() > LISTED {
-        some.push(format!("and {} more", left.len() - LISTED));
-    }
+    let some = terminal::first_of(left.iter().map(|p| format!("{} ({})", p + 1, set.problems[*p])), LISTED);
     if some.is_empty() {
         return String::new();
     }
@@ -477,11 +473,7 @@ fn unknown_codes(rows: &[QuizRow]) -> BTreeMap<&str, usize> {
 
 /// At most so many of them, by name.
 fn listed(unknown: &BTreeMap<&str, usize>) -> String {
-    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| beginning(code, SHORT)).collect();
-    if unknown.len() > LISTED {
-        some.push(format!("and {} more", unknown.len() - LISTED));
-    }
-    some.join(", ")
+    terminal::first_of(unknown.keys().map(|code| beginning(code, SHORT)), LISTED).join(", ")
 }
 
 fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
@@ -489,8 +481,8 @@ fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) ->
     let headers: BTreeSet<&str> =
         quiz.attempts.iter().flat_map(|a| a.answers.iter().map(|asked| asked.header.as_str())).collect();
     let has_codes = unknown.keys().any(|name| !headers.contains(name));
-    let some: Vec<&str> = variants.by_code.keys().map(String::as_str).take(1).collect();
-    let such = format!("a code looks like {}, key.csv has them all", some.join(""));
+    let one = variants.by_code.keys().min().map_or("", String::as_str);
+    let such = format!("a code looks like {one}, key.csv has them all");
     let hint = match quiz.platform {
         _ if has_codes => format!("the codes are of another set: give the set that was exported; {such}"),
         Platform::Moodle => format!(

@@ -9,7 +9,7 @@ use crate::folder::{banks, files, names};
 use crate::key::SheetKey;
 use crate::page::sheet_file::SheetFile;
 use crate::set::store::StoredSet;
-use crate::set::{key_file, replay, store};
+use crate::set::{key_file, replay};
 use crate::sheet::terminal;
 use std::path::Path;
 
@@ -23,6 +23,8 @@ pub struct Replayed {
     pub keys: Vec<SheetKey>,
     /// Of such a set: that it was not drawn again, and what its key was held against.
     pub not_drawn: Option<String>,
+    /// By both roads, and with wrong methods? Else by the first alone, see [`for_grading`].
+    pub whole: bool,
 }
 
 /// The set in a folder and the copy of the bank beside it. Errors: there is none, or a file of it cannot be read.
@@ -37,6 +39,21 @@ pub fn with_bank(folder: &Path) -> Result<(StoredSet, Bank), Findings> {
 /// What a replay found, told of the file of the set where no other is named.
 pub fn of_set(folder: &Path, faults: Findings) -> Findings {
     faults.or_in_file(&folder.join(names::SET).display().to_string())
+}
+
+/// The set in a folder and its key, as grading needs them. Where key.csv has the hash that was stored with the set, every variant is
+/// drawn again and solved by one road, which must give the stored answers and tolerances: both roads and their proof were there
+/// when the set was made, and wrong methods are found when an answer is wrong. Where anything differs, the set is [`replayed`],
+/// which tells what. Errors: those of `replayed`.
+pub fn for_grading(folder: &Path) -> Result<Replayed, Findings> {
+    let (set, bank) = with_bank(folder)?;
+    let stored = files::read(&folder.join(names::KEY))?;
+    let sealed = set.key_sha256 == Some(load::hash(&String::from_utf8_lossy(&stored)));
+    let keys = if sealed { replay::by_first_road(&bank, &set) } else { None };
+    match keys.filter(|keys| key_file::grades_as(&stored, keys)) {
+        Some(keys) => Ok(Replayed { set, bank, keys, not_drawn: None, whole: false }),
+        None => replayed(folder),
+    }
 }
 
 /// The set in a folder and its key, made anew and compared with what is stored. A set of an earlier version of the drawing is not
@@ -57,10 +74,9 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let stored = files::read(&path)?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal = if earlier { store::seal(&files::read_text(&folder.join(names::SET))?) } else { None };
+    let seal = set.key_sha256.as_ref().filter(|_| earlier);
     let hash = || load::hash(&String::from_utf8_lossy(&stored));
-    if let Some((seal, hash)) = seal.as_ref().map(|seal| (seal, hash())).filter(|(seal, hash)| *seal != hash)
-    {
+    if let Some((seal, hash)) = seal.map(|seal| (seal, hash())).filter(|(seal, hash)| *seal != hash) {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
         let what = format!(
             "was changed: its SHA-256 is {}…, that of the set's key is {}…",
@@ -107,7 +123,7 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
         }
         told
     });
-    Ok(Replayed { set, bank, keys, not_drawn })
+    Ok(Replayed { set, bank, keys, not_drawn, whole: true })
 }
 
 /// The set that stands in a folder. Errors: there is none, or its file cannot be read.

@@ -8,11 +8,11 @@ use crate::grade::row::AnswerRow;
 use crate::grade::rules::Rules;
 use crate::grade::run::Options;
 use crate::grade::table::KeyTable;
-use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
 use crate::policy::Unread;
 use crate::problem::make_key;
-use crate::regrade::tolerance::{AnswerUnder, WhatIf};
+use crate::regrade::changes::Grading;
+use crate::regrade::tolerance::WhatIf;
 use crate::report::tolerances::Trial;
 use crate::report::{gradebook, tolerances};
 use crate::set::dealer::Dealt;
@@ -22,12 +22,9 @@ use tempfile::NamedTempFile;
 
 /// All answers graded by a key.
 struct GradedAnew {
-    /// Student after student, what counts for each part.
-    cells: Vec<AnswerUnder>,
+    answers: Grading,
     /// Totals as in the gradebook.
     totals: Vec<f64>,
-    /// How many answers count.
-    answers: u64,
 }
 
 /// How many verdicts of a grading would change with each of these relative tolerances, in words. Errors: the folder is no
@@ -48,7 +45,7 @@ pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
         let table = table(Some(share));
         let other = run_with(&graded, &table, &handed)?;
         let mut what = WhatIf::new(parts);
-        what.take(&as_is.cells, &other.cells);
+        what.take(&as_is.answers, &other.answers);
         for part in 0..parts {
             for student in 0..students {
                 if let (Some(entry), Some(other)) = (now.entry(student, part), table.entry(student, part)) {
@@ -58,7 +55,8 @@ pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
         }
         trials.push(Trial { share, what, totals: other.totals });
     }
-    Ok(tolerances::told(&folder.display().to_string(), &now, &trials, &as_is.totals, as_is.answers))
+    let counting = as_is.answers.cells.iter().flatten().count() as u64;
+    Ok(tolerances::told(&folder.display().to_string(), &now, &trials, &as_is.totals, counting))
 }
 
 /// The answers of a grading as they were handed in, one a line and in their order: a file of submissions again.
@@ -109,22 +107,12 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
     let done = run_file(handed.path(), names, (table, &rules, &options), &mut out, &mut |_| {})?;
     out.flush().map_err(|e| trouble(&e))?;
     drop(out);
-    let parts = table.columns.len();
-    let mut cells = vec![AnswerUnder::default(); table.students.len() * parts];
-    let mut answers = 0;
-    graded::each_row(file.path(), &mut |row: AnswerRow| {
-        if !row.counts() {
-            return;
-        }
-        let Some((student, part)) = table.place_of(&row) else { return };
-        answers += 1;
-        cells[student * parts + part] =
-            AnswerUnder { right: row.verdict == Verdict::Right, methods: row.methods.into_owned() };
-    })?;
+    let mut answers = Grading::new(table);
+    graded::each_row(file.path(), &mut |row: AnswerRow| answers.take(table, row))?;
     let totals = (0..table.students.len())
         .map(|s| gradebook::total(table, &done.points, s, &graded.policy).points)
         .collect();
-    Ok(GradedAnew { cells, totals, answers })
+    Ok(GradedAnew { answers, totals })
 }
 
 /// The key of a student, with another relative tolerance if one is given; absolute tolerances stay.

@@ -2,7 +2,7 @@
 use crate::grade::attempt::Winner;
 use crate::grade::cells::GradingJob;
 use crate::grade::credit::{CreditFor, credit};
-use crate::grade::diagnose::{AnswerSlip, Diagnosis};
+use crate::grade::diagnose::{AnswerSlip, Diagnosis, diagnose};
 use crate::grade::feedback::Feedback;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::{Judgement, Verdict};
@@ -44,15 +44,18 @@ fn slip_in_words<'w>(
 
 /// Tells a slip in the reason; ids of methods have a column of their own.
 pub(crate) fn diagnosed(
-    table: &KeyTable,
+    job: &GradingJob,
     (who, what): (u32, u32),
     cell: &[u8],
     judgement: &mut Judgement,
-    say: &Feedback,
 ) -> Fits {
+    let GradingJob { table, say, .. } = *job;
     let methods = table.methods(what as usize);
-    let Diagnosis { methods: found, near, slip } =
-        table.diagnose(judgement.number, cell, who as usize, what as usize);
+    let at = (who as usize, what as usize);
+    let Diagnosis { methods: found, near, slip } = match table.problem_of(at.0, at.1) {
+        Some((key, part)) => diagnose(judgement.number, cell, part, &key.parts, job.wrong_values(at.0, at.1)),
+        None => Diagnosis::default(),
+    };
     let mut fits = Fits { methods: String::new(), slip: String::new(), near };
     let told = slip.map(|slip| slip_in_words(slip, table, what, say));
     if let Some((word, told)) = told {
@@ -96,8 +99,7 @@ pub(crate) fn awarded(
         Verdict::Right => 1.0,
         Verdict::Wrong | Verdict::WrongDirection => {
             let at = (who as usize, what as usize);
-            let earned =
-                credit(judgement.number, at, table, job.rules, winners, fits.map(|f| f.near.as_slice()));
+            let earned = credit(judgement.number, at, job, winners, fits.map(|f| f.near.as_slice()));
             let share = percent(earned.share);
             match earned.why {
                 CreditFor::Nothing => {}

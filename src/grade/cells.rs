@@ -5,6 +5,7 @@ use crate::grade::feedback::Feedback;
 use crate::grade::layout::{FileForm, FileLayout, WideColumn, trimmed};
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
+use crate::key::{FindWrong, WrongValue};
 use crate::policy::time::Moment;
 use std::borrow::Cow;
 
@@ -14,6 +15,8 @@ pub(crate) struct GradingJob<'j> {
     pub layout: &'j FileLayout,
     pub rules: &'j Rules<'j>,
     pub say: &'j Feedback<'j>,
+    /// Where wrong methods come to, if the table does not say it.
+    pub wrong: Option<&'j dyn FindWrong>,
 }
 
 /// A cell as it was handed in.
@@ -63,6 +66,18 @@ pub(crate) fn cells<'a>(record: &Record<'a>, layout: &'a FileLayout, mut each: i
 }
 
 impl GradingJob<'_> {
+    /// Where wrong methods come to for a part of a student.
+    pub fn wrong_values(&self, who: usize, what: usize) -> &[WrongValue] {
+        let Some((problem, part)) = self.table.problem_of(who, what) else { return &[] };
+        match self.wrong {
+            Some(wrong) => {
+                let of_problem = wrong.values(who, self.table.columns[what].number - 1);
+                of_problem.get(part).map_or(&[], Vec::as_slice)
+            }
+            None => &problem.parts[part].wrong,
+        }
+    }
+
     /// The number of a student and a column in lists of all cells.
     #[inline]
     pub fn index(&self, who: u32, what: u32) -> usize {

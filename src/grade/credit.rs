@@ -1,9 +1,9 @@
 //! What an answer that is not right may still earn: as a known wrong method, or because it follows correctly from the
 //! student's own wrong answer to an earlier part.
 use crate::grade::attempt::Winner;
+use crate::grade::cells::GradingJob;
 use crate::grade::compare::accepts;
 use crate::grade::diagnose;
-use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
 use crate::key::{Answer, Given};
 
@@ -41,11 +41,11 @@ const COPIED: f64 = 1e-3;
 pub(crate) fn credit(
     x: f64,
     (who, what): (usize, usize),
-    table: &KeyTable,
-    rules: &Rules,
+    job: &GradingJob,
     winners: &[Winner],
     methods: Option<&[u16]>,
 ) -> EarnedShare {
+    let GradingJob { table, rules, .. } = *job;
     let mut best = EarnedShare::NONE;
     if !x.is_finite() || !rules.may_earn(what) {
         return best;
@@ -55,8 +55,8 @@ pub(crate) fn credit(
         let found = match methods {
             Some(methods) => share(methods),
             None => {
-                let (parts, part, _) = table.problem_of(who, what);
-                share(&diagnose::methods(x, part, parts))
+                let Some((problem, part)) = table.problem_of(who, what) else { return best };
+                share(&diagnose::methods(x, part, &problem.parts, job.wrong_values(who, what)))
             }
         };
         if found > best.share {
@@ -83,7 +83,7 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
     if follow.from.iter().any(|part| table.code(who, first + part) != table.code(who, what)) {
         return None;
     }
-    let numbers = table.numbers(who, first)?;
+    let (numbers, _) = table.problem_of(who, what)?;
     let (key, half_width, kind) = number(table, who, what)?;
     let trivial = |n: f64| {
         let same = |a: f64| (n.abs() - a.abs()).abs() <= COPIED * a.abs();

@@ -71,9 +71,9 @@ const AROUND: f64 = 10.0;
 /// Where other methods lie so densely that one of them fits by chance oftener than this, a fit proves nothing.
 const CHANCE: f64 = 0.5;
 
-/// What an answer to one part of one student is compared with, made once for many answers.
+/// What an answer to one part of one student is compared with.
 #[derive(Debug, Clone, Copy)]
-pub struct Comparison {
+struct Comparison {
     key: f64,
     magnitude: bool,
     /// Half-width over key; a wrong value has the relative tolerance of the right one.
@@ -84,9 +84,6 @@ pub struct Comparison {
     confused: (u8, u8),
     /// Another part of the problem is of the same dimension.
     alike: bool,
-    /// Where its wrong values stand in a table, and how many they are.
-    #[cfg_attr(not(feature = "program"), expect(dead_code, reason = "tables are for files of submissions"))]
-    pub(crate) wrong: (u32, u32),
 }
 
 /// Fits `value`: within its tolerance, relative as that of the key.
@@ -100,8 +97,8 @@ fn width(value: f64, share: f64) -> f64 {
 
 impl Comparison {
     /// Of `parts[part]`; `None` where no number is asked.
-    pub fn of(part: usize, parts: &[Option<KeyEntry>]) -> Option<Comparison> {
-        let entry = parts.get(part)?.as_ref()?;
+    fn of(part: usize, parts: &[KeyEntry]) -> Option<Comparison> {
+        let entry = parts.get(part)?;
         let Answer::Number { value: key, half_width, magnitude, .. } = entry.answer else { return None };
         let share = if key == 0.0 { 0.0 } else { half_width / key.abs() };
         let dimension = entry.unit.dimension();
@@ -112,26 +109,10 @@ impl Comparison {
             TIME => (6, 7),
             _ => (0, 0),
         };
-        let others = parts.iter().enumerate().filter(|(i, _)| *i != part).filter_map(|(_, p)| p.as_ref());
-        let alike = others.into_iter().any(|other| other.unit.dimension() == dimension);
+        let alike = |(i, other): (usize, &KeyEntry)| i != part && other.unit.dimension() == dimension;
+        let alike = parts.iter().enumerate().any(alike);
         let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
-        Some(Comparison { key, magnitude, share, reach, confused, alike, wrong: (0, 0) })
-    }
-
-    /// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, has in common with what is known of its
-    /// problem; `wrong` is where wrong methods come to.
-    pub fn diagnose(
-        &self,
-        x: f64,
-        cell: &[u8],
-        part: usize,
-        parts: &[Option<KeyEntry>],
-        wrong: &[WrongValue],
-    ) -> Diagnosis {
-        let Some(x) = self.compared(x) else { return Diagnosis::default() };
-        let near = self.methods(x, wrong);
-        let methods = self.likely(x, cell, wrong, &near);
-        Diagnosis { methods, near, slip: self.slip(x, cell, part, parts) }
+        Some(Comparison { key, magnitude, share, reach, confused, alike })
     }
 
     /// Of the methods near a number those that it tells: it lies as near as rounding brings it, and the others are not so many
@@ -183,7 +164,7 @@ impl Comparison {
         Vec::new()
     }
 
-    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[Option<KeyEntry>]) -> Option<AnswerSlip> {
+    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[KeyEntry]) -> Option<AnswerSlip> {
         let Comparison { key, share, .. } = *self;
         // Between these ratios no power of ten fits a tolerance below a half.
         let ratio = x / key;
@@ -210,11 +191,10 @@ impl Comparison {
         if !self.alike {
             return None;
         }
-        let entry = parts.get(part)?.as_ref()?;
+        let entry = parts.get(part)?;
         parts
             .iter()
             .enumerate()
-            .filter_map(|(i, other)| Some((i, other.as_ref()?)))
             .filter(|(i, other)| *i != part && other.unit.dimension() == entry.unit.dimension())
             .find(|(_, other)| match other.answer {
                 Answer::Number { value, half_width, .. } => {
@@ -247,18 +227,24 @@ impl Comparison {
     }
 }
 
-/// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, fits: [`Comparison::diagnose`].
-pub fn diagnose(x: f64, cell: &str, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
-    let entry = parts.get(part).and_then(Option::as_ref);
-    let Some((known, entry)) = Comparison::of(part, parts).zip(entry) else { return Diagnosis::default() };
-    known.diagnose(x, cell.as_bytes(), part, parts, &entry.wrong)
+/// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, has in common with what is known of its
+/// problem; `wrong` is where wrong methods come to.
+pub fn diagnose(x: f64, cell: &[u8], part: usize, parts: &[KeyEntry], wrong: &[WrongValue]) -> Diagnosis {
+    let known = Comparison::of(part, parts);
+    let Some((known, x)) = known.and_then(|known| Some((known, known.compared(x)?))) else {
+        return Diagnosis::default();
+    };
+    let near = known.methods(x, wrong);
+    let methods = known.likely(x, cell, wrong, &near);
+    Diagnosis { methods, near, slip: known.slip(x, cell, part, parts) }
 }
 
 /// The wrong methods within the tolerance of the number `x`, SI, judged wrong for `parts[part]`.
-pub fn methods(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Vec<u16> {
-    let entry = parts.get(part).and_then(Option::as_ref);
-    let Some((known, entry)) = Comparison::of(part, parts).zip(entry) else { return Vec::new() };
-    known.compared(x).map_or_else(Vec::new, |x| known.methods(x, &entry.wrong))
+#[cfg(feature = "program")]
+pub fn methods(x: f64, part: usize, parts: &[KeyEntry], wrong: &[WrongValue]) -> Vec<u16> {
+    let known = Comparison::of(part, parts);
+    let found = known.and_then(|known| Some(known.methods(known.compared(x)?, wrong)));
+    found.unwrap_or_default()
 }
 
 fn ten_to(n: i32) -> f64 {

@@ -73,7 +73,7 @@ impl<'w> Judge<'w> {
     where
         'w: 'r,
     {
-        let GradingJob { table, say, rules, layout } = *self.job;
+        let GradingJob { table, say, rules, layout, .. } = *self.job;
         let Judging { finder, numbers, counts } = judging;
         let Belongs { who, what, respelled, of_another } = finder.find(table, cell);
         let (problem, part) = match what.map(|what| &table.columns[what as usize]) {
@@ -138,7 +138,7 @@ impl<'w> Judge<'w> {
         row.verdict = judgement.verdict;
         row.points = judgement.points;
         let wrong = matches!(judgement.verdict, Verdict::Wrong | Verdict::WrongDirection);
-        let fits = wrong.then(|| diagnosed(table, (who, what), cell.answer, &mut judgement, say));
+        let fits = wrong.then(|| diagnosed(self.job, (who, what), cell.answer, &mut judgement));
         if is_attempt {
             let (points, credit) = awarded(
                 self.job,

@@ -17,12 +17,13 @@ use crate::grade::threads::{Halt, run_batches};
 use crate::grade::verdict::Verdict;
 use crate::grade::winners::choose_winners;
 use crate::grade::write::{RowWriter, Writing};
+use crate::key::FindWrong;
 use crate::policy;
 use std::io::{Read, Write};
 use std::{fmt, io};
 
 /// How to grade.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Options<'w> {
     /// Role (`student`, `problem`, `part`, `answer`, `submitted_at`) and the header that stands for it.
     pub columns: Vec<(String, String)>,
@@ -32,6 +33,8 @@ pub struct Options<'w> {
     pub threads: usize,
     /// What is said of an answer.
     pub feedback: Feedback<'w>,
+    /// Where wrong methods come to, if the table does not say it.
+    pub wrong: Option<&'w dyn FindWrong>,
 }
 
 /// Columns of a file that was made of the download of a quiz beside the usual ones: the line of an answer, and
@@ -40,7 +43,13 @@ pub const QUIZ_COLUMNS: [&str; 2] = ["line", "code"];
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Options { columns: Vec::new(), quiz: false, threads: 1, feedback: Feedback::english().clone() }
+        Options {
+            columns: Vec::new(),
+            quiz: false,
+            threads: 1,
+            feedback: Feedback::english().clone(),
+            wrong: None,
+        }
     }
 }
 
@@ -202,7 +211,7 @@ pub fn grade(
     let threads = options.threads.max(1);
     let (_, header) = RecordSource::open(open()?)?;
     let layout = layout(header, table, options).map_err(GradeFault::Header)?;
-    let job = GradingJob { table, layout: &layout, rules, say: &options.feedback };
+    let job = GradingJob { table, layout: &layout, rules, say: &options.feedback, wrong: options.wrong };
     // Walks one after the other: what each has read is added up.
     let (mut before, mut now) = (0, 0);
     let mut heard = |read: u64| {

@@ -1,14 +1,12 @@
 //! The keys of a whole set, laid out for looking up by bytes.
 use crate::csv_field::unguarded;
-use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::id_index::Ids;
 use crate::grade::row::AnswerRow;
-use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey, WrongValue};
+use crate::key::{Answer, KeyEntry, KeyFollow, ProblemKey, SheetKey};
 use crate::policy::Policy;
 use crate::units::{Unit, spell};
 use rustc_hash::FxHashMap;
-use std::sync::Arc;
 
 /// A student of the set.
 #[derive(Debug, Clone)]
@@ -65,17 +63,6 @@ pub(crate) struct AskedColumn {
     pub unit: u16,
 }
 
-/// What relations between parts and the guards of follow-through need.
-#[derive(Debug, Clone)]
-pub(crate) struct ProblemNumbers {
-    /// See [`crate::key::ProblemKey::known`].
-    pub known: Box<[f64]>,
-    /// See [`crate::key::ProblemKey::given`].
-    pub given: Box<[f64]>,
-    /// See [`crate::key::ProblemKey::code`].
-    pub code: String,
-}
-
 /// No number is asked.
 pub(crate) const WORD: u16 = u16::MAX;
 
@@ -86,24 +73,15 @@ pub struct KeyTable {
     pub students: Vec<TableStudent>,
     /// In the order of the sheets.
     pub columns: Vec<Column>,
-    entries: Vec<Option<KeyEntry>>,
-    /// For each entry what a wrong answer is compared with.
-    known: Vec<Option<Comparison>>,
-    /// The wrong values of all entries, one behind the other.
-    wrong: Vec<WrongValue>,
-    /// For each column the ids of the wrong methods of its problem.
-    methods: Vec<Arc<[String]>>,
-    /// For each column the relations between the parts of its problem.
-    follows: Vec<Arc<[KeyFollow]>>,
-    /// For each student and column what relations and guards need; where a problem has several columns, at its first.
-    numbers: Vec<Option<ProblemNumbers>>,
+    /// In the order of the students.
+    sheets: Vec<SheetKey>,
     quick: Vec<QuickKey>,
     /// How parts are asked, column after column.
     asked: Vec<(usize, AskedColumn)>,
     /// The units that are asked.
     pub(crate) units: Vec<Unit>,
-    /// For each column the first one of its problem and the one behind its last.
-    problems: Vec<(usize, usize)>,
+    /// For each column the first one of its problem.
+    first: Vec<usize>,
     by_id: Ids,
     /// In small letters; `None` where two ids differ in nothing else.
     by_small_id: FxHashMap<String, Option<u32>>,
@@ -162,25 +140,29 @@ fn columns(sheets: &[SheetKey]) -> Vec<Column> {
     columns
 }
 
+/// The problem of a sheet to which a column belongs, and the index of its part, `likely` this one.
+fn part_of<'k>(sheet: &'k SheetKey, column: &Column, likely: usize) -> Option<(&'k ProblemKey, usize)> {
+    let problem = sheet.problems.get(column.number - 1).filter(|p| p.id == column.problem)?;
+    let is = |entry: &KeyEntry| entry.part == column.part;
+    let part = match problem.parts.get(likely).is_some_and(is) {
+        true => likely,
+        false => problem.parts.iter().position(is)?,
+    };
+    Some((problem, part))
+}
+
 impl KeyTable {
     /// Lays out the keys; `names` are (id, name) of the roster.
     pub fn new(sheets: Vec<SheetKey>, names: &[(String, String)]) -> KeyTable {
         let names: FxHashMap<&str, &str> = names.iter().map(|(id, n)| (id.as_str(), n.as_str())).collect();
         let columns = columns(&sheets);
+        let first = columns.iter().map(|c| columns.partition_point(|other| other.number < c.number));
         let mut table = KeyTable {
-            entries: Vec::with_capacity(sheets.len() * columns.len()),
-            known: Vec::with_capacity(sheets.len() * columns.len()),
-            methods: vec![Arc::from([]); columns.len()],
-            follows: vec![Arc::from([]); columns.len()],
-            numbers: Vec::with_capacity(sheets.len() * columns.len()),
+            first: first.collect(),
             quick: Vec::with_capacity(sheets.len() * columns.len()),
             columns,
             ..Self::default()
         };
-        for of_problem in table.columns.chunk_by(|a, b| a.number == b.number) {
-            let first = table.problems.len();
-            table.problems.resize(first + of_problem.len(), (first, first + of_problem.len()));
-        }
         let mut key = Vec::new();
         for (c, column) in (0u32..).zip(&table.columns) {
             for problem in [column.number.to_string(), column.problem.clone()] {
@@ -196,44 +178,13 @@ impl KeyTable {
                     .or_insert(Some(c));
             }
         }
-        for sheet in sheets {
+        for sheet in &sheets {
             let s = table.students.len() as u32;
-            let mut found: Vec<Option<KeyEntry>> = vec![None; table.columns.len()];
-            let mut numbers: Vec<Option<ProblemNumbers>> = vec![None; table.columns.len()];
-            for (i, problem) in sheet.problems.into_iter().enumerate() {
-                let first = table.columns.partition_point(|c| c.number < i + 1);
-                if let Some(at) = numbers.get_mut(first) {
-                    let (known, given, code) = (problem.known, problem.given, problem.code);
-                    *at = Some(ProblemNumbers { known, given, code });
-                }
-                for entry in problem.parts {
-                    let at = table
-                        .columns
-                        .iter()
-                        .position(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
-                    if let Some(at) = at {
-                        found[at] = Some(entry);
-                        table.methods[at].clone_from(&problem.methods);
-                        if table.follows[at].is_empty() {
-                            table.follows[at].clone_from(&problem.follows);
-                        }
-                    }
-                }
-            }
-            for (column, entry) in found.iter().enumerate() {
-                let quick = table.quick_key(column, entry.as_ref());
+            for column in 0..table.columns.len() {
+                let part = part_of(sheet, &table.columns[column], column - table.first[column]);
+                let quick = table.quick_key(column, part.map(|(problem, part)| &problem.parts[part]));
                 table.quick.push(quick);
             }
-            for (at, (first, end)) in table.problems.iter().enumerate() {
-                let mut known = Comparison::of(at - first, &found[*first..*end]);
-                if let (Some(known), Some(entry)) = (&mut known, &found[at]) {
-                    known.wrong = (table.wrong.len() as u32, entry.wrong.len() as u32);
-                    table.wrong.extend_from_slice(&entry.wrong);
-                }
-                table.known.push(known);
-            }
-            table.entries.append(&mut found);
-            table.numbers.append(&mut numbers);
             table.by_id.put(sheet.student.as_bytes(), s);
             table
                 .by_small_id
@@ -242,8 +193,9 @@ impl KeyTable {
                 .or_insert(Some(s));
             table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
             let name = names.get(sheet.student.as_str()).map_or(String::new(), |n| (*n).to_owned());
-            table.students.push(TableStudent { id: sheet.student, name });
+            table.students.push(TableStudent { id: sheet.student.clone(), name });
         }
+        table.sheets = sheets;
         table
     }
 
@@ -294,67 +246,45 @@ impl KeyTable {
     /// The entry of a student and a column, if that student has the part.
     #[inline]
     pub fn entry(&self, student: usize, column: usize) -> Option<&KeyEntry> {
-        self.entries.get(student * self.columns.len() + column).and_then(Option::as_ref)
+        self.problem_of(student, column).map(|(problem, part)| &problem.parts[part])
     }
-    /// The entries of the problem to which a column belongs, the place of the column among them, and the ids of the wrong
-    /// methods of the problem.
-    pub(crate) fn problem_of(
-        &self,
-        student: usize,
-        column: usize,
-    ) -> (&[Option<KeyEntry>], usize, &[String]) {
-        let Some((first, end)) = self.problems.get(column).copied() else { return (&[], 0, &[]) };
-        let row = student * self.columns.len();
-        let parts = self.entries.get(row + first..row + end).unwrap_or_default();
-        (parts, column - first, &self.methods[column])
+    /// The problem of a student to which a column belongs, and the index of its part, if that student has it.
+    pub(crate) fn problem_of(&self, student: usize, column: usize) -> Option<(&ProblemKey, usize)> {
+        part_of(self.sheets.get(student)?, self.columns.get(column)?, column - self.first[column])
+    }
+    /// What all students have in common of the problem to which a column belongs.
+    fn problem(&self, column: usize) -> Option<&ProblemKey> {
+        (0..self.sheets.len())
+            .find_map(|student| self.problem_of(student, column))
+            .map(|(problem, _)| problem)
     }
     /// Ids of the wrong methods of a column's problem.
     pub(crate) fn methods(&self, column: usize) -> &[String] {
-        self.methods.get(column).map_or(&[], |m| m)
+        self.problem(column).map_or(&[], |problem| &problem.methods)
     }
     /// The relation by which a part follows from others, and the column of part 0 of its problem.
     pub(crate) fn follow(&self, column: usize) -> Option<(&KeyFollow, usize)> {
-        let number = self.columns.get(column)?.number;
-        let first = self.columns.partition_point(|c| c.number < number);
-        let follow = self.follows.get(column)?.iter().find(|f| first + f.part == column)?;
+        let first = self.first_of(column);
+        let follow = self.problem(column)?.follows.iter().find(|f| first + f.part == column)?;
         Some((follow, first))
-    }
-    /// What relations and guards need of a student's problem; `first` is the column of its part 0.
-    pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&ProblemNumbers> {
-        self.numbers.get(student * self.columns.len() + first)?.as_ref()
     }
     /// The code of the variant of which a student is asked a part.
     pub(crate) fn code(&self, student: usize, column: usize) -> &str {
-        let own = self.entry(student, column).and_then(|entry| entry.code.as_deref());
-        let whole = || self.numbers(student, self.first_of(column)).map_or("", |n| n.code.as_str());
-        own.unwrap_or_else(whole)
+        self.problem_of(student, column).map_or("", |(problem, part)| problem.code_of(&problem.parts[part]))
     }
     /// Gives parts the points that a course says.
     pub fn take_points(&mut self, policy: &Policy) {
-        let width = self.columns.len().max(1);
         for (column, c) in self.columns.iter_mut().enumerate() {
             let Some(points) = policy.points_given(c.number, &c.problem, &c.part) else { continue };
             c.points = points;
             for (_, asked) in self.asked.iter_mut().filter(|(of, _)| *of == column) {
                 asked.points = points;
             }
-            for entry in self.entries.iter_mut().skip(column).step_by(width).flatten() {
-                entry.points = points;
+            for sheet in &mut self.sheets {
+                let problem = sheet.problems.get_mut(c.number - 1).filter(|p| p.id == c.problem);
+                let parts = problem.map_or(&mut [][..], |p| &mut p.parts);
+                parts.iter_mut().filter(|e| e.part == c.part).for_each(|e| e.points = points);
             }
-        }
-    }
-    /// What a wrong answer fits.
-    #[inline]
-    pub(crate) fn diagnose(&self, x: f64, cell: &[u8], student: usize, column: usize) -> Diagnosis {
-        let Some((first, end)) = self.problems.get(column).copied() else { return Diagnosis::default() };
-        let row = student * self.columns.len();
-        match (self.known.get(row + column), self.entries.get(row + first..row + end)) {
-            (Some(Some(known)), Some(parts)) => {
-                let (from, count) = known.wrong;
-                let wrong = self.wrong.get(from as usize..from as usize + count as usize);
-                known.diagnose(x, cell, column - first, parts, wrong.unwrap_or_default())
-            }
-            _ => Diagnosis::default(),
         }
     }
     /// What the quick way needs of an entry, and how it is asked.
@@ -367,13 +297,6 @@ impl KeyTable {
     #[inline]
     pub(crate) fn points(&self, index: usize) -> f64 {
         self.quick(index).1.points
-    }
-    /// The points of a column, if they are the same for all of whom a number is asked there.
-    pub(crate) fn points_of_all(&self, column: usize) -> Option<f64> {
-        let asked = self.asked.iter().filter(|(of, asked)| *of == column && asked.unit != WORD);
-        let mut points = asked.map(|(_, asked)| asked.points);
-        let first = points.next()?;
-        points.all(|other| other.to_bits() == first.to_bits()).then_some(first)
     }
     fn quick_key(&mut self, column: usize, entry: Option<&KeyEntry>) -> QuickKey {
         let mut asked = AskedColumn {
@@ -409,7 +332,7 @@ impl KeyTable {
     }
     /// The first column of a column's problem.
     pub(crate) fn first_of(&self, column: usize) -> usize {
-        self.problems.get(column).map_or(0, |(first, _)| *first)
+        self.first.get(column).copied().unwrap_or(0)
     }
     /// Why a student is not known.
     pub(crate) fn unknown_student(&self, id: &str, say: &Feedback) -> String {

@@ -112,7 +112,7 @@ impl AttemptWalk<'_> {
     /// Worth of a cell; blank ones have none.
     #[inline]
     fn worth(&self, (who, what): (u32, u32), answer: &[u8], numbers: &mut SiReader) -> Option<Worth> {
-        let GradingJob { table, rules, .. } = *self.job;
+        let rules = self.job.rules;
         let quickly = self.job.quickly(self.job.index(who, what), answer, numbers);
         let (verdict, number) = quickly.unwrap_or_else(|| {
             let judgement = self.job.judged((who, what), answer, numbers);
@@ -124,7 +124,7 @@ impl AttemptWalk<'_> {
             Verdict::Right => (attempt::READABLE, 1.0),
             _ if rules.policy.attempts.counts == Counts::Best => {
                 let at = (who as usize, what as usize);
-                (attempt::READABLE, credit(number, at, table, rules, self.winners, None).share)
+                (attempt::READABLE, credit(number, at, self.job, self.winners, None).share)
             }
             _ => (attempt::READABLE, 0.0),
         };

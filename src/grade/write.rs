@@ -47,8 +47,6 @@ impl<'w> RowWriter<'w> {
         let place = |w: &Winner| if w.by_row { Winner::NONE.at } else { w.at };
         let pattern = |what: usize, verdict: Verdict| {
             let column = &job.table.columns[what];
-            // The same for all students, or not known here.
-            let max_points = job.table.points_of_all(what)?;
             let header = match &job.layout.form {
                 FileForm::Long { .. } => "",
                 FileForm::Wide(all) => all
@@ -64,7 +62,7 @@ impl<'w> RowWriter<'w> {
                 part: column.part.as_str().into(),
                 answer: hole(),
                 verdict: Verdict::Superseded,
-                max_points,
+                max_points: column.points,
                 reason: job.say.superseded(HOLE, verdict).into(),
                 submitted_at: hole(),
                 ..AnswerRow::default()

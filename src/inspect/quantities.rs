@@ -1,6 +1,6 @@
 //! The quantities of a problem's scene: which may be asked, under which name, of what, in which unit and with which sign.
-use crate::bank::{Problem, any, checks};
-use crate::scene::{Label, Owner, Quantity, Scene, Tie};
+use crate::bank::{Problem, any, labels};
+use crate::scene::{Label, Owner, Quantity};
 use crate::sheet::terminal;
 use serde_json::{Value, json};
 
@@ -19,8 +19,8 @@ struct Askable {
 /// The labels that every case of a problem can answer, in the order of the list.
 fn askable(problem: &Problem) -> Vec<Askable> {
     let Some(first) = problem.cases.first().map(|case| &case.scene) else { return Vec::new() };
-    let others: Vec<Vec<Label>> = problem.cases.iter().skip(1).map(|c| checks::labels(&c.scene)).collect();
-    let mut labels = checks::labels(first);
+    let others: Vec<Vec<Label>> = problem.cases.iter().skip(1).map(|c| labels::of(&c.scene)).collect();
+    let mut labels = labels::of(first);
     labels.retain(|label| any::is_told(first, *label));
     labels.retain(|label| others.iter().all(|other| other.contains(label)));
     labels.sort_by_key(|label| Quantity::ALL.iter().position(|q| *q == label.quantity));
@@ -35,7 +35,7 @@ fn askable(problem: &Problem) -> Vec<Askable> {
             Owner::Asked(i) => first.formulas.asked.get(i).map(|a| (a.text.clone(), a.unit.clone())),
             _ => None,
         },
-        of: owner(first, label),
+        of: first.owner_name(label.of).unwrap_or_default().into_owned(),
         asked: asked(label),
     };
     let formulas = first.formulas.asked.iter().enumerate();
@@ -56,27 +56,13 @@ impl Askable {
     }
 }
 
-fn owner(scene: &Scene, label: Label) -> String {
-    match label.of {
-        Owner::Scene | Owner::Asked(_) => String::new(),
-        Owner::Body(body) => scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone()),
-        Owner::Tie(tie) => match scene.ties.get(tie) {
-            Some(Tie::Cord(cord)) => cord.name.clone(),
-            _ => String::new(),
-        },
-        Owner::Joint(j) => scene.joints.get(j).map_or_else(String::new, |j| j.name.clone()),
-        Owner::Strut(s) => scene.struts.get(s).map_or_else(String::new, |s| s.name.clone()),
-        Owner::Spot(spot) => scene.point_name(spot).map_or_else(String::new, |(b, p)| format!("{b}.{p}")),
-    }
-}
-
 /// The others, with the reason why this scene has them not.
 fn absent(problem: &Problem, there: &[Askable]) -> Vec<(Quantity, String)> {
     let Some(case) = problem.cases.first() else { return Vec::new() };
     let missing = Quantity::ALL.iter().filter(|q| there.iter().all(|a| a.quantity != **q));
-    let reason = |q: Quantity| match checks::labels(&case.scene).iter().any(|label| label.quantity == q) {
+    let reason = |q: Quantity| match labels::of(&case.scene).iter().any(|label| label.quantity == q) {
         true => "it depends on what is `any`, or not every case has it".to_owned(),
-        false => checks::reason(&case.scene, q),
+        false => labels::reason(&case.scene, q),
     };
     missing.map(|q| (*q, reason(*q))).collect()
 }

@@ -28,11 +28,8 @@ fn body(scene: &Scene, index: usize) -> String {
 
 fn of_tie(scene: &Scene, index: usize) -> String {
     match scene.ties.get(index) {
-        Some(Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. }) => {
-            body(scene, *b)
-        }
         Some(Tie::Cord(cord)) => cord.name.clone(),
-        None => "tie".to_owned(),
+        tie => tie.and_then(Tie::touching).map_or_else(|| "tie".to_owned(), |b| body(scene, b)),
     }
 }
 

@@ -81,6 +81,12 @@ pub struct WrongValue {
     pub value: f64,
 }
 
+/// Finds where the wrong methods of a student's problem come to, part by part. Student and problem are counted from 0.
+pub trait FindWrong: Sync {
+    /// For all parts of the problem.
+    fn values(&self, student: usize, problem: usize) -> &[Vec<WrongValue>];
+}
+
 /// The key of one sheet: problems in the order of the sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetKey {

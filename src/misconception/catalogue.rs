@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 /// The words of one wrong method.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Entry {
+pub struct CatalogueEntry {
     /// Id, such as `A05`.
     pub id: String,
     /// What the student did.
@@ -23,7 +23,7 @@ pub struct Entry {
     pub note: String,
 }
 
-impl Entry {
+impl CatalogueEntry {
     /// The words that hints use.
     pub fn words(&self) -> MethodWords<'_> {
         MethodWords { did: &self.did, see: &self.see, hint: &self.hint }
@@ -33,7 +33,7 @@ impl Entry {
 /// All of them, in the order of the file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Catalogue {
-    entries: Vec<Entry>,
+    entries: Vec<CatalogueEntry>,
 }
 
 /// The built-in ones: code of the language, file, text.
@@ -80,23 +80,23 @@ impl Catalogue {
     }
 
     /// The words of a method.
-    pub fn get(&self, id: &str) -> Option<&Entry> {
+    pub fn get(&self, id: &str) -> Option<&CatalogueEntry> {
         self.entries.iter().find(|e| e.id == id)
     }
 
     /// All of them.
-    pub fn entries(&self) -> &[Entry] {
+    pub fn entries(&self) -> &[CatalogueEntry] {
         &self.entries
     }
 }
 
-fn entry(id: &str, node: &Node, faults: &Faults) -> Option<Entry> {
+fn entry(id: &str, node: &Node, faults: &Faults) -> Option<CatalogueEntry> {
     let mut fields = Fields::open(node, "words (did, tempts, see, hint, note)", faults)?;
     let mut word = |name: &'static str, example: &str| {
         let text = fields.need(name, example).and_then(|n| n.text().map(|t| t.trim().to_owned()));
         text.filter(|t| !t.is_empty())
     };
-    let entry = Entry {
+    let entry = CatalogueEntry {
         id: id.to_owned(),
         did: word("did", "took the wheel for a solid disc")?,
         tempts: word("tempts", "a disc is what the table gives")?,

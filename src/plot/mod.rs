@@ -15,5 +15,5 @@ pub use axis::{Axis, AxisScale};
 pub use chart::Caption;
 pub use lines::{DataPoint, LineChart, Series};
 pub use rows::{ChartRow, RowChart};
-pub use scatter::{ScatterChart, Spot};
+pub use scatter::{NamedPoint, ScatterChart};
 pub use spread::SpreadChart;

@@ -7,7 +7,7 @@ use crate::plot::rows::WIDTH;
 
 /// A point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Spot {
+pub struct NamedPoint {
     /// Along the first axis.
     pub x: f64,
     /// Along the second.
@@ -29,7 +29,7 @@ pub struct ScatterChart {
     /// A level of the second axis with a line, and what stands there.
     pub level: Option<(f64, String)>,
     /// The points.
-    pub spots: Vec<Spot>,
+    pub spots: Vec<NamedPoint>,
 }
 
 const LEFT: f64 = 52.0;
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn names_do_not_stand_on_each_other() {
         let axis = |low: f64| Axis { label: "x".to_owned(), scale: AxisScale::Linear, low, high: 1.0 };
-        let spot = |x: f64| Spot { x, y: 0.5, label: "1.name".to_owned(), marked: x > 0.9 };
+        let spot = |x: f64| NamedPoint { x, y: 0.5, label: "1.name".to_owned(), marked: x > 0.9 };
         let chart = ScatterChart {
             caption: Caption::new("s", "t", "d"),
             x: axis(0.0),

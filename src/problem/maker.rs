@@ -3,7 +3,7 @@ use crate::bank::decimal::Decimal;
 use crate::bank::{Case, Datum, Follow, Problem, Question};
 use crate::draw::sample;
 use crate::draw::stream::{DrawWords, Source};
-use crate::key::ProblemKey;
+use crate::key::{ProblemKey, WrongValue};
 use crate::misconception::{self, Methods, Wrong};
 use crate::num::{Dd, Fast};
 use crate::problem::make_key::{self, KeyFrame};
@@ -11,7 +11,7 @@ pub use crate::problem::rule::Refusals;
 use crate::problem::rule::{DrawRule, Refused};
 pub use crate::problem::variant::Variant;
 use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene};
-use crate::solve::agree;
+use crate::solve::agree::{self, Half};
 use crate::solve::outcome::{Check, CheckKind, Entry, Refusal, Scope, Solved};
 use std::fmt;
 use std::sync::OnceLock;
@@ -225,24 +225,58 @@ impl<'p> Maker<'p> {
         }
     }
 
-    /// The variant of a student that took so many tries before: the last of them alone, those before it are not made again.
-    /// `None` where it does not hold the rules.
-    pub fn again(&self, student: &str, tries: u32) -> Option<Variant> {
+    /// The draw of a student that took so many tries before: the last of them alone, those before it are not made again.
+    fn drawn(&self, student: &str, tries: u32) -> (usize, Vec<Option<Decimal>>, Vec<f64>) {
         let (mut words, index, mut values, mut data) = self.begin(student);
         self.draw(&mut words, tries, &self.problem.cases[index], &mut values, &mut data);
+        (index, values, data)
+    }
+
+    /// The variant of such a draw. `None` where it does not hold the rules.
+    pub fn again(&self, student: &str, tries: u32) -> Option<Variant> {
+        let (case, values, data) = self.drawn(student, tries);
         let mut refusals = Refusals::default();
         // It will hold: the first road is walked once, and whole.
-        let (solved, wrong) = self.solve_within_rules(index, &data, Scope::ALL, &mut refusals).ok()?;
+        let (solved, wrong) = self.solve_within_rules(case, &data, Scope::ALL, &mut refusals).ok()?;
         let within = make_key::within(self.problem, &solved);
-        Some(Variant { case: index, values, data, solved, tries, refusals, within, wrong })
+        Some(Variant { case, values, data, solved, tries, refusals, within, wrong })
+    }
+
+    /// What the first road alone makes of such a draw: the answers with their tolerances, unproved, and no wrong methods.
+    pub fn by_first_road(&self, student: &str, tries: u32) -> Option<Variant> {
+        self.first_road(student, tries, |case, data, half| {
+            self.weigh(case, data, half);
+            Vec::new()
+        })
+    }
+
+    /// Where the wrong methods of such a draw come to, part by part.
+    pub fn wrong_values(&self, student: &str, tries: u32) -> Option<Vec<Vec<WrongValue>>> {
+        let variant = self.first_road(student, tries, |case, data, half| {
+            self.plan(case).methods.values_while(data, half.preview(), &mut |_| true)
+        })?;
+        Some(self.key(&variant).parts.into_iter().map(|part| part.wrong).collect())
+    }
+
+    fn first_road(
+        &self,
+        student: &str,
+        tries: u32,
+        more: impl FnOnce(usize, &[f64], &mut Half) -> Vec<Wrong>,
+    ) -> Option<Variant> {
+        let (case, values, data) = self.drawn(student, tries);
+        let mut half = agree::first(&self.problem.cases[case].scene, &data, Scope::ALL).ok()?;
+        let wrong = more(case, &data, &mut half);
+        let (solved, refusals) = (half.preview().clone(), Refusals::default());
+        let within = make_key::within(self.problem, &solved);
+        Some(Variant { case, values, data, solved, tries, refusals, within, wrong })
     }
 
     /// Draws that are refused, the first of each rule, among so many.
     pub fn refused(&self, tries: u32) -> Vec<RefusedDraw> {
         let mut found: Vec<(DrawRule, RefusedDraw)> = Vec::new();
         for n in 1..=tries {
-            let (mut words, index, mut values, mut data) = self.begin(&format!("refused {n}"));
-            self.draw(&mut words, n, &self.problem.cases[index], &mut values, &mut data);
+            let (index, values, data) = self.drawn(&format!("refused {n}"), n);
             let mut refusals = Refusals::default();
             let asked = self.plan(index).asked;
             let Err(refused) = self.solve_within_rules(index, &data, asked, &mut refusals) else { continue };
@@ -309,7 +343,7 @@ impl<'p> Maker<'p> {
         // would refuse a draw that holds every other rule: it asks them last.
         let wrong = if self.watching { None } else { Some(self.far(methods, data, half.preview())?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
-        half.weigh::<Dd>(&case.scene, data, |label| self.problem.questions.iter().any(|q| q.label == label));
+        self.weigh(index, data, &mut half);
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
@@ -338,6 +372,12 @@ impl<'p> Maker<'p> {
             None => self.told_apart(methods, data, &solved, refusals)?,
         };
         Ok((solved, wrong))
+    }
+
+    /// Condition numbers of what is asked.
+    fn weigh(&self, case: usize, data: &[f64], half: &mut Half) {
+        let asked = |label| self.problem.questions.iter().any(|q| q.label == label);
+        half.weigh::<Dd>(&self.problem.cases[case].scene, data, asked);
     }
 
     /// What is the same for all draws of a case.

@@ -29,7 +29,7 @@ pub struct CountedAnswer {
 pub struct Grading {
     parts: usize,
     /// The answers that count, a row of parts for each student.
-    cells: Vec<Option<CountedAnswer>>,
+    pub cells: Vec<Option<CountedAnswer>>,
     /// Points in the gradebook, likewise.
     points: Vec<Option<f64>>,
     /// Total and of how many, for each student.

@@ -1,7 +1,9 @@
 //! What other tolerances would make of answers that are graded already: which verdicts would change, and which wrong
 //! methods would pass for right.
 use crate::grade::compare::accepts;
+use crate::grade::verdict::Verdict;
 use crate::key::{Answer, KeyEntry};
+use crate::regrade::changes::{CountedAnswer, Grading};
 use std::collections::BTreeMap;
 
 /// What would change for one part, or for all.
@@ -15,14 +17,6 @@ pub struct ToleranceChange {
     pub methods: u64,
     /// Sheets on which a known wrong method comes to an answer that would become right.
     pub within: u64,
-}
-
-/// The answer that counts for a student and a part, if there is one.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct AnswerUnder {
-    pub right: bool,
-    /// Ids of the wrong methods that it fits.
-    pub methods: String,
 }
 
 /// What one tolerance would change.
@@ -53,20 +47,22 @@ impl WhatIf {
     }
 
     /// Holds the answers that count of all students and parts against those of the grading as it is.
-    pub fn take(&mut self, now: &[AnswerUnder], other: &[AnswerUnder]) {
+    pub fn take(&mut self, now: &Grading, other: &Grading) {
         let parts = self.parts.len().max(1);
-        for (i, (was, is)) in now.iter().zip(other).enumerate() {
+        let right = |cell: &Option<CountedAnswer>| cell.as_ref().is_some_and(|c| c.verdict == Verdict::Right);
+        for (i, (was, is)) in now.cells.iter().zip(&other.cells).enumerate() {
             let change = &mut self.parts[i % parts];
-            if is.right && !was.right {
-                change.gained += 1;
-                if !was.methods.is_empty() {
-                    change.methods += 1;
-                    for id in was.methods.split(' ') {
+            match (right(was), right(is)) {
+                (false, true) => {
+                    change.gained += 1;
+                    let methods = was.as_ref().map_or("", |c| &c.methods);
+                    change.methods += u64::from(!methods.is_empty());
+                    for id in methods.split_whitespace() {
                         *self.methods.entry(id.to_owned()).or_default() += 1;
                     }
                 }
-            } else if was.right && !is.right {
-                change.lost += 1;
+                (true, false) => change.lost += 1,
+                _ => {}
             }
         }
     }

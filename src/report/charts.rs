@@ -1,6 +1,6 @@
 //! The plots of the class report, in the words of a language.
 use crate::num::{chance, trig};
-use crate::plot::{Axis, AxisScale, Caption, ChartRow, RowChart, ScatterChart, Spot, SpreadChart};
+use crate::plot::{Axis, AxisScale, Caption, ChartRow, NamedPoint, RowChart, ScatterChart, SpreadChart};
 use crate::report::marks::Marks;
 use crate::report::stats::spread::Distribution;
 use crate::report::stats::{LEAST_FOR_SHARE, spread};
@@ -128,9 +128,9 @@ impl ClassCharts<'_> {
     pub fn items(&self) -> Option<String> {
         let spots = self.study.parts.iter().zip(&self.marks.class.parts).filter_map(|(part, of)| {
             let (x, y) = (part.ease?, *part.discrimination.as_ref().ok()?);
-            Some(Spot { x, y, label: of.label(), marked: y < POOR })
+            Some(NamedPoint { x, y, label: of.label(), marked: y < POOR })
         });
-        let spots: Vec<Spot> = spots.collect();
+        let spots: Vec<NamedPoint> = spots.collect();
         if spots.is_empty() {
             return None;
         }

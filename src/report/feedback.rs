@@ -94,7 +94,7 @@ impl FeedbackWriter<'_> {
         if dropped.contains(&problem) {
             told = format!("{told}; {}", self.words.get("marks.not_counted"));
         }
-        let title = &self.marks.class.problems[problem].title;
+        let title = &self.marks.class.problems[problem];
         template::map([
             ("number", template::finished(&(problem + 1).to_string())),
             ("title", template::finished(title)),

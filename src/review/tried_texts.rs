@@ -10,7 +10,7 @@ use crate::sheet::html::Converter;
 use crate::sheet::output::{DocumentWriter, Format};
 use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
-use crate::sheet::{document, html, key_table, statement};
+use crate::sheet::{document, formula, key_table, statement};
 use crate::solution;
 use crate::solution::draft::Detail;
 use crate::solution::stop::Beyond;
@@ -91,7 +91,7 @@ pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Fi
 }
 
 fn add_formulas(findings: &mut Findings, problem: &Problem, texts: &Texts, markdown: &str) {
-    for fault in html::faulty_formulas(markdown) {
+    for fault in formula::faulty_formulas(markdown) {
         let mut finding = Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
         // Where the questions are one's own as well, either may hold it.
         let own = |name: &str| texts.templates.own_file(name);

@@ -5,6 +5,7 @@ use crate::scene::{
     Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene,
     Slope, Spot, Surface, Tie,
 };
+use std::borrow::Cow;
 
 /// What a quantity belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -231,26 +232,36 @@ impl Scene {
             _ => None,
         })
     }
+    /// What an owner of quantities is called: `block`, `left`, `rod.B`; `None` for the scene as a whole.
+    pub fn owner_name(&self, of: Owner) -> Option<Cow<'_, str>> {
+        let name = match of {
+            Owner::Scene | Owner::Asked(_) => return None,
+            Owner::Body(b) => &self.bodies.get(b)?.name,
+            Owner::Tie(t) => match self.ties.get(t)? {
+                Tie::Cord(cord) => &cord.name,
+                _ => return None,
+            },
+            Owner::Joint(j) => &self.joints.get(j)?.name,
+            Owner::Strut(s) => &self.struts.get(s)?.name,
+            Owner::Spot(spot) => {
+                let (body, point) = self.point_name(spot)?;
+                return Some(Cow::Owned(format!("{body}.{point}")));
+            }
+        };
+        Some(Cow::Borrowed(name))
+    }
     /// Name of a label: `omega`, `block.v`, `left.tension`.
     pub fn name_of(&self, label: Label) -> String {
         let q = label.quantity.name();
-        match label.of {
-            Owner::Scene => q.to_owned(),
-            Owner::Asked(i) => self.formulas.asked.get(i).map_or_else(|| q.to_owned(), |a| a.id.clone()),
-            Owner::Body(b) if self.bare_body() == Some(b) => q.to_owned(),
-            Owner::Body(b) => {
-                self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name))
-            }
-            Owner::Tie(_) if self.cords_with(label.quantity).count() <= 1 => q.to_owned(),
-            Owner::Tie(t) => match self.ties.get(t) {
-                Some(Tie::Cord(c)) => format!("{}.{q}", c.name),
-                _ => q.to_owned(),
-            },
-            Owner::Joint(j) => self.joints.get(j).map_or_else(|| q.to_owned(), |j| format!("{}.{q}", j.name)),
-            Owner::Strut(s) => self.struts.get(s).map_or_else(|| q.to_owned(), |s| format!("{}.{q}", s.name)),
-            Owner::Spot(spot) => self
-                .point_name(spot)
-                .map_or_else(|| q.to_owned(), |(body, point)| format!("{body}.{point}.{q}")),
+        let bare = match label.of {
+            Owner::Asked(i) => return self.formulas.asked.get(i).map_or(q, |a| &a.id).to_owned(),
+            Owner::Body(b) => self.bare_body() == Some(b),
+            Owner::Tie(_) => self.cords_with(label.quantity).count() <= 1,
+            _ => false,
+        };
+        match self.owner_name(label.of) {
+            Some(name) if !bare => format!("{name}.{q}"),
+            _ => q.to_owned(),
         }
     }
     /// The spring of the scene, if it has one: index of its tie, stiffness N/m, stretch at the start m, attached rigidly.

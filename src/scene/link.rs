@@ -144,6 +144,10 @@ pub struct Action {
 }
 
 impl CordEnd {
+    /// An end that leaves along the line of its body.
+    pub const fn new(body: usize, attach: Attach, forward: bool) -> Self {
+        Self { body, attach, forward, upright: None, tilt_deg: None }
+    }
     /// The pull of the cord at this end.
     pub fn action(&self) -> Action {
         let along = if self.forward { 1.0 } else { -1.0 };
@@ -157,6 +161,13 @@ impl CordEnd {
 }
 
 impl Tie {
+    /// The body that touches its surface here.
+    pub const fn touching(&self) -> Option<usize> {
+        match self {
+            Self::Roll { body, .. } | Self::Slip { body, .. } | Self::Slide { body, .. } => Some(*body),
+            Self::Cord(_) => None,
+        }
+    }
     /// A given pull that leads away from the surface of a body: the body, the force and the angle in degrees.
     pub const fn tilted(&self) -> Option<(usize, Num, Num)> {
         match self {

@@ -1,7 +1,7 @@
 //! Dealing: the variants of one student and their key, problem by problem.
 use crate::bank::{Bank, Problem};
 use crate::finding::{Finding, Findings};
-use crate::key::{ProblemKey, SheetKey};
+use crate::key::{ProblemKey, SheetKey, WrongValue};
 use crate::problem::maker::{Maker, Unsatisfiable, Variant};
 use crate::set::store::{StoredStudent, StoredVariant};
 use crate::sheet::statement;
@@ -53,8 +53,27 @@ impl<'b> Dealer<'b> {
     /// Deals once more what is stored: of each problem only the draw that was taken, not the refused ones before it. `None`
     /// where anything differs; [`Dealer::deal`] then tells what.
     pub fn deal_again(&self, old: &StoredStudent) -> Option<Dealt> {
+        self.dealt_by(old, Maker::again)
+    }
+
+    /// The same by the first road alone: unproved, and without wrong methods ([`Dealer::wrong_values`]).
+    pub fn by_first_road(&self, old: &StoredStudent) -> Option<Dealt> {
+        self.dealt_by(old, Maker::by_first_road)
+    }
+
+    /// Where the wrong methods of a student's problem come to, part by part.
+    pub fn wrong_values(&self, old: &StoredStudent, problem: usize) -> Option<Vec<Vec<WrongValue>>> {
+        let (_, maker) = self.makers.get(problem)?;
+        maker.wrong_values(&old.student, old.problems.get(problem)?.tries)
+    }
+
+    fn dealt_by(
+        &self,
+        old: &StoredStudent,
+        draw: impl Fn(&Maker<'b>, &str, u32) -> Option<Variant>,
+    ) -> Option<Dealt> {
         let drawn = self.makers.iter().zip(&old.problems).map(|((problem, maker), old_variant)| {
-            let variant = maker.again(&old.student, old_variant.tries)?;
+            let variant = draw(maker, &old.student, old_variant.tries)?;
             let same = old_variant.difference(&stored(problem, &variant)).is_none();
             let key = coded(maker.key(&variant), old_variant);
             same.then_some((variant, key))

@@ -1,5 +1,6 @@
 //! grading.json: what a grading was made from, so that every mark in it can be traced.
 use crate::finding::Finding;
+use crate::set::stored;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -94,14 +95,7 @@ const fn is_yes(said: &bool) -> bool {
 impl StoredGrading {
     /// Reads grading.json. Errors: what is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
-        let grading: Self = serde_json::from_str(text).map_err(|e| {
-            Finding::of_json("grading", &e)
-                .hint("grading.json is written by `slipstick grade` and not meant to be edited")
-        })?;
-        if grading.format == FORMAT {
-            return Ok(grading);
-        }
-        Err(Finding::new("format", format!("is {}; this program reads {FORMAT}", grading.format)))
+        stored(text, ("grading", "grade"), |grading: &Self| grading.format, FORMAT)
     }
 
     /// The text of grading.json.

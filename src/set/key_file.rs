@@ -1,7 +1,7 @@
 //! key.csv: one row for each part of each student, numbers in the asked unit.
 use crate::csv_field::{push_line, unguarded};
 use crate::finding::{Finding, Findings, FirstFindings};
-use crate::key::{Answer, KeyEntry, SheetKey};
+use crate::key::{Answer, KeyEntry, ProblemKey, SheetKey};
 use crate::problem::make_key;
 use rayon::prelude::*;
 
@@ -105,6 +105,36 @@ pub fn text(keys: &[SheetKey]) -> Vec<u8> {
 pub fn is_of(stored: &[u8], keys: &[SheetKey]) -> bool {
     let body = unmarked(stored);
     body == with_columns(keys, columns(body))
+}
+
+/// Has a stored key.csv, row by row, the right answers and tolerances of these keys, to the last bit, and their codes?
+pub fn grades_as(stored: &[u8], keys: &[SheetKey]) -> bool {
+    let mut reader = csv::Reader::from_reader(stored);
+    let mut row = csv::StringRecord::new();
+    let mut next = |student: &str, number: &str, problem: &ProblemKey, entry: &KeyEntry| {
+        if !reader.read_record(&mut row).unwrap_or(false) || row.len() != HEADER.len() {
+            return false;
+        }
+        let is = |at: usize, si: f64| {
+            row[at].parse::<f64>().is_ok_and(|x| x.to_bits() == (entry.unit.from_si(si) + 0.0).to_bits())
+        };
+        let answered = match &entry.answer {
+            Answer::Number { value, half_width, .. } => {
+                let road = entry.eom.is_none_or(|eom| is(5, eom));
+                is(3, *value) && is(9, *half_width) && road && row[4] == *entry.unit.ascii()
+            }
+            Answer::Word { right, .. } => row[3] == **right,
+        };
+        let names = [unguarded(&row[0]), &row[1], &row[2], &row[11]];
+        answered && names == [student, number, &entry.part, problem.code_of(entry)]
+    };
+    let all = keys.iter().all(|key| {
+        key.problems.iter().enumerate().all(|(i, problem)| {
+            let number = (i + 1).to_string();
+            problem.parts.iter().all(|entry| next(&key.student, &number, problem, entry))
+        })
+    });
+    all && !reader.read_record(&mut row).unwrap_or(true)
 }
 
 /// Without the mark of its encoding that an editor may have put before it.

@@ -2,12 +2,13 @@
 use crate::bank::Bank;
 use crate::draw::stream;
 use crate::finding::{Finding, Findings, FirstFindings};
-use crate::key::SheetKey;
+use crate::key::{FindWrong, SheetKey, WrongValue};
 use crate::problem::maker::Unsatisfiable;
 use crate::set::dealer::{Dealer, Dealt, indices, stored};
 use crate::set::given;
 use crate::set::store::{StoredSet, StoredStudent};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Was the set drawn by an earlier version, which chose other draws? Then nothing is drawn again: what was drawn is taken as it
@@ -23,6 +24,51 @@ pub fn is_earlier(set: &StoredSet) -> bool {
 /// What differs: at most five findings and their number.
 pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Findings> {
     each(bank, set, &|_, _, dealt| Ok(dealt.key))
+}
+
+/// The keys of a stored set by the first road alone: unproved, and without wrong methods ([`WrongOnDemand`]). `None` where the set
+/// was not drawn by this version or anything differs, or where the first road does not say all; [`keys`] then tells what.
+pub fn by_first_road(bank: &Bank, set: &StoredSet) -> Option<Vec<SheetKey>> {
+    if bank.hash != set.bank.sha256 || set.draw_version != stream::DRAW_VERSION {
+        return None;
+    }
+    let problems = indices(bank, &set.problems, "problems").ok()?;
+    let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
+    let one = |student: &StoredStudent| {
+        let key = dealer.by_first_road(student)?.key;
+        let said = key.problems.iter().all(|p| p.known.iter().all(|x| !x.is_nan()));
+        said.then_some(key)
+    };
+    set.students.par_iter().map(one).collect()
+}
+
+/// Where wrong methods come to in a set that was replayed by the first road: found when it is first asked, for most students'
+/// answers are right.
+pub struct WrongOnDemand<'b> {
+    dealer: Dealer<'b>,
+    set: &'b StoredSet,
+    found: Vec<OnceLock<Vec<Vec<WrongValue>>>>,
+}
+
+impl<'b> WrongOnDemand<'b> {
+    /// Nothing is found yet.
+    ///
+    /// # Errors
+    /// The bank has not the problems of the set.
+    pub fn new(bank: &'b Bank, set: &'b StoredSet) -> Result<Self, Findings> {
+        let problems = indices(bank, &set.problems, "problems")?;
+        let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
+        let found = std::iter::repeat_with(OnceLock::new).take(set.students.len() * problems.len());
+        Ok(Self { dealer, set, found: found.collect() })
+    }
+}
+
+impl FindWrong for WrongOnDemand<'_> {
+    fn values(&self, student: usize, problem: usize) -> &[Vec<WrongValue>] {
+        let at = student * self.set.problems.len() + problem;
+        let find = || self.dealer.wrong_values(&self.set.students[student], problem).unwrap_or_default();
+        self.found[at].get_or_init(find)
+    }
 }
 
 /// The same for every student: what `make` makes of a student's place in the set, variants and key, in the order of the

@@ -1,6 +1,7 @@
 //! set.json: what a set is made of, to text and back.
 use crate::bank::load;
 use crate::finding::Finding;
+use crate::set::stored;
 use crate::sheet::self_check::Hosting;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -34,6 +35,9 @@ pub struct StoredSet {
     pub page: Hosting,
     /// The bank.
     pub bank: StoredBank,
+    /// The SHA-256 of its key.csv, as [`StoredSet::sealed`] wrote it; sets of versions before 4 of the drawing have none.
+    #[serde(default)]
+    pub key_sha256: Option<String>,
     /// Ids of the problems, in the order of the sheet.
     pub problems: Vec<String>,
     /// Students in the order of the roster, late joiners behind.
@@ -159,30 +163,25 @@ impl StoredSet {
     /// # Errors
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
-        let set: Self = serde_json::from_str(text).map_err(|e| {
-            Finding::of_json("set", &e)
-                .hint("set.json is written by `slipstick generate` and not meant to be edited")
-        })?;
-        if set.format == FORMAT {
-            return Ok(set);
-        }
-        Err(Finding::new("format", format!("is {}; this program reads {FORMAT}", set.format)))
+        stored(text, ("set", "generate"), |set: &Self| set.format, FORMAT)
     }
 
     /// The text of set.json with the SHA-256 of its key.csv: a later version that draws otherwise, or solves otherwise, knows by
     /// it that the key is the one that was published.
     pub fn sealed(&self, key: &[u8]) -> String {
-        let seal = format!(
-            "  \"key_sha256\": {},\n  \"problems\":",
-            json(&load::hash(&String::from_utf8_lossy(key)))
-        );
-        self.text().replacen("  \"problems\":", &seal, 1)
+        self.written(Some(load::hash(&String::from_utf8_lossy(key))))
     }
 
-    /// The text of set.json: one line for each student.
+    /// The text of set.json, without a seal: its key.csv is another or none.
     pub fn text(&self) -> String {
+        self.written(None)
+    }
+
+    /// One line for each student.
+    fn written(&self, key_sha256: Option<String>) -> String {
         let mut out = String::from("{\n");
-        for (name, value) in [
+        let seal = key_sha256.map(|seal| ("key_sha256", json(&seal)));
+        let before = [
             ("format", json(&self.format)),
             ("name", json(&self.name)),
             ("seed", json(&self.seed)),
@@ -192,8 +191,8 @@ impl StoredSet {
             ("formats", json(&self.formats)),
             ("page", json(&self.page)),
             ("bank", json(&self.bank)),
-            ("problems", json(&self.problems)),
-        ] {
+        ];
+        for (name, value) in before.into_iter().chain(seal).chain([("problems", json(&self.problems))]) {
             out.push_str(&format!("  \"{name}\": {value},\n"));
         }
         lines(&mut out, "students", self.students.iter().map(json));
@@ -202,15 +201,6 @@ impl StoredSet {
         out.push_str("\n}\n");
         out
     }
-}
-
-/// The SHA-256 of key.csv that stands in the text of a set.json; sets of versions before 4 of the drawing have none.
-pub fn seal(text: &str) -> Option<String> {
-    #[derive(Deserialize)]
-    struct Seal {
-        key_sha256: Option<String>,
-    }
-    serde_json::from_str::<Seal>(text).ok()?.key_sha256
 }
 
 fn lines(out: &mut String, name: &str, items: impl Iterator<Item = String>) {

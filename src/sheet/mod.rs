@@ -1,5 +1,6 @@
 //! What a reader sees: statements, sheets, the public sheet file. Numbers become text here, once.
 pub mod document;
+pub mod formula;
 pub mod html;
 pub(crate) mod key_table;
 pub(crate) mod output;

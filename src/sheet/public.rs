@@ -8,7 +8,7 @@
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
 use crate::bank::node::Node;
-use crate::bank::{Bank, Case, Mistake, Problem, checks, node, yaml};
+use crate::bank::{Bank, Case, Mistake, Problem, labels, node, yaml};
 use crate::finding::Finding;
 use crate::page::sheet_file::FORMAT;
 use crate::problem::make_key;
@@ -120,7 +120,7 @@ fn is_everywhere(problem: &Problem, mistake: &Mistake) -> bool {
     let labels = expressions.flat_map(|e| e.quantities()).chain(mistake.of.iter().copied());
     let mut labels: Vec<Label> = labels.chain(mistake.values.iter().map(|(label, _)| *label)).collect();
     labels.dedup();
-    let known = |scene: &Scene, label: Label| checks::label(scene, &scene.name_of(label)).is_ok();
+    let known = |scene: &Scene, label: Label| labels::named(scene, &scene.name_of(label)).is_ok();
     problem.cases.iter().all(|case| labels.iter().all(|label| known(&case.scene, *label)))
 }
 

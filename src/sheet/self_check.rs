@@ -2,7 +2,7 @@
 //! It knows no key: the scene is solved in the page, with the functions of [`crate::page`].
 use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
-use crate::misconception::catalogue::{Catalogue, Entry};
+use crate::misconception::catalogue::{Catalogue, CatalogueEntry};
 use crate::policy::Hints;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
@@ -145,7 +145,7 @@ impl<'t> SelfCheck<'t> {
         let listed = problems.filter_map(|(_, problem)| problem["mistakes"].as_object()).flatten();
         // How to see that a method is wrong stands in the last hint alone.
         let all = bank.grading.hints == Hints::Explain;
-        let words = |entry: &Entry| json!({ "did": entry.did, "see": if all { entry.see.as_str() } else { "" }, "hint": entry.hint });
+        let words = |entry: &CatalogueEntry| json!({ "did": entry.did, "see": if all { entry.see.as_str() } else { "" }, "hint": entry.hint });
         listed.filter_map(|(id, _)| Some((id.clone(), words(catalogue.get(id)?)))).collect()
     }
 

@@ -34,6 +34,16 @@ pub fn percent(share: f64) -> String {
     format!("{} %", shown::decimals(share * 100.0, 0))
 }
 
+/// The first so many of a list, and behind them how many more there are: `and 3 more`.
+pub fn first_of(list: impl IntoIterator<Item = String>, most: usize) -> Vec<String> {
+    let mut list: Vec<String> = list.into_iter().collect();
+    if list.len() > most {
+        let more = list.split_off(most).len();
+        list.push(format!("and {more} more"));
+    }
+    list
+}
+
 /// `1 sheet`, `2 sheets`
 pub fn count(n: impl TryInto<u64>, one: &str) -> String {
     let n = n.try_into().unwrap_or(u64::MAX);

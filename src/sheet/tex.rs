@@ -2,7 +2,7 @@
 use crate::finding::Finding;
 use crate::picture::tikz;
 use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break, kept_together};
-use crate::sheet::html::{PAPER, fault_of, signs};
+use crate::sheet::formula::{PAPER, fault_of, signs};
 use crate::template::{self, Templates, View};
 use crate::words::Words;
 use pulldown_cmark::{Alignment, Event, HeadingLevel, Parser, Tag, TagEnd};

@@ -5,7 +5,7 @@
 use crate::finding::Finding;
 use crate::picture::svg;
 use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break, units_apart};
-use crate::sheet::html::unfit;
+use crate::sheet::formula::unfit;
 use crate::words::Words;
 use pulldown_cmark::{
     Alignment, CodeBlockKind, Event as Mark, HeadingLevel, Parser as Markdown, Tag, TagEnd,
@@ -68,7 +68,7 @@ pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String,
             let _ = write!(out, "{name}: {}, ", quoted(text));
         }
         let mut body = String::with_capacity(document.markdown.len() * 4);
-        let mut page = Page {
+        let mut page = TypstPage {
             document,
             words,
             out: &mut body,
@@ -143,7 +143,7 @@ fn escaped(out: &mut String, text: &str) {
 }
 
 /// One document while it is written.
-struct Page<'p> {
+struct TypstPage<'p> {
     document: &'p Document,
     words: &'p Words,
     out: &'p mut String,
@@ -159,7 +159,7 @@ struct Page<'p> {
     part: Option<usize>,
 }
 
-impl Page<'_> {
+impl TypstPage<'_> {
     fn write(&mut self) -> Result<(), Finding> {
         let document = self.document;
         let mut alt = String::new();

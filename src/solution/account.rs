@@ -695,7 +695,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Accelerations and reactions that are unknown, of which the rows and the ties are as many equations.
     fn unknowns(&self) -> Vec<(Label, SymbolId)> {
         let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.of(c).a?)));
-        let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
+        let ties = self.m.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
         rates.chain(ties).collect()
     }
 
@@ -711,13 +711,13 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What the ties demand of the accelerations, both sides without a minus in front.
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
         let each = |(tie, _): (usize, SymbolId)| {
-            let terms = self.tied(tie).into_iter();
+            let terms = self.m.tied(tie).into_iter();
             let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.of(c).a?)));
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
             if left.is_empty() { (right, ZERO) } else { (sum(left), right) }
         };
-        self.reactions().into_iter().map(each).collect()
+        self.m.reactions().into_iter().map(each).collect()
     }
 
     /// Accelerations and reactions as all equations together give them.
@@ -740,8 +740,8 @@ impl<'d, 'a> Account<'d, 'a> {
         let given: Vec<(Coordinate, Num)> = self.scene.start_speeds().collect();
         let given: Vec<(Coordinate, Expr)> =
             given.into_iter().map(|(c, v)| (c, self.given_start(c, v))).collect();
-        let tied = self.reactions().into_iter().map(|(tie, _)| {
-            let terms = self.tied(tie).into_iter();
+        let tied = self.m.reactions().into_iter().map(|(tie, _)| {
+            let terms = self.m.tied(tie).into_iter();
             let terms = terms.filter_map(|(c, share)| Some((place(c)?, self.value(&share.expr()))));
             (terms.collect::<Vec<_>>(), 0.0)
         });
@@ -763,27 +763,6 @@ impl<'d, 'a> Account<'d, 'a> {
             self.found(speed_of(*c), symbol, symbol.into());
         }
         Ok(())
-    }
-
-    /// The reactions of ties: index of the tie, and the force.
-    pub fn reactions(&self) -> Vec<(usize, SymbolId)> {
-        let ties = 0..self.scene.ties.len();
-        ties.filter_map(|t| self.m.action_of(t).and_then(|a| self.reaction_of(a)).map(|f| (t, f))).collect()
-    }
-
-    fn reaction_of(&self, action: &Action) -> Option<SymbolId> {
-        match (action.kind, &action.force) {
-            (ForceKind::Reaction, Expr::Symbol(f)) => Some(*f),
-            _ => None,
-        }
-    }
-
-    /// What a tie demands: the sum of these coordinates' rates, each times its share, is 0.
-    pub fn tied(&self, tie: usize) -> Vec<(Coordinate, Factors)> {
-        let own = self.m.actions.iter().filter(|a| a.source == ForceSource::Tie(tie));
-        own.flat_map(|a| [(along(a.body), a.along.clone()), (turn(a.body), a.arm.clone())])
-            .filter(|(_, share)| !share.is_zero())
-            .collect()
     }
 
     /// What of the forces of these kinds does not drop out, each as its share of the lead's equation.
@@ -1195,8 +1174,8 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The reactions in a row, each with its tie.
     fn open(&self, c: Coordinate) -> impl Iterator<Item = (usize, SymbolId)> {
-        self.row(c).into_iter().filter_map(|(a, _)| match (self.reaction_of(&a), a.source) {
-            (Some(force), ForceSource::Tie(t)) => Some((t, force)),
+        self.row(c).into_iter().filter_map(|(a, _)| match (a.kind, &a.force, a.source) {
+            (ForceKind::Reaction, Expr::Symbol(force), ForceSource::Tie(t)) => Some((t, *force)),
             _ => None,
         })
     }
@@ -1510,7 +1489,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let most = match self.spring {
             Some(_) => {
-                let [one, other] = self.extremes(body)?;
+                let [[_, one], [_, other]] = self.extremes(body)?;
                 if self.symbols.value(one).abs() >= self.symbols.value(other).abs() { one } else { other }
             }
             None => {
@@ -1534,7 +1513,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.get(rate_of(self.lead()))?;
         let from = self.from(last).put(a, &start.into());
         let first = self.grown.iter().fold(from, |f, g| f.put(g.last, &g.first));
-        if self.reactions().iter().any(|(_, f)| first.uses().contains(f)) {
+        if self.m.reactions().iter().any(|(_, f)| first.uses().contains(f)) {
             return beyond(Beyond::GrowingForce);
         }
         if self.value(&first).abs() <= self.symbols.value(last).abs() {
@@ -1546,7 +1525,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a body at release and at the far end of what the conditions look at, for a wheel on a spring: it is linear in the
     /// tension, so one of them is the largest.
-    pub fn extremes(&mut self, body: usize) -> Result<[SymbolId; 2], DerivationStop> {
+    pub fn extremes(&mut self, body: usize) -> Result<[[SymbolId; 2]; 2], DerivationStop> {
         let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
             _ => match self.turning_or_slack()? {
@@ -1559,7 +1538,8 @@ impl<'d, 'a> Account<'d, 'a> {
         };
         let first = self.friction_at(body, &ZERO, "0")?;
         let last = if far == self.s {
-            self.get(of_body(Quantity::Friction, body))?
+            let friction = self.get(of_body(Quantity::Friction, body))?;
+            [self.spring.as_ref().map_or(friction, |s| s.tension), friction]
         } else {
             self.friction_at(body, &far, "2")?
         };
@@ -1585,42 +1565,36 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(if goes_slack { (slack, true) } else { (turn, false) })
     }
 
-    /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
-    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<SymbolId, DerivationStop> {
+    /// The pull of the spring and the friction on a rolling body where the lead has moved by `s`.
+    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<[SymbolId; 2], DerivationStop> {
         let Some(spring) = self.spring.clone() else { return unfound() };
         let now = self.get(of_body(Quantity::Friction, body))?;
-        let stretch = self.stretch_at(s);
-        let tex = marked(self.symbols.tex(now), mark);
-        let symbol = self.draft.symbols.unknown_like(&tex, now);
-        match self.friction_per_tension(body, spring.tie) {
-            Ok(rate) => {
-                let less = &spring.stiffness * &stretch - spring.tension;
-                self.step(symbol, now + rate.by(&less));
+        let [tension, symbol] = [spring.tension, now].map(|of| {
+            let tex = marked(self.symbols.tex(of), mark);
+            self.draft.symbols.unknown_like(&tex, of)
+        });
+        let pull = &spring.stiffness * self.stretch_at(s);
+        self.step(tension, pull);
+        match self.closed_friction(body) {
+            Some(closed) => {
+                let is = closed.expr().put(spring.tension, &tension.into());
+                self.settle(symbol, &is);
             }
-            Err(_) => {
+            None => {
                 // From all equations together, with the pull of the spring there.
-                let end = self.symbols.value(spring.tension);
-                let pull = self.value(&(&spring.stiffness * &stretch));
-                self.symbols.settle(spring.tension, pull, 0.0);
-                let there = self.rows_solved();
+                let (end, there) = (self.symbols.value(spring.tension), self.symbols.value(tension));
+                self.symbols.settle(spring.tension, there, 0.0);
+                let all = self.rows_solved();
                 self.symbols.settle(spring.tension, end, 0.0);
                 let at = self.unknowns().iter().position(|(_, s)| *s == now);
-                let Some(value) = there.zip(at).and_then(|(all, at)| all[at]) else {
+                let Some(value) = all.zip(at).and_then(|(all, at)| all[at]) else {
                     return unfound();
                 };
                 self.symbols.settle(symbol, value, 0.0);
-                self.step(symbol, symbol.into());
             }
         }
-        Ok(symbol)
-    }
-
-    /// By how much the friction on a body grows with the tension of a cord: from its closed form.
-    fn friction_per_tension(&mut self, body: usize, tie: usize) -> Result<Expr, DerivationStop> {
-        let Some(closed) = self.closed_friction(body) else { return unfound() };
-        let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
-        let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
-        Ok(over.over(&closed.under))
+        self.step(symbol, symbol.into());
+        Ok([tension, symbol])
     }
 
     /// The friction of a single rolling body as the sum of its forces, each with its factor: `F (c^2 + j) = sum S (c p - j e)`,
@@ -1762,15 +1736,10 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.scene.ties.iter().any(|t| matches!(t, Tie::Slide { body: b, .. } if *b == body)) {
             return self.travel(along(body));
         }
-        let radius = self.scene.ties.iter().find_map(|tie| match tie {
-            Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
-            _ => None,
-        });
-        let Some(radius) = radius else { return unfound() };
-        let c = self.number(radius, "R", "m");
+        let Some(c) = self.radius_of(body) else { return unfound() };
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let way = self.signed_travel(along(body))?;
-        let from = way - in_sense(c * phi, self.velocity_sense(turn(body)));
+        let from = way - in_sense(c.expr() * phi, self.velocity_sense(turn(body)));
         Ok(self.positive(&from))
     }
 
@@ -1790,12 +1759,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`.
     fn bound_of_gyration(&mut self, body: usize) -> Result<Expr, DerivationStop> {
-        let c = self.scene.ties.iter().find_map(|t| match t {
-            Tie::Roll { radius_m, .. } => Some(*radius_m),
-            _ => None,
-        });
-        let Some(c) = c else { return unfound() };
-        let c = self.number(c, "R", "m");
+        let Some(c) = self.radius_of(body) else { return unfound() };
         let share = |task: &Self, c: Coordinate| {
             let given = task.row(c).into_iter().filter(|(a, _)| a.kind == ForceKind::Given);
             sum(given.map(|(_, e)| e))
@@ -1805,7 +1769,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
             return unfound();
         }
-        Ok(root(c * moment / force))
+        Ok(root(c.expr() * moment / force))
     }
 
     /// The greatest speed of a motion, and where it is.

@@ -45,14 +45,8 @@ pub fn needed(scene: &Scene, problem: &Problem) -> Vec<Label> {
     let next = scene.formulas.others.iter().filter(|(how, _)| *how == AsIf::Next);
     all.extend(next.flat_map(|(_, next)| next.formulas.taken.iter().map(|t| t.label)));
     all.extend(scene.formulas.found.map(|f| f.label));
-    let mut before = Vec::new();
-    all.retain(|l| {
-        !before.contains(l) && {
-            before.push(*l);
-            true
-        }
-    });
-    all
+    let first = |(i, label): (usize, &Label)| (!all[..i].contains(label)).then_some(*label);
+    all.iter().enumerate().filter_map(first).collect()
 }
 
 /// Is what is supposed so anyway: that it rolls, where it does?

@@ -1,6 +1,6 @@
 //! Mistakes to beware of: wrong methods of the problem and what each comes to with this student's data. Both are the grader's,
 //! the values those that are stored with the draw, the words those of its feedback.
-use crate::misconception::catalogue::{Catalogue, Entry};
+use crate::misconception::catalogue::{Catalogue, CatalogueEntry};
 use crate::solution::draft::Draft;
 use crate::solution::text::{Block, SolutionSection};
 use crate::solution::told;
@@ -33,13 +33,13 @@ pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
 /// the bank, until there are [`MOST`]: so the bank's first mistake about each question comes before a second one about any. Left out are
 /// methods from which draws are not kept away (`unguarded`: slips, and what often comes near the right answer), those without
 /// words, and values that look, with the figures of the answer, like the right one or like one that the question has already.
-fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c Entry, String)> {
+fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c CatalogueEntry, String)> {
     let questions = &draft.problem.questions;
     let right: Vec<Option<String>> = questions
         .iter()
         .map(|q| draft.variant.solved.get(q.label).map(|entry| told(draft, q, entry.value())))
         .collect();
-    let mut of_question: Vec<Vec<(&Entry, String)>> = vec![Vec::new(); questions.len()];
+    let mut of_question: Vec<Vec<(&CatalogueEntry, String)>> = vec![Vec::new(); questions.len()];
     for (index, mistake) in draft.problem.mistakes.iter().enumerate() {
         let Some(words) = catalogue.get(&mistake.id).filter(|_| mistake.unguarded.is_none()) else {
             continue;

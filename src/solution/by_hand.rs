@@ -63,6 +63,6 @@ pub fn answers(
         DerivedAnswer::Word(_) => None,
     };
     let numbers = problem.questions.iter().filter(|q| !q.label.quantity.is_word());
-    let found = numbers.filter_map(|q| draft.found.iter().find(|f| f.label == q.label));
-    Ok(found.map(|f| ByHand { label: f.label, rounded: rough(f.answer) }).collect())
+    let found = numbers.filter_map(|q| Some((q.label, draft.found_for(q.label)?)));
+    Ok(found.map(|(label, answer)| ByHand { label, rounded: rough(answer) }).collect())
 }

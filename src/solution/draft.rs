@@ -37,15 +37,6 @@ pub enum Detail {
     Full,
 }
 
-/// What was found for a label.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FoundAnswer {
-    /// Which quantity.
-    pub label: Label,
-    /// The answer.
-    pub answer: DerivedAnswer,
-}
-
 /// The scene of a variant as solutions take it: a body on a pin is one in the plane that a joint holds.
 ///
 /// # Errors
@@ -75,7 +66,7 @@ pub struct Draft<'a> {
     /// The sections between the data and the comparison, in order.
     pub sections: Vec<SolutionSection>,
     /// What was found.
-    pub found: Vec<FoundAnswer>,
+    pub found: Vec<(Label, DerivedAnswer)>,
     /// One for each datum of the problem; `None` where the case does not use it.
     data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
@@ -329,15 +320,15 @@ impl<'a> Draft<'a> {
 
     /// Notes an answer.
     pub fn answer(&mut self, label: Label, answer: DerivedAnswer) {
-        match self.found.iter_mut().find(|f| f.label == label) {
-            Some(found) => found.answer = answer,
-            None => self.found.push(FoundAnswer { label, answer }),
+        match self.found.iter_mut().find(|(l, _)| *l == label) {
+            Some((_, known)) => *known = answer,
+            None => self.found.push((label, answer)),
         }
     }
 
     /// What was found for a label.
     pub fn found_for(&self, label: Label) -> Option<DerivedAnswer> {
-        self.found.iter().find(|f| f.label == label).map(|f| f.answer)
+        self.found.iter().find(|(l, _)| *l == label).map(|(_, answer)| *answer)
     }
 
     /// Is this quantity asked, of anything?
@@ -352,13 +343,8 @@ impl<'a> Draft<'a> {
 
     /// Is anything asked at which forces have to be known?
     pub fn forces_asked(&self) -> bool {
-        use Quantity::{
-            A, Alpha, Direction, Friction, FrictionIfRolled, MuRequired, Normal, PowerCouple, PowerPull,
-            Rolls, Tension, Value,
-        };
-        let kinetic = |q| matches!(q, A | Alpha | Direction | PowerCouple | PowerPull | Rolls | Value);
-        let forced =
-            |q| kinetic(q) || matches!(q, Friction | FrictionIfRolled | MuRequired | Normal | Tension);
+        use Quantity::{PowerCouple, PowerPull, Value};
+        let forced = |q| is_rate(q) || matches!(q, PowerCouple | PowerPull | Value);
         asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
     }
 

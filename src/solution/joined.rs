@@ -2,14 +2,14 @@
 use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
-use crate::solution::draft::DerivedAnswer;
+use crate::solution::draft::{DerivedAnswer, is_rate};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::narrate::Tells;
 use crate::solution::page::{WITHIN, packed};
-use crate::solution::plane::{END, Pivot, Plane, START, Turn};
+use crate::solution::plane::{END, Pivot, Plane, START};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::tagged;
@@ -57,11 +57,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             return;
         }
         self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
-        let kinds: [(&str, IsKind); 6] = [
+        let kinds: [(&str, IsKind); 7] = [
             ("pin", |k| matches!(k, JointKind::Pin { .. })),
             ("hinge", |k| matches!(k, JointKind::Hinge { .. })),
             ("across", |k| matches!(k, JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. })),
-            ("roll", |k| matches!(k, JointKind::Contact { rolls: true, .. })),
+            ("roll", |k| matches!(k, JointKind::Contact { rolls: true, teeth: false, .. })),
+            ("teeth", |k| matches!(k, JointKind::Contact { teeth: true, .. })),
             ("cord", |k| matches!(k, JointKind::Cord { rod: false, .. })),
             ("rod", |k| matches!(k, JointKind::Cord { rod: true, .. })),
         ];
@@ -103,9 +104,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn forces(&mut self) -> Result<(), DerivationStop> {
         use Quantity as Q;
         let kinetic = |q: Quantity| {
-            matches!(q, Q::Alpha | Q::AX | Q::AY | Q::Normal | Q::Friction | Q::Tension | Q::Moment)
-                || matches!(q, Q::PinX | Q::PinY | Q::PinForce | Q::PinRadial | Q::PinTangential)
-                || matches!(q, Q::PinAngle | Q::Drive)
+            is_rate(q) || matches!(q, Q::AX | Q::AY | Q::Moment | Q::PinRadial | Q::PinTangential | Q::Drive)
         };
         if self.pivot.is_some() {
             self.forces_of_the_pin(&kinetic)?;
@@ -289,29 +288,34 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(name) = name {
             self.say(name, &[("angle", &value)]);
         }
+        let lengths = self.lengths();
+        if !lengths.is_empty() {
+            self.say("joined.lengths", &[]);
+            self.tell(lengths);
+        }
         let own = |e: &Expr| matches!(e, Expr::Symbol(_)) && !self.turns[0].at.contains(e);
-        let symbols = |turn: &Turn| turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
-        let names = self.followers().into_iter().map(|body| self.bodies[body].name.clone());
-        let followers: Vec<(String, Vec<SymbolId>)> =
-            names.zip(self.turns[1..].iter().map(symbols)).collect();
-        if followers.is_empty() || followers.iter().all(|(_, symbols)| symbols.is_empty()) {
+        let angles = (1..self.turns.len()).filter_map(|i| {
+            let turn = &self.turns[i];
+            let name = match turn.link.map(|(joint, _)| &self.scene.joints[joint]) {
+                Some(joint) => self.phrase("joined.link", &[("name", &joint.name)]),
+                None => self.bodies.iter().find(|b| b.turn == Some(i))?.name.clone(),
+            };
+            let mut symbols: Vec<SymbolId> = turn.at.iter().filter(|e| own(e)).flat_map(Expr::uses).collect();
+            symbols.dedup();
+            let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
+            Some((symbols.is_empty(), format!("{name} {}", list.join(", "))))
+        });
+        let angles: Vec<(bool, String)> = angles.collect();
+        if angles.iter().all(|(none, _)| *none) {
             return;
         }
-        let angles: Vec<String> = followers
-            .iter()
-            .map(|(name, symbols)| {
-                let mut symbols = symbols.clone();
-                symbols.dedup();
-                let list: Vec<String> = symbols.iter().map(|s| self.shown(*s)).collect();
-                format!("{name} {}", list.join(", "))
-            })
-            .collect();
+        let angles: Vec<String> = angles.into_iter().map(|(_, angle)| angle).collect();
         let none = self.loops.is_empty();
         self.say(
             if none { "joined.angles_alone" } else { "joined.angles" },
             &[("angles", &angles.join("; "))],
         );
-        let loops: Vec<String> = self.loops.iter().map(|(_, [a, b])| format!("{a} = {b}")).collect();
+        let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
         self.formulas_or_one(loops);
     }
 
@@ -334,7 +338,9 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The ratios of the angular velocities.
     fn ratios(&mut self) {
-        let ratios: Vec<SymbolId> = self.steps[..self.steps_of[0]].iter().map(|s| s.symbol).collect();
+        let placed = self.steps[..self.steps_of[0]].iter().map(|s| s.symbol);
+        let lengths = self.lengths();
+        let ratios: Vec<SymbolId> = placed.filter(|s| !lengths.contains(s)).collect();
         if ratios.is_empty() {
             return;
         }
@@ -632,22 +638,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let before = self.steps.len();
         self.solve()?;
         let about = self.pivot.as_ref().map(|p| p.about);
-        let late: Vec<SymbolId> = self.steps[self.steps_of[0]..before]
-            .iter()
-            .map(|s| s.symbol)
-            .filter(|s| *s != self.rate && Some(*s) != about)
-            .collect();
         // Of what the works take, only what the forces at this place need.
-        let mut used = [&self.springs[..], &self.units].concat();
-        for i in (0..before).rev() {
-            let step = &self.steps[i];
-            if used.contains(&step.symbol) {
-                used.extend(step.from.uses());
-            }
-        }
-        let late: Vec<SymbolId> = late.into_iter().filter(|s| self.instant() || used.contains(s)).collect();
-        let mut springs: Vec<SymbolId> = self.springs.to_vec();
-        springs.extend(self.units.iter().copied());
+        let springs = [&self.springs[..], &self.units].concat();
+        let used = self.behind(springs.clone(), |_| true);
+        let own = |s: &SymbolId| *s != self.rate && Some(*s) != about && (self.instant() || used.contains(s));
+        let late = self.steps[self.steps_of[0]..before].iter().map(|s| s.symbol).filter(own).collect();
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
         let sprung = !wanted.is_empty() && !self.springs.is_empty();
         if !wanted.is_empty() {
@@ -866,14 +861,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let solved = [self.accelerations(), self.reactions()].concat();
         let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
         let all = [&values[..], &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
-        let mut needed = values.clone();
-        let mut at = 0;
-        while let Some(symbol) = needed.get(at).copied() {
-            let uses = self.from(symbol).uses().into_iter();
-            let more: Vec<SymbolId> = uses.filter(|s| solved.contains(s) && !needed.contains(s)).collect();
-            needed.extend(more);
-            at += 1;
-        }
+        let needed = self.behind(values.clone(), |s| solved.contains(&s));
         let chains = |symbols: &[SymbolId]| {
             let mut symbols = symbols.to_vec();
             symbols
@@ -934,27 +922,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Periods and the greatest speed of a pendulum.
     fn swings(&mut self) -> Result<(), DerivationStop> {
         let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
-        let [whole, small, _, fastest] = all.map(|q| self.asks(q));
+        let [whole, .., fastest] = all.map(|q| self.asks(q));
         let Some(pivot) = self.pendulum().filter(|_| all.iter().any(|q| self.asks(*q))) else {
             return Ok(());
-        };
-        let of = |n: &mut Self, quantity| {
-            let label = of_body(quantity, n.lead);
-            let symbol = n.get(label)?;
-            n.answer(label, DerivedAnswer::Value(symbol));
-            Ok::<_, DerivationStop>(symbol)
         };
         self.begin("swings");
         self.skip_new();
         if fastest {
-            of(self, Quantity::OmegaMax)?;
+            self.answers(&|q| q == Quantity::OmegaMax)?;
             self.say("pinned.fastest", &[]);
             self.tell_new();
         }
-        let frequency = of(self, Quantity::OmegaSmall)?;
-        if small {
-            of(self, Quantity::PeriodSmall)?;
-        }
+        let frequency = self.get(of_body(Quantity::OmegaSmall, self.lead))?;
+        self.answers(&|q| matches!(q, Quantity::OmegaSmall | Quantity::PeriodSmall))?;
         self.say("pinned.small", &[]);
         self.tell_new();
         if whole {

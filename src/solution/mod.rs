@@ -220,12 +220,12 @@ fn check(draft: &Draft) -> Result<(), DerivationStop> {
             return Err(Beyond::Quantity(q.label.quantity).into());
         }
     }
-    for found in &draft.found {
-        match found.answer {
+    for (label, answer) in draft.found.iter().copied() {
+        match answer {
             DerivedAnswer::Value(symbol) => {
                 // For what was measured its unknown was looked for: it hangs on what that is found to be.
-                let measured = draft.scene.formulas.found.is_some_and(|f| f.label == found.label);
-                let Some(entry) = draft.variant.solved.get(found.label).filter(|_| !measured) else {
+                let measured = draft.scene.formulas.found.is_some_and(|f| f.label == label);
+                let Some(entry) = draft.variant.solved.get(label).filter(|_| !measured) else {
                     continue;
                 };
                 let (here, key) = (draft.symbols.value(symbol), entry.value());
@@ -237,16 +237,13 @@ fn check(draft: &Draft) -> Result<(), DerivationStop> {
                     return Err(Beyond::Unfound.into());
                 }
                 if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
-                    return Err(Beyond::Differs(found.label.quantity).into());
+                    return Err(Beyond::Differs(label.quantity).into());
                 }
             }
-            DerivedAnswer::Word(word) => {
-                if let Some(key) = draft.variant.solved.word(found.label)
-                    && key != word
-                {
-                    return Err(Beyond::Differs(found.label.quantity).into());
-                }
+            DerivedAnswer::Word(word) if draft.variant.solved.word(label).is_some_and(|key| key != word) => {
+                return Err(Beyond::Differs(label.quantity).into());
             }
+            DerivedAnswer::Word(_) => {}
         }
     }
     Ok(())

@@ -162,38 +162,35 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     };
     let mut page = Page::new(draft);
     let known = format!("${}$", p.names[p.known]);
-    let each = |of: &dyn Fn(usize) -> Expr| sum((0..p.names.len()).map(of));
+    let each = |tex, unit, of: &dyn Fn(usize) -> Expr| -> Column {
+        (tex, unit, (0..p.names.len()).map(of).collect())
+    };
     page.begin("idea");
     page.say("lamina.idea", &[]);
     page.sketch();
     page.begin_as("short", "short_lamina");
     page.say("lamina.centre", &[]);
-    let total = |page: &mut Page, tex: &str, unit: &str, all: Expr| {
-        let symbol = page.unknown(tex, unit);
-        page.symbols.settle_by(symbol, &all);
+    let total = |page: &mut Page, (tex, unit, cells): &Column| {
+        let symbol = page.unknown(&format!(r"\sum {tex}"), unit);
+        page.symbols.settle_by(symbol, &sum(cells.iter().cloned()));
         symbol
     };
-    let mass = total(&mut page, r"\sum m_i", "kg", each(&|i| p.m[i].clone()));
-    let mx = total(&mut page, r"\sum m_i\,x_i", "kg m", each(&|i| &p.m[i] * &p.x[i]));
-    let my = total(&mut page, r"\sum m_i\,y_i", "kg m", each(&|i| &p.m[i] * &p.y[i]));
+    let mut columns = vec![
+        ("m_i", "kg", p.m.clone()),
+        ("x_i", "m", p.x.clone()),
+        ("y_i", "m", p.y.clone()),
+        each(r"m_i\,x_i", "kg m", &|i| &p.m[i] * &p.x[i]),
+        each(r"m_i\,y_i", "kg m", &|i| &p.m[i] * &p.y[i]),
+    ];
+    let [mass, mx, my] = [0, 3, 4].map(|i| total(&mut page, &columns[i]));
     let mass = page.find(&["m", "M"], "kg", mass);
     let (x, y) = (page.find(&["x_G"], "m", mx / mass), page.find(&["y_G"], "m", my / mass));
     let arm = |i: usize| square(&p.x[i] - x) + square(&p.y[i] - y);
-    let head = [
-        r"m_i\ (\mathrm{kg})",
-        r"x_i\ (\mathrm{m})",
-        r"y_i\ (\mathrm{m})",
-        r"m_i\,x_i\ (\mathrm{kg}\,\mathrm{m})",
-        r"m_i\,y_i\ (\mathrm{kg}\,\mathrm{m})",
-        r"\rho_i\ (\mathrm{m})",
-        r"m_i\,\rho_i^{2}\ (\mathrm{kg}\,\mathrm{m}^{2})",
-    ];
-    table(&mut page, &p, &head, &|i| {
-        let (m, x, y) = (&p.m[i], &p.x[i], &p.y[i]);
-        vec![m.clone(), x.clone(), y.clone(), m * x, m * y, root(arm(i)), m * arm(i)]
-    });
+    columns.push(each(r"\rho_i", "m", &|i| root(arm(i))));
+    columns.push(each(r"m_i\,\rho_i^{2}", "kg m^2", &|i| &p.m[i] * arm(i)));
+    table(&mut page, &p.names, &columns);
     page.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}".to_owned());
-    let own = total(&mut page, r"\sum m_i\,\rho_i^{2}", "kg m^2", each(&|i| &p.m[i] * arm(i)));
+    let own = total(&mut page, &columns[6]);
     let own = page.find(&["I_G"], "kg m^2", own);
     for symbol in [mass, x, y, own] {
         let from = page.from(symbol);
@@ -218,20 +215,17 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
         [&p.velocity[0], &p.velocity[1], &p.spin, &p.x[p.known], &p.y[p.known]].map(|e| page.tex(e));
     page.formula(format!(r"v_{{x,i}} = {ux} - {spin}\,\left(y_i - {yk}\right)"));
     page.formula(format!(r"v_{{y,i}} = {uy} + {spin}\,\left(x_i - {xk}\right)"));
-    let speed = |i: usize| sum(p.velocity(&p.x[i], &p.y[i]).map(square));
-    let share = |i: usize| &half * &p.m[i] * speed(i);
-    let head = [
-        r"v_{x,i}\ (\mathrm{m}/\mathrm{s})",
-        r"v_{y,i}\ (\mathrm{m}/\mathrm{s})",
-        r"v_i\ (\mathrm{m}/\mathrm{s})",
-        r"\tfrac{1}{2}\,m_i\,v_i^{2}\ (\mathrm{J})",
+    let velocity = |i: usize| p.velocity(&p.x[i], &p.y[i]);
+    let speed = |i: usize| sum(velocity(i).map(square));
+    let columns = [
+        each("v_{x,i}", "m/s", &|i| velocity(i)[0].clone()),
+        each("v_{y,i}", "m/s", &|i| velocity(i)[1].clone()),
+        each("v_i", "m/s", &|i| root(speed(i))),
+        each(r"\tfrac{1}{2}\,m_i\,v_i^{2}", "J", &|i| &half * &p.m[i] * speed(i)),
     ];
-    table(&mut page, &p, &head, &|i| {
-        let [ux, uy] = p.velocity(&p.x[i], &p.y[i]);
-        vec![ux, uy, root(speed(i)), share(i)]
-    });
+    table(&mut page, &p.names, &columns);
     page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}".to_owned());
-    let all = total(&mut page, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", each(&share));
+    let all = total(&mut page, &columns[3]);
     let again = page.find(&["T", "E"], "J", all);
     page.display(again, &all.into(), "");
     page.begin_as("why", "which");
@@ -250,17 +244,21 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
-/// A table with a row for each particle: its name and these cells, data as they are printed.
-fn table(page: &mut Page, p: &Particles, head: &[&str], cells: &dyn Fn(usize) -> Vec<Expr>) {
-    let mut rows = vec![["i"].iter().chain(head).map(|c| format!("${c}$")).collect()];
-    for (i, name) in p.names.iter().enumerate() {
-        let cells = cells(i).into_iter().map(|e| match e {
+/// A column of a table of particles: its symbol, the unit, and a cell for each.
+type Column = (&'static str, &'static str, Vec<Expr>);
+
+/// A table with a row for each particle: its name and these columns, data as they are printed.
+fn table(page: &mut Page, names: &[String], columns: &[Column]) {
+    let head = columns.iter().map(|(tex, unit, _)| format!(r"${tex}\ ({})$", tex_of(unit)));
+    let mut rows = vec![std::iter::once("$i$".to_owned()).chain(head).collect::<Vec<String>>()];
+    for (i, name) in names.iter().enumerate() {
+        let cells = columns.iter().map(|(.., cells)| match &cells[i] {
             Expr::Symbol(s) => {
-                let shown = page.symbols.shown(s);
+                let shown = page.symbols.shown(*s);
                 format!("${}$", shown.split(r"\ ").next().unwrap_or_default())
             }
             e => {
-                let value = page.value(&e);
+                let value = page.value(e);
                 let value = if value.abs() < NOTHING { 0.0 } else { value };
                 format!("${}$", page.digits(value, FIGURES))
             }
@@ -310,13 +308,8 @@ pub fn as_if(
     wanted.extend(found.iter().map(|(_, symbol)| *symbol));
     wanted.extend(n.kinetic_frictions());
     // Of another motion all that is used on the way is new.
-    let mut at = if how == AsIf::Next { 0 } else { wanted.len() };
-    while let Some(step) = wanted.get(at).map(|symbol| n.steps.iter().find(|s| s.symbol == *symbol)) {
-        let uses = step.map_or_else(Vec::new, |s| s.from.uses().into_iter().collect());
-        let new = uses.into_iter().filter(|s| n.steps.iter().any(|step| step.symbol == *s));
-        let new: Vec<SymbolId> = new.filter(|s| !wanted.contains(s)).collect();
-        wanted.extend(new);
-        at += 1;
+    if how == AsIf::Next {
+        wanted = n.behind(wanted, |s| n.steps.iter().any(|step| step.symbol == s));
     }
     if how == AsIf::Next && n.m.one && n.spring.is_none() && labels.iter().any(|l| !is_rate(l.quantity)) {
         let rows = [n.normals(), n.kinetic_frictions(), vec![a]].concat();
@@ -327,6 +320,17 @@ pub fn as_if(
         n.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
     }
     n.tell(wanted);
+    if how == AsIf::Next {
+        n.short = if labels.iter().all(|l| is_rate(l.quantity)) { Short::Rates } else { Short::Together };
+        // What is said of it here is no answer about the motion before.
+        let answers = n.draft.found.clone();
+        for (_, body) in n.rolling() {
+            n.get(of_body(Quantity::Friction, body))?;
+        }
+        n.tell_new();
+        n.holds()?;
+        n.draft.found = answers;
+    }
     n.end();
     Ok(found)
 }
@@ -419,12 +423,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                 }
             }
             if !cords.is_empty() {
-                let loads = |t: usize| matches!(&self.scene.ties[t], Tie::Cord(c) if c.made == Made::Rests);
-                let rod = |t: usize| matches!(&self.scene.ties[t], Tie::Cord(c) if c.made == Made::Link);
+                let all = |made: &[Made]| cords.iter().all(|t| made.contains(&self.made(*t)));
                 let what = match () {
-                    () if cords.iter().all(|t| self.is_cord(*t)) => "cords",
-                    () if cords.iter().all(|t| self.is_cord(*t) || rod(*t)) => "links",
-                    () if cords.iter().all(|t| loads(*t)) => "loads",
+                    () if all(&[Made::Cord]) => "cords",
+                    () if all(&[Made::Cord, Made::Link]) => "links",
+                    () if all(&[Made::Rests]) => "loads",
                     () => "rims",
                 };
                 let one = what == "cords" && cords.len() == 1;
@@ -615,7 +618,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             () if wheel && pulled && self.level() => "onward.pulled_level",
             () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
             () if wheel && !pulled => "onward.wheel",
-            () if pulley && weighed && self.cords().iter().any(|t| self.is_cord(*t)) => "onward.pulley",
+            () if pulley && weighed && self.cords().iter().any(|t| self.made(*t) == Made::Cord) => {
+                "onward.pulley"
+            }
             () if self.held().is_some() => "onward.held",
             () => "onward.other",
         }
@@ -681,9 +686,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let ties = self.scene.ties.iter().enumerate();
         ties.filter(|(_, t)| between(t)).map(|(t, _)| t).collect()
     }
-    /// Is this no pair of rims?
-    fn is_cord(&self, tie: usize) -> bool {
-        matches!(&self.scene.ties[tie], Tie::Cord(c) if c.made == Made::Cord)
+    /// What leads from body to body.
+    fn made(&self, tie: usize) -> Made {
+        if let Tie::Cord(cord) = &self.scene.ties[tie] { cord.made } else { Made::Cord }
     }
     fn held(&self) -> Option<(usize, usize)> {
         self.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
@@ -692,7 +697,7 @@ impl<'d, 'a> Account<'d, 'a> {
         })
     }
     fn hidden(&self) -> Vec<SymbolId> {
-        self.reactions().into_iter().map(|(_, f)| f).collect()
+        self.m.reactions().into_iter().map(|(_, f)| f).collect()
     }
     fn normals(&self) -> Vec<SymbolId> {
         self.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
@@ -1044,7 +1049,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// All equations at once: what comes out.
     fn solved_together(&mut self, id: &str) -> Result<(), DerivationStop> {
         if self.m.one {
-            let all: Vec<Label> = self.reactions().iter().map(|(t, _)| self.label_of_tie(*t)).collect();
+            let all: Vec<Label> = self.m.reactions().iter().map(|(t, _)| self.label_of_tie(*t)).collect();
             for label in all {
                 let _ = self.get(label);
             }
@@ -1472,12 +1477,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// A slipping wheel: each freedom has its own equation.
     fn two_freedoms(&mut self) -> Result<(), DerivationStop> {
-        let Some(body) = self.m.parts.iter().position(|p| p.slips) else {
+        let (1, Some(body)) = (self.m.parts.len(), self.m.parts.iter().position(|p| p.slips)) else {
             return Err(Beyond::Unfound.into());
         };
-        if self.m.parts.len() > 1 {
-            return Err(Beyond::Unfound.into());
-        }
         let (a, alpha) = self.tell_own(body)?;
         if let Some(c) = self.radius_of(body) {
             self.say("motion.share", &[("share", &self.valued(&c.times(alpha).over(a), "1"))]);
@@ -1705,16 +1707,21 @@ impl<'d, 'a> Account<'d, 'a> {
         self.skip_new();
         if self.spring.is_some() {
             let ends = self.extremes(body)?;
-            let [a, b] = ends.map(|f| self.symbols.value(f).abs());
-            largest = if a >= b { ends[0] } else { ends[1] };
-            let both = ends.map(|f| self.names(&[f]));
+            let [a, b] = ends.map(|[_, f]| self.symbols.value(f).abs());
+            largest = if a >= b { ends[0][1] } else { ends[1][1] };
             let far = match self.scene.span {
                 Span::ToEnd => "end",
                 Span::ToTurningPoint => "turn",
             };
             let range = self.phrase(&format!("holds.range.{far}"), &[]);
-            self.say("holds.extremes", &[("range", &range), ("one", &both[0]), ("two", &both[1])]);
+            self.say("holds.range_is", &[("range", &range)]);
+            ends.into_iter().flatten().for_each(|s| self.page.told(s));
             self.tell_new();
+            let [[first, one], [last, other]] = ends;
+            let (first, last) = (self.chained(first), self.chained(last));
+            let (one, other) = (self.shown(one), self.shown(other));
+            let pieces = [("first", &*first), ("one", &*one), ("last", &*last), ("two", &*other)];
+            self.say("holds.extremes", &pieces);
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");

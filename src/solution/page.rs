@@ -6,6 +6,7 @@ use crate::scene::Num;
 use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId, ZERO, arc_cosine, in_sense, length, magnitude, positive_first};
 use crate::solution::factors::{Cancel, Sum};
+use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::Carrying;
 use crate::solution::text::{Block, LINE, SolutionSection};
@@ -103,6 +104,32 @@ impl<'d, 'a> Page<'d, 'a> {
         unknowns.iter().zip(before).for_each(|(s, x)| self.symbols.place(*s, x));
         let solution = system.solve().ok()?;
         Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
+    }
+    /// Gives unknowns the values that linear equations say; below a size, told for each, a value is 0 but for rounding.
+    pub fn settle_all(
+        &mut self,
+        equations: &[(Expr, Expr)],
+        unknowns: &[SymbolId],
+        least: impl Fn(usize) -> f64,
+    ) -> Result<(), DerivationStop> {
+        let solution = self.solved(equations, unknowns).ok_or(Beyond::Unfound)?;
+        for (i, (symbol, value)) in unknowns.iter().zip(solution).enumerate() {
+            if let Some(value) = value {
+                self.symbols.settle(*symbol, if value.abs() < least(i) { 0.0 } else { value }, 0.0);
+            }
+        }
+        Ok(())
+    }
+    /// These, and all on the way to them that is so.
+    pub fn behind(&self, mut wanted: Vec<SymbolId>, is: impl Fn(SymbolId) -> bool) -> Vec<SymbolId> {
+        let mut at = 0;
+        while let Some(symbol) = wanted.get(at).copied() {
+            let uses = self.from(symbol).uses().into_iter();
+            let more: Vec<SymbolId> = uses.filter(|s| is(*s) && !wanted.contains(s)).collect();
+            wanted.extend(more);
+            at += 1;
+        }
+        wanted
     }
     /// An equation, solved for what is a factor of its terms: term by term, no fraction in a fraction.
     pub fn isolated(&self, (left, right): &(Expr, Expr), factor: impl Into<Expr>) -> Option<Expr> {

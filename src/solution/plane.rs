@@ -6,7 +6,7 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Planar, Quantity, Rest,
+    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Rest,
     RotaryInertia, Spot, Strut, StrutEnd, Surface,
 };
 use crate::solution::account::START_NAMES;
@@ -48,6 +48,10 @@ pub struct Turn {
     /// The axis is `from cos + across sin`.
     from: [f64; 2],
     across: [f64; 2],
+    /// What stands below its symbols.
+    tag: String,
+    /// The joint of a light rod or a cord, which is no body, and its length.
+    pub link: Option<(usize, SymbolId)>,
 }
 
 /// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
@@ -143,7 +147,7 @@ pub struct PlaneBody {
     pub omega: Option<SymbolId>,
     /// Where the origin of its axis is, and the angle of its axis.
     origin: Point,
-    turn: Option<usize>,
+    pub turn: Option<usize>,
 }
 
 /// A force on a body, or a couple.
@@ -265,8 +269,8 @@ pub struct Plane<'d, 'a> {
     /// The speed at which parallel guides carry it.
     glides: Option<Expr>,
     open: bool,
-    /// Angles that the joints give: of which body, and what ties them.
-    pub loops: Vec<(usize, [String; 2])>,
+    /// What ties the angles that the joints give, both sides.
+    pub loops: Vec<[String; 2]>,
     /// The couple that drives the leading body.
     pub driver: Option<SymbolId>,
     /// The symbol of the inertia of the motion, where it has one.
@@ -366,7 +370,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             this.steps.push(Step { symbol, from });
         }
         this.steps_of[0] = this.steps.len();
-        this.rate = match this.bodies[lead].omega.filter(|_| this.arc().is_none()) {
+        this.rate = match this.bodies[lead].omega.filter(|_| this.arc_of(this.lead).is_none()) {
             Some(omega) => omega,
             None => {
                 let name = format!(r"\dot{{{}}}", this.letter);
@@ -392,6 +396,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         Layout::new(self.scene, &Numbers::<f64>::new(self.scene, &self.values))?.glide()
     }
 
+    /// The velocity at which parallel guides carry it, to the right (0) or up (1).
+    fn glide_to(&mut self, i: usize) -> Option<Expr> {
+        let (speed, [c, s]) = (self.glides.clone()?, self.gliding()?);
+        let guide = self.scene.joints.iter().find_map(|j| match j.kind {
+            JointKind::Guide { direction_deg, .. } => Some(direction_deg),
+            _ => None,
+        })?;
+        let unit = self.direction(guide);
+        let [x, y] = unit.each_ref().map(|u| self.value(&u.expr()));
+        Some(in_sense(speed.by(&unit[i]), c * x + s * y))
+    }
     /// Is it carried at a speed by parallel guides?
     pub fn carried_on(&self) -> bool {
         self.glides.as_ref().is_some_and(|speed| *speed != ZERO)
@@ -427,7 +442,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
-    fn arc(&self) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
+    /// The cylinder that a body touches: its point, the radius there, the axis, the radius; from inside? Does it roll?
+    fn arc_of(&self, body: usize) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
         self.scene.joints.iter().find_map(|j| match j.kind {
             JointKind::Contact {
                 at,
@@ -435,7 +451,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 surface: Surface::Arc { centre_m, radius_m: arc, inside },
                 rolls,
                 ..
-            } if at.body == self.lead => Some((at, radius_m, centre_m, arc, inside, rolls)),
+            } if at.body == body => Some((at, radius_m, centre_m, arc, inside, rolls)),
             _ => None,
         })
     }
@@ -463,7 +479,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.spun = Some(symbol);
             symbol.into()
         } else {
-            match self.arc() {
+            match self.arc_of(self.lead) {
                 Some(arc) => self.turning_of(arc).expr(),
                 None => return Ok(()),
             }
@@ -503,17 +519,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let rows: Vec<(Expr, Expr)> = (0..kept.len()).flat_map(|b| self.equations(b)).collect();
         let (demands, unknowns) = (self.demands(), [self.accelerations(), self.reactions()].concat());
         let all = [rows.clone(), demands.clone()].concat();
-        let Some(solution) = self.page.solved(&all, &unknowns) else { return beyond() };
-        for (symbol, value) in unknowns.iter().zip(solution) {
-            if let Some(value) = value {
-                let value = if value.abs() < ROUNDING { 0.0 } else { value };
-                self.symbols.settle(*symbol, value, 0.0);
-            }
-        }
+        self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
         let before = self.steps.len();
         self.unravel(None);
         let Some(change) = self.bodies[lead].alpha else { return beyond() };
-        let change: Expr = match self.arc() {
+        let change: Expr = match self.arc_of(self.lead) {
             Some(arc) => change.over(self.turning_of(arc)),
             None => change.into(),
         };
@@ -623,10 +633,12 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     // -- places ---------------------------------------------------------------------------------------------------------
 
-    fn add_turn(&mut self, planar: &Planar, at: [Expr; 2], rate: [Expr; 2]) -> usize {
-        let from = planar.from.components();
-        let sense = if planar.clockwise { -1.0 } else { 1.0 };
-        self.turns.push(Turn { at, rate, from, across: [-from[1] * sense, from[0] * sense] });
+    fn add_turn(&mut self, body: usize, at: [Expr; 2], rate: [Expr; 2]) -> usize {
+        let it = &self.bodies[body];
+        let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
+        let sense = if it.clockwise { -1.0 } else { 1.0 };
+        let (across, tag) = ([-from[1] * sense, from[0] * sense], it.tag.clone());
+        self.turns.push(Turn { at, rate, from, across, tag, link: None });
         self.turns.len() - 1
     }
     fn axis(&self, turn: usize) -> Point {
@@ -806,6 +818,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => None,
         })
     }
+    /// The axis of the cylinder on which a body rolls or meshes, and how fast it turns per moment of its centre's speed about that axis.
+    fn circles(&mut self, body: usize) -> Option<(Point, Factors)> {
+        let (_, own, centre, arc, inside, _) = self.arc_of(body).filter(|(.., rolls)| *rolls)?;
+        let (own, arc) = (self.number(own, "r", "m").factors(), self.number(arc, "R", "m").factors());
+        let around = inside && self.value(&arc.expr()) < self.value(&own.expr());
+        let sense = if inside == around { self.sense_of(body) } else { -self.sense_of(body) };
+        let per = Factors::one().signed(sense).per(self.apart(&own, &arc, inside)).per(own);
+        Some((self.ground(centre), per))
+    }
     /// Distance of the centre of a wheel from the axis of the cylinder that it touches.
     fn apart(&self, own: &Factors, arc: &Factors, inside: bool) -> Factors {
         let gap = if inside { arc.plus(&own.opposite()) } else { arc.plus(own) };
@@ -821,14 +842,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         if inside { own.plus(&arc.opposite()).per(&own) } else { arc.plus(&own).per(&own) }
     }
 
+    /// The places of the key, at the start and where it is asked.
+    fn both_poses(&self) -> Option<[Poses<Jet<f64>>; 2]> {
+        let still = self.scene.end == End::AtOnce;
+        let [first, last] = self.turns[0].at.each_ref().map(|angle| self.value(angle));
+        let way = if still { 0.0 } else { (last - first).to_radians() };
+        Some([self.poses(0.0, true)?, self.poses(way, still)?])
+    }
+
     /// The numbers of all angles, from the places of the key: at the start and at the place that is asked, degrees.
     fn angles(&self) -> Option<[Vec<f64>; 2]> {
-        let way = match self.scene.end {
-            End::AtOnce => 0.0,
-            _ => (self.value(&self.turns[0].at[END]) - self.value(&self.turns[0].at[START])).to_radians(),
-        };
-        let angles = |way: f64, at_start: bool| -> Option<Vec<f64>> {
-            let poses = self.poses(way, at_start)?;
+        let angles = |poses: Poses<Jet<f64>>| -> Vec<f64> {
             let each = poses.iter().zip(&self.scene.bodies).map(|(pose, body)| {
                 let (planar, axis) = (body.planar.as_ref(), pose.axis.map(|x| x.value));
                 let from = planar.map_or([1.0, 0.0], |p| p.from.components());
@@ -838,9 +862,86 @@ impl<'d, 'a> Plane<'d, 'a> {
                 // An angle that is 0 but for rounding.
                 if angle.abs() < NOTHING { 0.0 } else { angle }
             });
-            Some(each.collect())
+            each.collect()
         };
-        Some([angles(0.0, true)?, angles(way, self.scene.end == End::AtOnce)?])
+        Some(self.both_poses()?.map(angles))
+    }
+
+    /// Light rods and cords that hold a body: the point, the fixed place, and the joint.
+    fn links(&self, body: usize) -> Vec<(Spot, [Num; 2], usize)> {
+        let joints = self.scene.joints.iter().enumerate();
+        let links = joints.filter_map(|(j, joint)| match joint.kind {
+            JointKind::Cord { at, place_m, .. } if at.body == body => Some((at, place_m, j)),
+            _ => None,
+        });
+        links.collect()
+    }
+    /// The angle of a light rod or a cord, from its fixed place to the point that it holds, and its length: that at the start.
+    fn link(&mut self, (at, place, joint): (Spot, [Num; 2], usize)) -> Option<(usize, Factors)> {
+        let numbers = Numbers::<f64>::new(self.scene, &self.values);
+        let ([x, y], own) = (pose::ground(&numbers, place), pose::of_spot(self.scene, &numbers, at));
+        let degrees = self.both_poses()?.map(|poses| {
+            let [u, w] = poses[at.body].point(own).map(|c| c.value);
+            trig::atan2(w - y, u - x).to_degrees()
+        });
+        let plain = names::joint(self.scene, joint);
+        let apart = less(&self.spot(at), &self.ground(place));
+        let apart = self.places(&apart, START);
+        let is = self.size(&apart);
+        let length = self.page.find(&[&tagged(r"\ell", &plain)], "m", is);
+        let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
+        let at = self.free_angle(&tag, degrees);
+        let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
+        self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link });
+        Some((self.turns.len() - 1, Factors::of(&length.into())))
+    }
+    /// Places the leading body, whose angle is known, where a light rod or a cord holds it, and a guide or another one of them.
+    fn place_on_links(&mut self, body: usize, axis: &Point) -> Option<()> {
+        let links = self.links(body);
+        self.bodies[body].origin = self.scene.planar(body)?.origin_m.map(|place| self.ground(place))?;
+        let first = *links.first()?;
+        let (own, (turn, length)) = (self.of_spot(first.0), self.link(first)?);
+        let second = match links.get(1) {
+            Some(link) => Some((*link, self.link(*link)?)),
+            None => None,
+        };
+        let held = times(&self.axis(turn), &length);
+        let place = self.ground(first.1);
+        self.bodies[body].origin = less(&plus(&place, &held), &from_axis(axis, &own));
+        let reach = |to: [Factors; 2]| from_axis(axis, &[0, 1].map(|i| to[i].plus(&own[i].opposite())));
+        if let Some(((at, far, _), (other, length))) = second {
+            let apart = less(&plus(&place, &reach(self.of_spot(at))), &self.ground(far));
+            let across = times(&self.axis(other), &length);
+            self.close(&apart, (turn, &held), (other, &across));
+            return Some(());
+        }
+        let (at, through, unit) = self.guided(body, &vec![false; self.bodies.len()]).into_iter().next()?;
+        self.slide(turn, &plus(&place, &reach(at)), &held, (&through, &unit));
+        Some(())
+    }
+    /// What goes on the way, with what the angle of its own adds to it, stays on a line: this ties the angle, and gives its rate.
+    fn slide(&mut self, turn: usize, way: &Point, own: &Point, (through, unit): (&Point, &[Factors; 2])) {
+        let normal = left(unit);
+        self.tie(&dot(&plus(way, own), &normal), &dot(through, &normal));
+        let (way, own) = (dot(way, &normal), dot(own, &normal));
+        self.ratio(turn, |this, which| {
+            this.rate(&way, which).opposite().expr().over(this.rate(&own, which).expr())
+        });
+    }
+    /// What goes on the way, with what one angle adds, meets what another one adds: this ties both, and gives their rates. Along one
+    /// of the two rods the other end of that rod does not move it.
+    fn close(&mut self, apart: &Point, (first, one): (usize, &Point), (second, two): (usize, &Point)) {
+        for line in &less(&plus(apart, one), two) {
+            self.tie(line, &Line::default());
+        }
+        for (turn, own, across, sense) in [(first, one, two, -1), (second, two, one, 1)] {
+            self.ratio(turn, |this, which| {
+                let across = this.places(across, which);
+                let over = product(&this.rates(apart, which), &across);
+                let over = over.times(Factors::one().signed(sense)).expr();
+                over.over(product(&this.rates(own, which), &across).expr())
+            });
+        }
     }
 
     /// The change of the leading angle in degrees that the key has, with its sign.
@@ -929,19 +1030,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn place_lead(&mut self) -> Result<(), DerivationStop> {
         let (scene, body) = (self.scene, self.lead);
         let Some(planar) = scene.planar(body) else { return beyond() };
-        // What a cord or a light rod makes of a motion is placed by its length.
-        let several = scene.joints.iter().filter(|j| matches!(j.kind, JointKind::Cord { .. })).count() > 1;
-        let beyond_it = |j: &crate::scene::Joint| match j.kind {
-            // Of several the places that are no data would share their names.
-            JointKind::Cord { place_m, .. } => {
-                self.moves || several && place_m.iter().any(|x| matches!(x, Num::Fixed(_)))
-            }
-            JointKind::Contact { teeth, .. } => teeth,
-            _ => false,
-        };
-        if scene.joints.iter().any(beyond_it) {
-            return Err(Beyond::Mechanism.into());
-        }
         let tex = self.free(&[r"\phi", r"\theta", r"\varphi"]);
         let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
         let name = match (planar.start_deg, scene.end) {
@@ -969,8 +1057,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let change = self.value(&last) - self.value(&first);
         self.sense = if change == 0.0 { self.value(&self.first).signum() } else { change.signum() };
-        let turn = self.add_turn(planar, [first, last], [ONE, ONE]);
-        if let Some(arc) = self.arc() {
+        let turn = self.add_turn(body, [first, last], [ONE, ONE]);
+        if let Some(arc) = self.arc_of(self.lead) {
             let (at, own, middle, radius, inside, _) = arc;
             let (own, radius) =
                 (self.number(own, "r", "m").factors(), self.number(radius, "R", "m").factors());
@@ -981,7 +1069,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let [first, last] = self.turns[turn].at.clone();
                 let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
                 let last = &first + turned;
-                Some(self.add_turn(planar, [first, last], [by.expr(), by.expr()]))
+                Some(self.add_turn(body, [first, last], [by.expr(), by.expr()]))
             } else {
                 None
             };
@@ -1005,6 +1093,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             let centre = plus(&plus(&through, &along(&start.plus(&way), &unit)), &off);
             self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
             return Ok(());
+        }
+        if self.moves && held.is_none() && !self.links(body).is_empty() {
+            return self.place_on_links(body, &axis).ok_or(Beyond::Mechanism.into());
         }
         let guided = self.guided(body, &none);
         self.bodies[body].origin = match (held, &guided[..], origin) {
@@ -1066,7 +1157,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let (true, Some(start)) = (loose, planar.start_deg) {
             let start = self.number(start, r"\beta", "deg");
             self.open = true;
-            self.bodies[body].turn = Some(self.add_turn(planar, [start.clone(), start], [ZERO, ZERO]));
+            self.bodies[body].turn = Some(self.add_turn(body, [start.clone(), start], [ZERO, ZERO]));
             let own = planar.origin_m.map(|place| self.ground(place));
             match (held, own) {
                 (Some((at, place)), _) => whole(self, &at, &place),
@@ -1079,7 +1170,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let Some((at, place)) = held else { return Ok(()) };
         if let Some(to) = self.welded(body, placed) {
             let Some(other) = self.bodies[to].turn else { return beyond() };
-            self.free_turn(body, planar, angles);
+            self.free_turn(body, angles);
             let same = self.bodies[body].clockwise == self.bodies[to].clockwise;
             let rate = self.turns[other].rate.clone().map(|r| signed(r, same));
             let turn = self.turns.len() - 1;
@@ -1088,39 +1179,40 @@ impl<'d, 'a> Plane<'d, 'a> {
             placed[body] = true;
             return Ok(());
         }
-        let track = self.rolls(body);
+        let (track, circle) = (self.rolls(body), self.circles(body));
         let guided = self.guided(body, placed).into_iter().next();
         let pair = self.pair(body, placed);
-        if track.is_none() && guided.is_none() && pair.is_none() {
+        if track.is_none() && circle.is_none() && guided.is_none() && pair.is_none() {
             return Ok(());
         }
-        self.free_turn(body, planar, angles);
+        self.free_turn(body, angles);
         let turn = self.turns.len() - 1;
         whole(self, &at, &place);
         placed[body] = true;
         if let Some((_, _, unit, radius)) = track {
-            self.ratio(body, turn, |this, which| {
+            self.ratio(turn, |this, which| {
                 let ahead = this.rates(&place, which);
                 let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
                 if planar.clockwise { ahead.expr() } else { ahead.opposite().expr() }
             });
             return Ok(());
         }
+        if let Some((axis, per)) = circle {
+            self.ratio(turn, |this, which| {
+                let out = this.places(&less(&place, &axis), which);
+                cross(&out, &this.rates(&place, which)).times(&per).expr()
+            });
+            return Ok(());
+        }
         if let Some((other, through, unit)) = guided {
             let reach = [0, 1].map(|i| other[i].plus(&at[i].opposite()));
-            let normal = left(&unit);
             let own = from_axis(&self.axis(turn), &reach);
-            let line = dot(&plus(&place, &own), &normal);
-            self.tie(body, &line, &dot(&through, &normal));
-            self.ratio(body, turn, |this, which| {
-                let over = this.rate(&dot(&place, &normal), which).opposite();
-                over.expr().over(this.rate(&dot(&own, &normal), which).expr())
-            });
+            self.slide(turn, &place, &own, (&through, &unit));
             return Ok(());
         }
         if let Some(pair) = pair {
             placed[pair.1.body] = true;
-            self.follow_pair((body, &at, &place), pair, angles)?;
+            self.follow_pair((&at, &place), pair, angles);
         }
         Ok(())
     }
@@ -1128,37 +1220,20 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Places two hinged rods, of which the one is held by this place: the angle of the other one, and what ties both.
     fn follow_pair(
         &mut self,
-        (body, at, place): (usize, &[Factors; 2], &Point),
+        (at, place): (&[Factors; 2], &Point),
         (own, other, far): (Spot, Spot, ([Factors; 2], Point)),
         angles: &[Vec<f64>; 2],
-    ) -> Result<(), DerivationStop> {
+    ) {
         let turn = self.turns.len() - 1;
         let own = self.of_spot(own);
         let own = [0, 1].map(|i| own[i].plus(&at[i].opposite()));
-        let Some(planar) = self.scene.planar(other.body) else { return beyond() };
-        self.free_turn(other.body, planar, angles);
+        self.free_turn(other.body, angles);
         let second = self.of_spot(other);
         let second = [0, 1].map(|i| second[i].plus(&far.0[i].opposite()));
         let axis = self.axis(turn + 1);
         self.bodies[other.body].origin = less(&far.1, &from_axis(&axis, &far.0));
         let (one, two) = (from_axis(&self.axis(turn), &own), from_axis(&axis, &second));
-        let gap = less(&plus(place, &one), &plus(&far.1, &two));
-        for line in &gap {
-            self.tie(body, line, &Line::default());
-        }
-        // Along one of the two rods the other end of that rod does not move it.
-        let apart = less(place, &far.1);
-        for (body, turn, own, across, sense) in
-            [(body, turn, &one, &two, -1), (other.body, turn + 1, &two, &one, 1)]
-        {
-            self.ratio(body, turn, |this, which| {
-                let across = this.places(across, which);
-                let over = product(&this.rates(&apart, which), &across);
-                let over = over.times(Factors::one().signed(sense)).expr();
-                over.over(product(&this.rates(own, which), &across).expr())
-            });
-        }
-        Ok(())
+        self.close(&less(place, &far.1), (turn, &one), (turn + 1, &two));
     }
 
     /// The body with a place to which this one is welded.
@@ -1185,31 +1260,30 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The angle of a body that its joints give; its rate comes later.
-    fn free_turn(&mut self, body: usize, planar: &Planar, angles: &[Vec<f64>; 2]) {
+    /// The angle of a body that its joints give; its own rate is 1 until it is known.
+    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2]) {
+        let tag = self.bodies[body].tag.clone();
+        let at = self.free_angle(&tag, angles.each_ref().map(|all| all[body]));
+        self.bodies[body].turn = Some(self.add_turn(body, at, [ONE, ONE]));
+    }
+    /// A new angle, at the start and at the asked place, by the next letter.
+    fn free_angle(&mut self, tag: &str, degrees: [f64; 2]) -> [Expr; 2] {
         let letters = [r"\beta", r"\gamma", r"\psi", r"\chi"];
-        let letters: Vec<&str> = letters.into_iter().skip(self.loops_of_bodies()).collect();
-        let tex =
-            if letters.is_empty() { tagged(r"\psi", &self.bodies[body].tag) } else { self.free(&letters) };
+        let letters: Vec<&str> = letters.into_iter().skip(self.turns.len().saturating_sub(1)).collect();
+        let tex = if letters.is_empty() { tagged(r"\psi", tag) } else { self.free(&letters) };
         let marks: &[&str] = if self.scene.end == End::AtOnce { &[""] } else { &["0", "1"] };
         let at: Vec<Expr> = marks
             .iter()
-            .zip(angles)
-            .map(|(mark, all)| {
+            .zip(degrees)
+            .map(|(mark, degrees)| {
                 let symbol = self.symbols.given(&tagged(&tex, mark), f64::NAN, "", "", true);
-                self.symbols.settle(symbol, all[body], 0.0);
+                self.symbols.settle(symbol, degrees, 0.0);
                 symbol.into()
             })
             .collect();
-        let at = [at[0].clone(), at[at.len() - 1].clone()];
-        // Its own rate is 1 until it is known.
-        let turn = self.add_turn(planar, at, [ONE, ONE]);
-        self.bodies[body].turn = Some(turn);
+        [at[0].clone(), at[at.len() - 1].clone()]
     }
-    fn loops_of_bodies(&self) -> usize {
-        self.turns.len().saturating_sub(1)
-    }
-    fn tie(&mut self, body: usize, line: &Line, right: &Line) {
+    fn tie(&mut self, line: &Line, right: &Line) {
         let (left, right) = (self.at(line, END), self.at(right, END));
         let all = left.plus(&right.opposite());
         let (plus, minus): (Vec<Factors>, Vec<Factors>) = all
@@ -1219,10 +1293,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             .partition(|t| !matches!(t.expr(), Expr::Minus(_) | Expr::Number(i64::MIN..0, _)));
         let (left, right) = (Sum::of(plus).expr(), Sum::of(minus).opposite().expr());
         let sides = [self.tex(&left), self.tex(&right)];
-        self.loops.push((body, sides));
+        self.loops.push(sides);
     }
     /// Gives an angle its rate, as a ratio that has a name; at the start without one.
-    fn ratio(&mut self, body: usize, turn: usize, of: impl Fn(&mut Self, usize) -> Expr) {
+    fn ratio(&mut self, turn: usize, of: impl Fn(&mut Self, usize) -> Expr) {
         self.turns[turn].rate[START] = if self.first == ZERO { ZERO } else { of(self, START) };
         let is = of(self, END);
         // In a dead centre it does not turn.
@@ -1230,7 +1304,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.turns[turn].rate[END] = ZERO;
             return;
         }
-        let tag = self.bodies[body].tag.clone();
+        let tag = self.turns[turn].tag.clone();
         let symbol = self.page.find(&[&tagged("n", &tag), &tagged("i", &tag)], "1", is);
         self.turns[turn].rate[END] = symbol.into();
     }
@@ -1565,6 +1639,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 JointKind::Hinge { turned_deg: Some(_), .. } => &["X", "Y", "M"],
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => &["X", "Y"],
                 JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &["N"],
+                JointKind::Contact { teeth: true, .. } => &["F"],
                 JointKind::Contact { .. } => &["N", "F"],
                 JointKind::Cord { .. } => &["T"],
             };
@@ -1603,7 +1678,14 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.touch(j, &forces, at, radius_m, surface)
                 }
                 JointKind::Cord { at, place_m, .. } => {
-                    let apart = less(&self.ground(place_m), &self.spot(at));
+                    let link = self.turns.iter().position(|t| t.link.is_some_and(|(of, _)| of == j));
+                    let apart = match link {
+                        Some(turn) => {
+                            let length = self.turns[turn].link.map_or(ZERO, |(_, length)| length.into());
+                            times(&self.axis(turn), &(-length).into())
+                        }
+                        None => less(&self.ground(place_m), &self.spot(at)),
+                    };
                     let apart = self.places(&apart, self.here);
                     let is = self.size(&apart);
                     let length: Expr = match is {
@@ -1646,8 +1728,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         };
         let along = [normal[1].clone(), normal[0].opposite()];
-        self.add_hold(joint, forces[0], &[(at, normal)], bend);
-        if let Some(force) = forces.get(1) {
+        // Teeth press along the rim alone.
+        let teeth = matches!(self.scene.joints[joint].kind, JointKind::Contact { teeth: true, .. });
+        if !teeth {
+            self.add_hold(joint, forces[0], &[(at, normal)], bend);
+        }
+        if let Some(force) = forces.get(usize::from(!teeth)) {
             self.add_hold(joint, *force, &[(at, along)], None);
             let turn = Sum::one(&radius);
             if let Some(hold) = self.holds.last_mut() {
@@ -1817,18 +1903,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             equations.extend(self.demands());
         }
         let unknowns = [rates.clone(), self.reactions()].concat();
-        let Some(solution) = self.page.solved(&equations, &unknowns) else { return beyond() };
         let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
         let (rates, g) = (rates.len(), self.value(&self.g));
-        for (i, (symbol, value)) in unknowns.into_iter().zip(solution).enumerate() {
-            // What is 0 but for rounding.
-            let scale = if i < rates { g } else { weights };
-            if let Some(value) = value {
-                let value = if value.abs() < ROUNDING * scale { 0.0 } else { value };
-                self.symbols.settle(symbol, value, 0.0);
-            }
-        }
-        Ok(())
+        self.page.settle_all(&equations, &unknowns, |i| ROUNDING * if i < rates { g } else { weights })
     }
 
     /// The moments, or what is left of all equations when the forces of the joints have been eliminated, of a single body in
@@ -1843,7 +1920,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// body, else the curvature of the potential energy along the way of the joints.
     pub fn stiffness(&mut self) -> Option<SymbolId> {
         let k = self.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
-        if self.bodies.len() > 1 {
+        if self.bodies.len() > 1 || !self.lengths().is_empty() {
             let [_, curvature] = self.derivatives(&|plane| plane.work())?;
             self.symbols.settle(k, -curvature, 0.0);
         } else {
@@ -2007,7 +2084,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let ([it], None) = (&self.bodies[..], &self.pivot) else { return None };
         let (mass, centre) = (it.mass.clone(), self.centre(0));
         // Three forces of joints hold a body fast.
-        let fast = self.holds.len() > 2;
+        let fast = self.holds.len() > 2 || !self.lengths().is_empty();
         if fast || self.driver.is_some() || !self.frictions.is_empty() || self.open && self.drifts.is_none() {
             return None;
         }
@@ -2087,6 +2164,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let rate = if self.moves { self.rate.into() } else { ZERO };
         let letters = |letters: [&str; 2], tag: &str| letters.map(|l| tagged(l, tag));
         let i = usize::from(matches!(label.quantity, Q::AY | Q::VY));
+        let glides = self.glide_to(i);
         let way = |b: usize| format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
         let still = matches!(label.quantity, Q::V | Q::VX | Q::VY | Q::KineticEnergy) && !self.moves;
         let (names, is) = match (label.quantity, label.of) {
@@ -2128,7 +2206,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::V, Owner::Spot(spot)) => {
                 let point = self.spot(spot);
-                let is = self.speed_of(&point, &rate);
+                let glides = self.glides.as_ref().map(|speed| self.positive(speed));
+                let is = glides.unwrap_or_else(|| self.speed_of(&point, &rate));
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
                 let known = self.symbols.named(&[&tagged("v", name)]).is_some();
                 let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
@@ -2137,7 +2216,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::VX | Q::VY, Owner::Body(b)) => {
                 let line = self.centre(b)[i].clone();
-                let is = in_sense(self.rate(&line, END).expr(), self.sense).by(&rate);
+                let is = match glides {
+                    Some(is) => is,
+                    None => in_sense(self.rate(&line, END).expr(), self.sense).by(&rate),
+                };
                 (letters(["v", "u"], &way(b)), is)
             }
             (Q::Rise, Owner::Body(b)) => {
@@ -2164,6 +2246,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::KineticEnergy, _) => {
                 let speeds = self.speeds();
                 let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
+                let all = sum(self.bodies.iter().map(|b| b.mass.expr()));
+                let (j, rate) = self.glides.clone().map_or((j, rate), |speed| (all, speed));
                 let is = ratio(1, 2).by(&j).by(square(&rate));
                 (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), is)
             }
@@ -2197,21 +2281,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         {
             return Ok(Some(found));
         }
-        if let (true, Some(k)) = (self.scene.end == End::Equilibrium, self.k) {
-            let frequency = [r"\Omega", r"\omega_s"];
-            let of = |this: &mut Self| {
-                let j = this.j.map_or_else(|| this.spring_inertia(), Expr::from);
-                this.page.find_once(&frequency, "rad/s", root(k / j))
-            };
-            match label.quantity {
-                Q::OmegaSmall => return Ok(Some(of(self))),
-                Q::PeriodSmall => {
-                    let frequency = of(self);
-                    let is = number(2) * self.draft.pi() / frequency;
-                    return Ok(Some(self.page.find_once(&[r"\tau_0", r"\tau_s"], "s", is)));
+        if matches!(label.quantity, Q::OmegaSmall | Q::PeriodSmall) {
+            let per = match (self.k.filter(|_| self.scene.end == End::Equilibrium), &self.pivot) {
+                (Some(k), _) => {
+                    let speeds = self.speeds();
+                    k / self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from)
                 }
-                _ => {}
+                (None, Some(pivot)) => {
+                    self.bodies[0].mass.times(&self.g).times(&pivot.h).expr() / pivot.about
+                }
+                _ => return Ok(None),
+            };
+            let frequency = self.page.find_once(&[r"\Omega", r"\omega_s"], "rad/s", root(per));
+            if label.quantity == Q::OmegaSmall {
+                return Ok(Some(frequency));
             }
+            let is = number(2) * self.draft.pi() / frequency;
+            return Ok(Some(self.page.find_once(&[r"\tau_0", r"\tau_s"], "s", is)));
         }
         let Some(pivot) = self.pivot.clone() else { return Ok(None) };
         let ([r, s], about) = (pivot.force, pivot.about);
@@ -2251,11 +2337,6 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let gained = mgh.times(number(2)).by(ONE + height).over(about);
                 ([r"\omega_{\mathrm{max}}", r"\omega_{m}"], root(square(&self.first) + gained))
             }
-            Q::OmegaSmall => ([r"\Omega", r"\omega_s"], root(mgh.expr() / about)),
-            Q::PeriodSmall => {
-                let frequency = of(self, Q::OmegaSmall)?;
-                ([r"\tau_0", r"\tau_s"], number(2) * self.draft.pi() / frequency)
-            }
             _ => return Ok(None),
         };
         Ok(Some(self.page.find_once(&names, label.quantity.unit(), is)))
@@ -2294,10 +2375,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => return None,
         };
         Some(self.page.find_once(&[&names[0], &names[1]], label.quantity.unit(), is))
-    }
-    fn spring_inertia(&mut self) -> Expr {
-        let speeds = self.speeds();
-        self.inertia(END, &speeds).expr()
     }
     /// The impulse of a joint, to the right or up where it has both.
     fn impulse_of(
@@ -2384,7 +2461,9 @@ impl<'d, 'a> Plane<'d, 'a> {
                 Some(self.page.step(force, in_sense(mu * normal, sense)))
             }
             Quantity::Friction => own.get(1).copied(),
-            Quantity::Normal | Quantity::Tension | Quantity::PinX => own.first().copied(),
+            Quantity::Normal | Quantity::Tension | Quantity::RimForce | Quantity::PinX => {
+                own.first().copied()
+            }
             _ => None,
         }
     }
@@ -2401,11 +2480,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         });
         each.sum()
     }
-    /// The body of each angle but the first.
-    pub fn followers(&self) -> Vec<usize> {
-        (1..self.turns.len())
-            .filter_map(|turn| self.bodies.iter().position(|b| b.turn == Some(turn)))
-            .collect()
+    /// The lengths of light rods and cords that guide a body on its way.
+    pub fn lengths(&self) -> Vec<SymbolId> {
+        self.turns.iter().filter_map(|t| t.link).map(|(_, length)| length).collect()
     }
     /// What has to be known for what is asked.
     pub fn labels(&self) -> Vec<Label> {

@@ -4,8 +4,8 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Aim, AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Numbers, Owner, Particle,
-    Quantity, RotaryInertia, Shape, Slope, Start, Tie,
+    Aim, AsIf, Body, Coordinate, Degree, Far, Label, Mass, Num, Numbers, Owner, Particle, Quantity,
+    RotaryInertia, Shape, Slope, Start, Tie,
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
@@ -172,11 +172,8 @@ impl Terms {
         let parts = parts(draft, rolled, carrier.as_ref());
         let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true, carrier };
         this.act(draft, rolled);
-        this.tied = this.ratios(draft, rolled).is_some();
+        this.tied = this.ratios(draft).is_some();
         if !this.tied {
-            for part in &mut this.parts {
-                (part.line.ratio, part.spin.ratio) = (Factors::zero(), Factors::zero());
-            }
             match lead.degree {
                 Degree::Along => this.parts[lead.body].line.ratio = Factors::one(),
                 Degree::Turn => this.parts[lead.body].spin.ratio = Factors::one(),
@@ -304,99 +301,97 @@ impl Terms {
         }
     }
 
-    /// Velocity ratios from the ties: first within each body, then from body to body; `None` where they do not give all.
-    fn ratios(&mut self, draft: &mut Draft, rolled: Option<usize>) -> Option<()> {
-        let scene = draft.scene;
-        // Spin per unit velocity of the centre, where a tie of the body alone gives it.
-        let mut inner: Vec<Option<Factors>> = vec![None; self.parts.len()];
-        for (t, tie) in scene.ties.iter().enumerate() {
-            match tie {
-                Tie::Slip { .. } if rolled != Some(t) => {}
-                Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                    let c = Factors::of(&draft.number(*radius_m, "R", "m"));
-                    inner[*body] = Some(Factors::one().per(&c));
+    /// Velocity ratios from what the ties demand, from body to body; `None` where they do not give all.
+    fn ratios(&mut self, draft: &Draft) -> Option<()> {
+        let slides = |tie: usize| matches!(draft.scene.ties[tie], Tie::Slide { .. });
+        let ties = self.reactions().into_iter().filter(|(tie, _)| !slides(*tie));
+        let ties: Vec<Vec<(Coordinate, Factors)>> = ties.map(|(tie, _)| self.tied(tie)).collect();
+        // What one rate of a body makes of the other, where a tie of this body alone says it.
+        let within = |c: Coordinate| {
+            ties.iter().find_map(|terms| match &terms[..] {
+                [(a, x), (b, y)] | [(b, y), (a, x)] if a.body == b.body && *a == c => {
+                    Some((*b, x.per(y).opposite()))
                 }
-                Tie::Cord(cord) if cord.to == Far::Fixed => {
-                    let part = &self.parts[cord.from.body];
-                    let [along, arm] = lever(draft, &cord.from);
-                    let loose = part.line.a.is_none() || part.spin.a.is_none() || part.slips;
-                    if loose || arm.is_zero() || inner[cord.from.body].is_some() {
-                        return None;
-                    }
-                    // along v + arm omega = 0
-                    inner[cord.from.body] = Some(along.per(&arm).opposite());
-                }
-                _ => {}
-            }
-        }
-        // Sets the ratios of a body from one of its coordinates; not where its centre and spin are tied by others only.
-        let settle =
-            |parts: &mut Vec<BodyTerms>, body: usize, degree: Degree, ratio: Factors| -> Option<()> {
-                let part = &mut parts[body];
-                let (line, spin) = (part.line.a.is_some(), part.spin.a.is_some() && !part.slips);
-                let (along, turn) = match (&inner[body], degree) {
-                    (Some(inner), Degree::Along) if spin => (ratio.clone(), ratio.times(inner)),
-                    (Some(inner), Degree::Turn) if line => (ratio.per(inner), ratio),
-                    (_, Degree::Along) if !spin => (ratio, Factors::zero()),
-                    (_, Degree::Turn) if spin && !line => (Factors::zero(), ratio),
-                    _ => return None,
-                };
-                (part.line.ratio, part.spin.ratio) = (along, turn);
-                Some(())
-            };
-        settle(&mut self.parts, self.lead.body, self.lead.degree, Factors::one())?;
-        let mut known = vec![false; self.parts.len()];
-        known[self.lead.body] = true;
-        while known.contains(&false) {
-            let next = scene.ties.iter().find_map(|tie| match tie {
-                Tie::Cord(cord) => match &cord.to {
-                    Far::Body(other) if known[cord.from.body] && !known[other.body] => {
-                        Some((&cord.from, other))
-                    }
-                    Far::Body(other) if known[other.body] && !known[cord.from.body] => {
-                        Some((other, &cord.from))
-                    }
-                    _ => None,
-                },
                 _ => None,
-            });
-            let (one, two) = next?;
-            let given = self.point_of(draft, one);
-            let [along, arm] = lever(draft, two);
-            let part = &self.parts[two.body];
-            if part.slips && !arm.is_zero() {
-                return None;
+            })
+        };
+        let free = |c: Coordinate| {
+            let part = &self.parts[c.body];
+            self.of(c).a.is_some() && !(part.slips && c.degree == Degree::Turn)
+        };
+        let mut known: Vec<(Coordinate, Factors)> = Vec::new();
+        let (mut next, mut ratio) = (self.lead, Factors::one());
+        loop {
+            let both = [Degree::Along, Degree::Turn].map(|degree| Coordinate { degree, ..next });
+            if both.into_iter().all(free) {
+                let (other, per) = within(next)?;
+                known.push((other, ratio.times(per)));
             }
-            // given + (along v + arm omega) = 0, with omega = inner v.
-            let (degree, per) =
-                match (part.line.a.is_some(), part.spin.a.is_some() && !part.slips, &inner[two.body]) {
-                    (true, true, Some(inner)) => (Degree::Along, along.plus(&arm.times(inner))),
-                    (true, true, None) => return None,
-                    (true, false, _) => (Degree::Along, along),
-                    _ => (Degree::Turn, arm),
-                };
+            known.push((next, ratio));
+            if (0..self.parts.len()).all(|b| known.iter().any(|(c, _)| c.body == b)) {
+                break;
+            }
+            let is_known = |(c, _): &&(Coordinate, Factors)| known.iter().any(|(k, _)| k.body == c.body);
+            let split =
+                |terms: &&Vec<_>| terms.iter().any(|t| is_known(&t)) && !terms.iter().all(|t| is_known(&t));
+            let (own, open): (Vec<_>, Vec<_>) = ties.iter().find(split)?.iter().partition(is_known);
+            let mut given = Factors::zero();
+            for (c, share) in own {
+                let (_, ratio) = known.iter().find(|(k, _)| k == c)?;
+                given = given.plus(&ratio.times(share));
+            }
+            let per = match open[..] {
+                [(c, share)] if free(*c) => share.clone(),
+                [(c, one), (_, two)] => one.plus(&two.times(within(*c)?.1)),
+                _ => return None,
+            };
             if per.is_zero() {
                 return None;
             }
-            settle(&mut self.parts, two.body, degree, given.per(&per).opposite())?;
-            known[two.body] = true;
+            (next, ratio) = (open[0].0, given.per(&per).opposite());
         }
-        // A cord that closes a loop has to keep its length too.
-        let keeps = |tie: &Tie, draft: &mut Draft| match tie {
-            Tie::Cord(Cord { from, to: Far::Body(other), .. }) => {
-                let ends = [from, other].map(|end| self.point_of(draft, end).expr().value(&draft.symbols));
-                (ends[0] + ends[1]).abs() <= 1e-9 * ends[0].abs().max(ends[1].abs())
-            }
-            _ => true,
+        // A tie that closes a loop has to hold too.
+        let value = |(c, share): &(Coordinate, Factors)| {
+            let (_, ratio) = known.iter().find(|(k, _)| k == c)?;
+            Some(ratio.times(share).expr().value(&draft.symbols))
         };
-        scene.ties.iter().all(|tie| keeps(tie, draft)).then_some(())
+        let holds = |terms: &Vec<_>| {
+            let values: Option<Vec<f64>> = terms.iter().map(value).collect();
+            values.is_some_and(|v| {
+                v.iter().sum::<f64>().abs() <= 1e-9 * v.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+            })
+        };
+        if !ties.iter().all(holds) {
+            return None;
+        }
+        for (c, ratio) in known {
+            let part = &mut self.parts[c.body];
+            let of = if c.degree == Degree::Along { &mut part.line } else { &mut part.spin };
+            of.ratio = ratio;
+        }
+        Some(())
     }
 
-    /// Velocity of a cord's end along the cord, away from the body, per unit velocity of the lead.
-    fn point_of(&self, draft: &mut Draft, end: &CordEnd) -> Factors {
-        let [along, arm] = lever(draft, end);
-        let part = &self.parts[end.body];
-        part.line.ratio.times(&along).plus(&part.spin.ratio.times(&arm))
+    /// The reactions of ties: index of the tie, and the force.
+    pub fn reactions(&self) -> Vec<(usize, SymbolId)> {
+        let mut all: Vec<(usize, SymbolId)> = Vec::new();
+        for action in self.actions.iter().filter(|a| a.kind == ForceKind::Reaction) {
+            if let (ForceSource::Tie(tie), Some(force)) = (action.source, symbol_of(action))
+                && !all.iter().any(|(t, _)| *t == tie)
+            {
+                all.push((tie, force));
+            }
+        }
+        all
+    }
+
+    /// What a tie demands: the sum of these coordinates' rates, each times its share, is 0.
+    pub fn tied(&self, tie: usize) -> Vec<(Coordinate, Factors)> {
+        let own = self.actions.iter().filter(|a| a.source == ForceSource::Tie(tie));
+        let both = |a: &Action| [(Degree::Along, a.along.clone()), (Degree::Turn, a.arm.clone())];
+        own.flat_map(|a| both(a).map(|(degree, share)| (Coordinate { body: a.body, degree }, share)))
+            .filter(|(_, share)| !share.is_zero())
+            .collect()
     }
 
     /// Velocity of the point of a force in its own sense, per unit velocity of the lead.
@@ -567,11 +562,6 @@ fn levers(draft: &mut Draft, action: &crate::scene::Action) -> [Factors; 2] {
     };
     let share = action.tilt_deg.map_or(ONE, |tilt| cosine(draft.number(tilt, r"\beta", "deg")));
     [share.factors().signed(sign(action.along)), arm]
-}
-
-/// The same of a cord's end.
-fn lever(draft: &mut Draft, end: &CordEnd) -> [Factors; 2] {
-    levers(draft, &end.action())
 }
 
 /// A tag, with an r if it belongs to the rolling that does not happen.

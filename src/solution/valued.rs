@@ -1,7 +1,10 @@
 //! Values of expressions, and how far rounding on the way may have moved them.
 use crate::num::trig;
-use crate::solution::expr::{Expr, Function, SymbolId};
+use crate::solution::expr::{Expr, Function, ONE, SymbolId};
 use crate::solution::symbols::Symbols;
+
+/// Degrees in a radian, and radians in a degree.
+const DEGREES: (Expr, f64) = (Expr::Number(5_729_577_951_308, 100_000_000_000), std::f64::consts::PI / 180.0);
 
 impl Symbols<'_> {
     /// Gives an unknown the value of an expression.
@@ -48,41 +51,14 @@ impl Expr {
 
     /// How far its value may be off because the quantities in it were rounded, to first order.
     pub fn doubt(&self, symbols: &Symbols) -> f64 {
-        let of = |e: &Self| (e.value(symbols), e.doubt(symbols));
-        match self {
-            Self::Number(..) => 0.0,
-            Self::Symbol(s) => symbols.doubt(*s),
-            Self::Minus(inner) | Self::Of(Function::Magnitude, inner) => inner.doubt(symbols),
-            Self::Sum(terms) => terms.iter().map(|t| t.doubt(symbols)).sum(),
-            Self::Product(factors) => {
-                let share = |(x, doubt): (f64, f64)| if doubt == 0.0 { 0.0 } else { (doubt / x).abs() };
-                let size = self.value(symbols).abs();
-                let off = size * factors.iter().map(|f| share(of(f))).sum::<f64>();
-                // A factor 0: what the others make of its doubt is not worth a line.
-                if off.is_finite() { off } else { 0.0 }
-            }
-            Self::Quotient(over, under) => {
-                let ((x, dx), (y, dy)) = (of(over), of(under));
-                (dx + (x / y).abs() * dy) / y.abs()
-            }
-            Self::Power(base, n) => {
-                let (x, doubt) = of(base);
-                f64::from(*n) * (1..*n).map(|_| x.abs()).product::<f64>() * doubt
-            }
-            Self::Root(inner) => {
-                let (x, doubt) = of(inner);
-                if doubt == 0.0 { 0.0 } else { doubt / (2.0 * x.abs().sqrt()) }
-            }
-            Self::Of(Function::ArcCosine, inner) => {
-                let (x, doubt) = of(inner);
-                if doubt == 0.0 { 0.0 } else { doubt / (1.0 - x * x).max(doubt).sqrt() }
-            }
-            // The sine and the cosine move at most as much as the angle.
-            Self::Of(Function::Sine | Function::Cosine, inner) => {
-                let per = if inner.in_degrees(symbols) { std::f64::consts::PI / 180.0 } else { 1.0 };
-                inner.doubt(symbols) * per
-            }
-        }
+        let doubtful = self.uses().into_iter().filter(|s| symbols.doubt(*s) != 0.0);
+        let each = doubtful.map(|s| {
+            let (per, unit) = if symbols.is_degrees(s) { DEGREES } else { (ONE, 1.0) };
+            let off = self.slope(s, &per).value(symbols).abs() * unit * symbols.doubt(s);
+            // At a corner of a magnitude nothing is known of it.
+            if off.is_nan() { 0.0 } else { off }
+        });
+        each.sum()
     }
 
     /// Does it hold an angle that the quantities keeps in degrees?

@@ -87,7 +87,7 @@ impl Limit {
 pub struct Tutor<'a, 'w> {
     problem: &'a Problem,
     variant: &'a Variant,
-    parts: Vec<Option<KeyEntry>>,
+    parts: Vec<KeyEntry>,
     ids: Vec<String>,
     level: Hints,
     words: &'w Words,
@@ -105,9 +105,9 @@ impl<'a, 'w> Tutor<'a, 'w> {
         words: &'w Words,
         find: FindWords<'a, 'w>,
     ) -> Self {
-        let mut parts: Vec<Option<KeyEntry>> = key.parts.iter().cloned().map(Some).collect();
+        let mut parts: Vec<KeyEntry> = key.parts.clone();
         // A sheet lists its wrong methods for every case: one that comes to the right answer in this case tells nothing here.
-        for entry in parts.iter_mut().flatten() {
+        for entry in &mut parts {
             if let Answer::Number { value, half_width, .. } = entry.answer {
                 entry.wrong.retain(|w| (w.value - value).abs() >= APART * half_width);
             }
@@ -118,7 +118,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
 
     /// Judges an answer to the part with this index, and gives the hints that lead on from it.
     pub fn tell(&self, part: usize, cell: &str) -> Option<Told> {
-        let entry = self.parts.get(part)?.as_ref()?;
+        let entry = self.parts.get(part)?;
         let judgement = compare::compare_with(cell, entry, &mut UnitCache::default(), &self.say);
         let mut told = Told {
             verdict: judgement.verdict,
@@ -139,7 +139,8 @@ impl<'a, 'w> Tutor<'a, 'w> {
         }
         let mut hints = Vec::new();
         if judgement.number.is_finite() {
-            let found = diagnose::diagnose(judgement.number, cell, part, &self.parts);
+            let found =
+                diagnose::diagnose(judgement.number, cell.as_bytes(), part, &self.parts, &entry.wrong);
             let index = found.methods.iter().map(|m| usize::from(*m));
             told.methods = index.filter_map(|m| self.ids.get(m).cloned()).collect();
             // That a number of one or two figures is the right one rounded would give away the next figure of the key.
@@ -368,7 +369,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
     /// What a wrong method gives for this student's data, SI; NaN where it gives nothing.
     fn wrong(&self, method: usize, label: Label) -> f64 {
         let part = self.problem.questions.iter().position(|q| q.label == label);
-        let entry = part.and_then(|part| self.parts.get(part)?.as_ref());
+        let entry = part.and_then(|part| self.parts.get(part));
         let values = entry.map_or(&[][..], |entry| &entry.wrong);
         values.iter().find(|w| usize::from(w.method) == method).map_or(f64::NAN, |w| w.value)
     }
@@ -380,7 +381,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
 
     /// Would this number, as it is written, be a right answer to any part?
     fn is_a_key(&self, value: f64) -> bool {
-        self.parts.iter().flatten().any(|entry| match entry.answer {
+        self.parts.iter().any(|entry| match entry.answer {
             Answer::Number { value: key, half_width, .. } => {
                 let written = entry.unit.to_si(shown::rounded(entry.unit.from_si(value), FIGURES));
                 [value, written].iter().any(|x| compare::accepts(x.abs(), key.abs(), half_width))

@@ -103,14 +103,14 @@ impl Share {
 fn told(
     value: f64,
     figures: usize,
-    (part, parts): (usize, &[Option<KeyEntry>]),
+    (part, parts): (usize, &[KeyEntry]),
     method: Option<u16>,
 ) -> Option<bool> {
-    let entry = parts[part].as_ref()?;
+    let entry = &parts[part];
     let cell = format!("{} {}", shown::figures(entry.unit.from_si(value), figures), entry.unit.ascii());
     let judgement = compare(&cell, entry);
     let wrong = matches!(judgement.verdict, Verdict::Wrong);
-    let found = diagnose::diagnose(judgement.number, &cell, part, parts).methods;
+    let found = diagnose::diagnose(judgement.number, cell.as_bytes(), part, parts, &entry.wrong).methods;
     wrong.then(|| method.map_or(!found.is_empty(), |m| found.contains(&m)))
 }
 
@@ -129,10 +129,10 @@ fn hints_name_what_was_done_and_nothing_else() {
             let labels: Vec<Label> = problem.questions.iter().map(|q| q.label).collect();
             for student in 0..STUDENTS {
                 let variant = maker.variant(&student.to_string()).unwrap();
-                let parts: Vec<Option<KeyEntry>> = maker.key(&variant).parts.into_iter().map(Some).collect();
+                let parts = maker.key(&variant).parts;
                 for (i, figures) in [3, 4].into_iter().enumerate() {
                     for (p, entry) in parts.iter().enumerate() {
-                        for w in &entry.as_ref().unwrap().wrong {
+                        for w in &entry.wrong {
                             if let Some(named) = told(w.value, figures, (p, &parts), Some(w.method)) {
                                 known[i].add(named);
                             }
@@ -168,14 +168,15 @@ fn a_round_guess_fits_nothing_but_a_datum_fits_exactly() {
     for student in 0..STUDENTS {
         let variant = maker.variant(&student.to_string()).unwrap();
         let key = maker.key(&variant);
-        let parts: Vec<Option<KeyEntry>> = key.parts.iter().cloned().map(Some).collect();
-        let p = parts.iter().position(|e| e.as_ref().is_some_and(|e| e.part == "cord_travel")).unwrap();
+        let parts = &key.parts;
+        let p = parts.iter().position(|e| e.part == "cord_travel").unwrap();
         let d = variant.data[problem.data.iter().position(|d| d.symbol == "d").unwrap()];
-        let found = |cell: &str, x: f64| diagnose::diagnose(x, cell, p, &parts).methods;
+        let found =
+            |cell: &str, x: f64| diagnose::diagnose(x, cell.as_bytes(), p, parts, &parts[p].wrong).methods;
         let datum = found(&format!("{d} m"), d);
         assert!(datum.iter().any(|m| key.methods[usize::from(*m)] == "A31"), "{d}: {datum:?}");
         // Within the tolerance of the same method, but round.
-        let w = parts[p].as_ref().unwrap().wrong.iter().find(|w| key.methods[usize::from(w.method)] == "A02");
+        let w = parts[p].wrong.iter().find(|w| key.methods[usize::from(w.method)] == "A02");
         let near = w.unwrap().value;
         let round = shown::rounded(near, 2);
         if (round - near).abs() > 1e-9 * near {

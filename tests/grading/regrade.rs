@@ -589,6 +589,7 @@ fn the_printed_data_give_the_key_of_the_draw() {
             formats: Vec::new(),
             page: Default::default(),
             bank: StoredBank { id: bank.id.clone(), file: "bank.yaml".to_owned(), sha256: bank.hash.clone() },
+            key_sha256: None,
             problems: bank.problems.iter().map(|p| p.id.clone()).collect(),
             students,
             coincidences: Vec::new(),

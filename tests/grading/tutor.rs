@@ -4,7 +4,7 @@ use slipstick::bank::Problem;
 use slipstick::grade::compare;
 use slipstick::grade::verdict::Verdict;
 use slipstick::key::{Answer, ProblemKey};
-use slipstick::misconception::catalogue::{Catalogue, Entry};
+use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
 use slipstick::num::shown;
 use slipstick::policy::Hints;
 use slipstick::problem::maker::{Maker, Variant};
@@ -19,7 +19,7 @@ fn tell(
     language: &str,
 ) -> Told {
     let catalogue = Catalogue::shared(language);
-    let find = |id: &str| catalogue.get(id).map(Entry::words);
+    let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
     let words = Words::built_in(language).unwrap();
     Tutor::new(problem, variant, key, level, words, &find).tell(part, cell).unwrap()
 }

@@ -10,7 +10,7 @@ use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
 use slipstick::sheet::sheets::{SheetScratch, Sheets};
-use slipstick::sheet::{html, statement, tex};
+use slipstick::sheet::{formula, html, statement, tex};
 use slipstick::solution;
 use slipstick::template::{Templates, variables_of};
 use slipstick::words::Words;
@@ -65,7 +65,7 @@ fn sound(language: &str, markdown: &str) {
     for piece in ["{{", "}}", "{%", "NaN", "infinite", "undefined", "  ("] {
         assert!(!markdown.contains(piece), "{piece:?} in {markdown}");
     }
-    assert_eq!(html::faulty_formulas(markdown), Vec::<String>::new());
+    assert_eq!(formula::faulty_formulas(markdown), Vec::<String>::new());
     let (mut formulas, mut texts) = (0, String::new());
     for event in Parser::new_ext(markdown, MARKDOWN) {
         match event {
@@ -232,7 +232,7 @@ fn sweep_solutions(students: u32) {
             for piece in ["{{", "{%", "NaN", "infinite", "undefined", "<!--"] {
                 assert!(!document.markdown.contains(piece), "{piece:?} in {}", document.markdown);
             }
-            assert_eq!(html::faulty_formulas(&document.markdown), Vec::<String>::new());
+            assert_eq!(formula::faulty_formulas(&document.markdown), Vec::<String>::new());
             let body =
                 Converter::new(&told.words).body(document, &document.screens(), PlaceInPage::default());
             let page =

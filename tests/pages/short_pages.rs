@@ -4,6 +4,7 @@
 //! the solutions of the whole set, after `generate` had said nothing, could not be seen there. Nor could it be seen that a wheel
 //! which only its friction drives counted as at rest.
 use crate::support::program::{self, Ran, Room};
+use crate::tex;
 use slipstick::bank::{Datum, Question, load};
 use slipstick::cli::tell::Exit;
 use slipstick::num::trig;
@@ -511,5 +512,65 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
         let [m, _, phi, ..] = data[..] else { panic!("{data:?}") };
         same("turn", found[0], 0.0);
         same("force of the cylinder", found[1], m * g * wave(phi).0);
+    }
+}
+
+const GUIDED: &str = "bank: guided
+title: Guided
+problems:
+  inner:
+    title: A planet within a ring
+    data:
+      m1: {name: mass of the arm, unit: kg, draw: 1 to 4 step 0.1}
+      m2: {name: mass of the gear, unit: kg, draw: 2 to 5 step 0.1}
+      r: {name: radius of the gear, unit: m, draw: 0.08 to 0.12 step 0.01}
+      R: {name: radius of the ring, unit: m, draw: 0.3 to 0.4 step 0.01}
+      M: {name: couple, unit: N*m, draw: 3 to 6 step 0.1}
+      phi: {name: angle, unit: deg, draw: 100 to 350 step 10}
+    scene:
+      bodies:
+        arm: {mass: m1, shape: {rod: R - r}, moves: in a horizontal plane, angle: from right}
+        gear: {mass: m2, shape: {disc: r}, moves: in a horizontal plane}
+      joints:
+        O: {pins: arm.A}
+        A: {hinges: [arm.B, gear.A]}
+        ring: {meshes: gear, radius: r, inside: R}
+      forces: [couple: {on: arm, moment: M}]
+      start: {arm: {angle: 0 deg}}
+      end: {angle: {of: arm, reaches: phi}}
+    questions: {omega: {quantity: gear.omega, ask: w}, alpha: {quantity: gear.alpha, ask: a}, force: {quantity: ring.rim_force, ask: F}}
+    statement: s
+  two:
+    title: A bar on two light rods
+    data:
+      m: {name: mass, unit: kg, draw: 2 to 5 step 0.1}
+      L: {name: length, unit: m, draw: 0.8 to 1.0 step 0.1}
+    scene:
+      bodies: {bar: {mass: m, shape: {rod: L}, moves: in the plane, angle: from right, placed: [0 m, 0 m]}}
+      joints:
+        left: {links: bar.A, to: [-0.3 m, 0.6 m]}
+        right: {links: bar.B, to: [1.4 m, 0.7 m]}
+      start: {bar: {angle: 10 deg}}
+      end: {angle: {of: bar, reaches: 2 deg}}
+    questions: {omega: {ask: w}, v: {ask: v}, alpha: {ask: a}, force: {quantity: left.tension, ask: T}}
+    statement: s
+";
+
+/// Gears on fixed gears and what light rods guide while it moves: they had data and answers alone.
+#[test]
+fn gears_and_what_light_rods_guide_are_worked() {
+    let bank = load::scenes_only(GUIDED, "guided.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+    for language in Words::languages() {
+        let (words, templates) = (Words::of(language).unwrap(), Templates::new(language, &[]).unwrap());
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 7, "guided");
+            for student in 0..6 {
+                let variant = maker.variant(&student.to_string()).expect("a variant");
+                let text = solution::text(problem, &variant, 1, &words, &templates).expect("a text");
+                assert!(!text.contains(words.get("solution.title.beyond")), "{text}");
+                let wrong = tex::check(&text.replace("{,}", "."), &mut tex::Counts::default());
+                assert!(wrong.is_empty(), "{}\n{text}", wrong.join("\n"));
+            }
+        }
     }
 }

@@ -9,7 +9,7 @@ use slipstick::num::shown;
 use slipstick::problem::maker;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::End;
-use slipstick::sheet::html;
+use slipstick::sheet::formula;
 use slipstick::solution;
 use slipstick::solution::draft::Detail;
 use slipstick::solution::written::width;
@@ -58,7 +58,7 @@ fn sweep(draws: u32, mut each: impl FnMut(&Problem, &Variant)) {
 
 /// What is wrong with a solution, beside its numbers.
 fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -> Vec<String> {
-    let mut faults = html::faulty_formulas(markdown);
+    let mut faults = formula::faulty_formulas(markdown);
     let sentences: String = markdown.split("$$").step_by(2).collect::<Vec<_>>().join(" ");
     for (i, piece) in sentences.split('$').enumerate() {
         // Outside of formulas nothing is left to fill in.

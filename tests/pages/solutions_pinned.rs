@@ -4,7 +4,7 @@
 //! stand in `worked/`.
 use slipstick::bank::{Bank, Problem, load};
 use slipstick::problem::maker::{Maker, Variant};
-use slipstick::sheet::html;
+use slipstick::sheet::formula;
 use slipstick::solution;
 use slipstick::solution::written;
 use slipstick::template::Templates;
@@ -84,7 +84,7 @@ fn numbers(markdown: &str) -> Vec<String> {
 
 /// What is wrong with the form of a solution.
 fn faults(text: &str) -> Vec<String> {
-    let mut faults = html::faulty_formulas(text);
+    let mut faults = formula::faulty_formulas(text);
     let sentences: String = text.split("$$").step_by(2).collect::<Vec<_>>().join(" ");
     for (i, piece) in sentences.split('$').enumerate() {
         // Outside of formulas nothing is left to fill in; within them no number is none.

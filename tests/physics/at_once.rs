@@ -6,7 +6,7 @@
 
 use crate::bare;
 use crate::big::Dice;
-use slipstick::bank::{checks, load};
+use slipstick::bank::{labels, load};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
@@ -209,13 +209,13 @@ fn what_an_instant_has_not_is_told_as_that() {
     let text = yo_yo("{yoyo: {speed: v}}", &["w"]);
     let scene = &load::scenes_only(&text, "instants.yaml").unwrap().problems[0].cases[0].scene;
     for name in ["t", "phi", "rise", "distance", "work", "impulse", "direction"] {
-        let (message, hint) = checks::label(scene, name).expect_err(name);
+        let (message, hint) = labels::named(scene, name).expect_err(name);
         let said = format!("{message}; {}", hint.unwrap());
         assert!(said.contains("end: at once") && said.contains("kinetic_energy"), "{said}");
         assert!(!said.contains("nothing turns") && !said.contains("nothing moves along"), "{said}");
     }
     for name in ["omega", "v", "alpha", "a", "tension", "angular_momentum"] {
-        assert!(checks::label(scene, name).is_ok(), "{name}");
+        assert!(labels::named(scene, name).is_ok(), "{name}");
     }
 }
 
@@ -244,9 +244,9 @@ end: at once"
         prove(scene, &[2.0, 9.81], &mut solved);
         // Nothing presses on a vertical rack: the teeth hold.
         assert!(solved.all_hold(), "{:?}", solved.checks);
-        assert!(checks::label(scene, "rack.normal").is_err());
+        assert!(labels::named(scene, "rack.normal").is_err());
         let of = |name: &&str| {
-            let entry = solved.get(checks::label(scene, name).expect(name)).expect(name);
+            let entry = solved.get(labels::named(scene, name).expect(name)).expect(name);
             assert!(entry.bound.is_some(), "{name} is enclosed");
             entry.value()
         };
@@ -281,7 +281,7 @@ start: at rest
 end: at once",
     );
     let bank = load::scenes_only(&rubs, "test").unwrap_or_else(|f| panic!("{f:#?}"));
-    assert!(checks::label(&bank.problems[0].cases[0].scene, "a").is_err());
+    assert!(labels::named(&bank.problems[0].cases[0].scene, "a").is_err());
 }
 
 // ---------------------------------------------------------------------------------------------- composed scenes

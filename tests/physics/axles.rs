@@ -1,7 +1,7 @@
 //! The force of a fixed axle. The third witness is the momentum of everything together: axle, weights and surfaces give what the centres
 //! that move have gained, and no tension comes in.
 use crate::support;
-use slipstick::bank::{Bank, checks, load};
+use slipstick::bank::{Bank, labels, load};
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::Solved;
 
@@ -22,7 +22,7 @@ fn solved(scene: &str) -> (Bank, Solved) {
 
 fn value((bank, solved): &(Bank, Solved), name: &str) -> f64 {
     let scene = &bank.problems[0].cases[0].scene;
-    let label = checks::label(scene, name).expect(name);
+    let label = labels::named(scene, name).expect(name);
     let entry = solved.entries.iter().find(|e| e.label == label);
     let entry = entry.unwrap_or_else(|| panic!("no {name}"));
     assert!(entry.energy.is_some(), "{name} on both roads");

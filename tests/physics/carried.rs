@@ -1,7 +1,7 @@
 //! Belts, trucks and lifts that carry a scene, and bodies that rest on wheels, against Newton's law as it is seen from the ground
 //! and against the formulas of textbooks, written for this test.
 use crate::support;
-use slipstick::bank::{Bank, Problem, checks, load};
+use slipstick::bank::{Bank, Problem, labels, load};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{Carrier, Formulas, Label, Mass, Num, Owner, Quantity, Scene, Slope};
 use slipstick::solve::agree;
@@ -27,7 +27,7 @@ fn hold(problem: &Problem, data: &[f64], expected: &[(&str, f64)]) -> Solved {
     let scene = &problem.cases[0].scene;
     let mut solved = agree::solve(scene, data).unwrap_or_else(|e| panic!("{} {data:?}: {e:?}", problem.id));
     for (name, value) in expected {
-        let label = checks::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         let entry = solved.get(label).unwrap_or_else(|| panic!("{}: no {name}", problem.id));
         for (road, found) in [("eom", entry.eom), ("energy", entry.energy)] {
             let Some(found) = found else { continue };

@@ -1,7 +1,7 @@
 //! Words and ways of wrong methods, paired one to one: whatever a bank lists has words, in each language, and no words are idle.
 use crate::support;
-use slipstick::misconception::catalogue::{Catalogue, Entry};
-use slipstick::sheet::html;
+use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
+use slipstick::sheet::formula;
 use slipstick::words::Words;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,7 @@ fn ids(catalogue: &Catalogue) -> Vec<&str> {
     catalogue.entries().iter().map(|e| e.id.as_str()).collect()
 }
 
-fn texts(entry: &Entry) -> [(&'static str, &str); 5] {
+fn texts(entry: &CatalogueEntry) -> [(&'static str, &str); 5] {
     [
         ("did", &entry.did),
         ("tempts", &entry.tempts),
@@ -86,7 +86,7 @@ fn hints_give_nothing_away_and_all_words_can_be_set() {
                 assert!(text.chars().count() <= LONG, "{at} {field}: {} characters", text.chars().count());
                 assert!(text.ends_with(['.', '?']), "{at} {field} is no sentence");
                 assert!(text.matches('$').count() % 2 == 0, "{at} {field}: a formula is not closed");
-                assert_eq!(html::faulty_formulas(text), Vec::<String>::new(), "{at} {field}");
+                assert_eq!(formula::faulty_formulas(text), Vec::<String>::new(), "{at} {field}");
                 assert!(known.iter().all(|id| !text.contains(id)), "{at} {field} names an id");
             }
             let hint = &entry.hint;

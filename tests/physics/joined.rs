@@ -1,6 +1,6 @@
 //! Bodies that are joined in the plane: closed forms, a pendulum in disguise, and a judge in full coordinates that knows no poses.
 use crate::support;
-use slipstick::bank::{Bank, checks, load};
+use slipstick::bank::{Bank, labels, load};
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{End, Scene};
 use slipstick::solve::agree;
@@ -25,7 +25,7 @@ fn data(symbols: &[String], values: &[(&str, f64)]) -> Vec<f64> {
 }
 
 pub fn value(scene: &Scene, solved: &Solved, name: &str) -> f64 {
-    let label = checks::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+    let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
     let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
     assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
     entry.value()

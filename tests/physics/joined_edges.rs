@@ -1,6 +1,6 @@
 //! Joined bodies at the edges of what is followed: springs at their anchors and at half a turn, contacts at a blow, rods in one line.
 use crate::joined::{CRATE, STRUCK, all_near, constants, solved, told, value};
-use slipstick::bank::{checks, load};
+use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
 use slipstick::scene::pose::{self, Layout};
@@ -438,7 +438,7 @@ end: equilibrium
 ";
     let (bank, found) = solved(rod);
     let scene = &bank.problems[0].cases[0].scene;
-    let entry = found.get(checks::label(scene, "period_small").unwrap()).unwrap();
+    let entry = found.get(labels::named(scene, "period_small").unwrap()).unwrap();
     let stiffness: f64 = 500.0 * 0.36;
     all_near(&[entry.value()], &[tau * (3.0 * 0.81 / 3.0 / stiffness).sqrt()], 1e-12);
     assert!(entry.cond < 10.0, "{}", entry.cond);
@@ -680,7 +680,7 @@ fn cranks_of_neglected_mass_carry_a_bar() {
         let solved = agree::solve(scene, &[9.81]).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
         assert!(solved.all_hold(), "{:?}", solved.checks);
         ["AC.omega", "AC.alpha", "B.pin_force", "A.pin_x", "A.pin_y"].map(|name| {
-            let entry = solved.get(checks::label(scene, name).expect(name)).expect(name);
+            let entry = solved.get(labels::named(scene, name).expect(name)).expect(name);
             assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
             entry.value()
         })

@@ -1,5 +1,5 @@
 //! Gears and belts between wheels about fixed axles, against the books and against a balance by hand.
-use slipstick::bank::{Bank, checks, load};
+use slipstick::bank::{Bank, labels, load};
 use slipstick::solve::agree;
 
 fn bank(ties: &str, more: &str, end: &str) -> Bank {
@@ -32,7 +32,7 @@ fn told(bank: &Bank, names: &[&str]) -> Vec<f64> {
     let solved = agree::solve(scene, &[9.81]).unwrap_or_else(|e| panic!("{e:?}"));
     assert!(solved.checks.iter().all(|c| c.ok), "{:?}", solved.checks);
     let of = |name: &&str| {
-        let label = checks::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
         assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
         entry.value()

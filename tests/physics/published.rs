@@ -1,6 +1,6 @@
 //! Published textbook cases and the reference cases of two more scenes, each a scene file: proof that it is one assembly.
 use serde_json::Value;
-use slipstick::bank::{Bank, Problem, checks, load};
+use slipstick::bank::{Bank, Problem, labels, load};
 use slipstick::num::U;
 use slipstick::problem::maker::Maker;
 use slipstick::solve::agree;
@@ -24,7 +24,7 @@ fn reference(name: &str) -> Value {
 
 /// Both roads, the greater miss first as a share of the expected value.
 fn values(problem: &Problem, solved: &Solved, name: &str) -> Vec<(&'static str, f64, f64)> {
-    let label = checks::label(&problem.cases[0].scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+    let label = labels::named(&problem.cases[0].scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
     let entry = solved.get(label).unwrap_or_else(|| panic!("{}: no {name}", problem.id));
     [("eom", entry.eom), ("energy", entry.energy)]
         .into_iter()

@@ -1,5 +1,5 @@
 //! Work, momentum, pin forces, ends by height and cord, and the forces of an instant, against values found by hand.
-use slipstick::bank::{checks, load};
+use slipstick::bank::{labels, load};
 use slipstick::problem::maker::Maker;
 use slipstick::solve::outcome::Solved;
 
@@ -40,7 +40,7 @@ impl Told {
     }
     fn is(&self, name: &str, want: f64) {
         let scene = &self.bank.problems[0].cases[self.case].scene;
-        let label = checks::label(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         let entry = self.solved.get(label).unwrap_or_else(|| panic!("no {name}"));
         let near = 1e-13 * want.abs().max(entry.scale);
         for road in [entry.eom, entry.energy] {

@@ -1,5 +1,5 @@
 //! What is asked can be drawn and is proved: every kind of end, every quantity that the solver gives, zeros among them.
-use slipstick::bank::{Bank, checks, load};
+use slipstick::bank::{Bank, labels, load};
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::{Owner, Quantity, Scene};
 use std::fmt::Write as _;
@@ -236,7 +236,7 @@ fn everything(kind: &Kind, end: &str, more: &[(&str, &str, &str)]) -> Result<Vec
         .collect();
     let mut bad = Vec::new();
     // What `solve` prints can be asked.
-    let known = checks::labels(scene(&first));
+    let known = labels::of(scene(&first));
     for name in &names {
         if !known.iter().any(|l| scene(&first).name_of(*l) == *name) {
             bad.push(format!("{what}: {name} cannot be asked"));

@@ -8,7 +8,7 @@ use scraper::{ElementRef, Html};
 use slipstick::cli::tell::Exit;
 use slipstick::sheet::document::{Document, Dropped, Head, dropped};
 use slipstick::sheet::html::{Converter, PlaceInPage};
-use slipstick::sheet::{html, tex, typst};
+use slipstick::sheet::{formula, html, tex, typst};
 use slipstick::template::{Templates, View};
 use slipstick::words::Words;
 use std::fs;
@@ -573,7 +573,7 @@ fn nothing_in_a_statement_is_carried_out_by_latex() {
             }
         }
         // `generate` refuses it, `lint` names it.
-        let faults = html::faulty_formulas(&format!("${active}$"));
+        let faults = formula::faulty_formulas(&format!("${active}$"));
         assert_eq!(faults.len(), 1, "{active}: {faults:?}");
     }
 }

@@ -7,7 +7,7 @@ use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
 use slipstick::grade::verdict::Verdict;
 use slipstick::key::{Answer, KeyEntry};
-use slipstick::misconception::catalogue::{Catalogue, Entry};
+use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
 use slipstick::num::shown;
 use slipstick::page::check::{self, CheckedProblem};
 use slipstick::page::sheet_file::SheetFile;
@@ -187,7 +187,7 @@ fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<
     std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n").unwrap();
     let words = Words::built_in(language).unwrap();
     let catalogue = Catalogue::shared(language);
-    let find = |id: &str| catalogue.get(id).map(Entry::words);
+    let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
     let mut lots = Lots(17);
     let mut all = Vec::new();
     for (bank, file) in banks {

@@ -28,6 +28,9 @@ const JOINTS: [(&str, &str); 9] = [
     ("slides", "a wheel or a point on a smooth surface"),
 ];
 
+/// Directions of lines in words, degrees.
+const LINES: [(&str, f64); 2] = [("horizontal", 0.0), ("vertical", -90.0)];
+
 /// From where angles count, and whether clockwise.
 const ANGLES: [(&str, (Ray, bool)); 18] = [
     ("from horizontal", (Ray::Right, false)),
@@ -83,16 +86,11 @@ impl SceneReader<'_> {
             }
         }
         let given = fields.get("mass centre").and_then(|n| match n.value {
-            Value::List(_) => {
-                let hint =
-                    "lay the axis through the mass centre; points beside it are `[along, to the left]`";
-                f.hint(
-                    n,
-                    "the mass centre lies on the axis of its body: one distance is read, not a list",
-                    hint,
-                );
-                None
-            }
+            Value::List(_) => f.refuse_with(
+                n,
+                "the mass centre lies on the axis of its body: one distance is read, not a list",
+                "lay the axis through the mass centre; points beside it are `[along, to the left]`",
+            ),
             _ => self.along(n, rod),
         });
         let centre = given.unwrap_or(rod.map_or(Place::At(Num::Fixed(0.0)), Place::HalfOf));
@@ -126,16 +124,15 @@ impl SceneReader<'_> {
             }
             .map(|point| Spot { body, point })
         });
-        if found.is_none() {
+        found.or_else(|| {
             let known = bodies.iter().flat_map(|b| {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
                 names.map(|point| told!("{}.{point}", b.name))
             });
             let known: Vec<String> = if WHOLE { known.collect() } else { Vec::new() };
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
-            self.faults.hint(node, told!("expected a point of a body, found {}", node.kind()), hint);
-        }
-        found
+            self.faults.expected(node, "a point of a body", hint)
+        })
     }
 
     /// The joints of a scene.
@@ -154,40 +151,38 @@ impl SceneReader<'_> {
             ) else {
                 continue;
             };
-            let [pins, hinges, welds, guides, ties, links, rolls, meshes, slides] =
-                fields.each(JOINTS.map(|(word, _)| word));
-            let touching = rolls.or(meshes).map(|n| (n, true)).or(slides.map(|n| (n, false)));
-            let words = [pins, hinges, welds, guides, ties, links, rolls, meshes, slides];
-            let count = words.iter().flatten().count();
-            let kind = match (pins, hinges.or(welds), guides, ties.or(links)) {
-                _ if count == 1 && touching.is_some() => {
-                    let how = |(n, rolls)| self.surface(n, (rolls, meshes.is_some()), &mut fields, bodies);
-                    touching.and_then(how)
-                }
-                _ if count != 1 => {
+            let held = fields.each(JOINTS.map(|(word, _)| word)).into_iter().zip(JOINTS);
+            let mut held = held.filter_map(|(node, (word, _))| Some((word, node?)));
+            let kind = match (held.next(), held.next()) {
+                (Some((word, n)), None) => self.joint(word, n, &mut fields, bodies),
+                _ => {
                     let words =
                         told!("{}", JOINTS.map(|(word, what)| format!("`{word}` ({what})")).join(", "));
-                    f.hint(value, told!("`{name}` has to say what it holds"), words);
-                    None
+                    f.refuse_with(value, told!("`{name}` has to say what it holds"), words)
                 }
-                (Some(n), None, None, None) => {
-                    let at = self.spot(n, bodies);
-                    at.zip(self.ground(fields.get("at"))).map(|(at, place_m)| JointKind::Pin { at, place_m })
-                }
-                (None, Some(n), None, None) => self.hinge(n, welds.is_some(), &mut fields, bodies),
-                (None, None, Some(n), None) => self.guide(n, &mut fields, bodies),
-                (None, None, None, Some(n)) => {
-                    let to = fields.need("to", "[x_A, y_A]");
-                    let at = self.spot(n, bodies);
-                    let rod = links.is_some();
-                    at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m, rod })
-                }
-                _ => None,
             };
             fields.close();
             list.extend(kind.map(|kind| Joint { name: name.to_owned(), kind }));
         }
         list
+    }
+
+    /// A joint of the kind of this word.
+    fn joint(&self, word: &str, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
+        match word {
+            "pins" => {
+                let at = self.spot(node, bodies);
+                at.zip(self.ground(fields.get("at"))).map(|(at, place_m)| JointKind::Pin { at, place_m })
+            }
+            "hinges" | "welds" => self.hinge(node, word == "welds", fields, bodies),
+            "guides" => self.guide(node, fields, bodies),
+            "ties" | "links" => {
+                let to = fields.need("to", "[x_A, y_A]");
+                let (at, rod) = (self.spot(node, bodies), word == "links");
+                at.zip(self.ground(to)).map(|(at, place_m)| JointKind::Cord { at, place_m, rod })
+            }
+            _ => self.surface(node, (word != "slides", word == "meshes"), fields, bodies),
+        }
     }
 
     /// A fixed place, by default the origin.
@@ -199,33 +194,23 @@ impl SceneReader<'_> {
     }
 
     fn hinge(&self, node: &Node, welded: bool, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
-        let turned = if welded { fields.get("turned") } else { None };
-        let turned = turned.map(|n| self.number(n, Need::ANGLE));
+        let turned = if welded { self.optional(fields, "turned", Need::ANGLE) } else { Some(None) };
         match &node.value {
             Value::List(both) if both.len() == 2 => {
                 let (one, other) = (self.spot(&both[0], bodies)?, self.spot(&both[1], bodies)?);
                 if one.body == other.body {
-                    self.faults.at(node, "a hinge or a weld joins two bodies");
-                    return None;
+                    return self.faults.refuse(node, "a hinge or a weld joins two bodies");
                 }
                 if welded && ![one, other].iter().all(|spot| bodies[spot.body].turns) {
-                    self.faults.hint(
-                        node,
-                        "a weld joins bodies that turn",
-                        "give both a shape or another inertia",
-                    );
-                    return None;
+                    let hint = "give both a shape or another inertia";
+                    return self.faults.refuse_with(node, "a weld joins bodies that turn", hint);
                 }
-                let turned_deg = match turned {
-                    Some(number) => Some(number?),
-                    None => welded.then_some(Num::Fixed(0.0)),
-                };
+                let turned_deg = turned?.or(welded.then_some(Num::Fixed(0.0)));
                 Some(JointKind::Hinge { one, other, turned_deg })
             }
             _ => {
                 let message = told!("expected two points such as `[crank.B, rod.A]`, found {}", node.kind());
-                self.faults.at(node, message);
-                None
+                self.faults.refuse(node, message)
             }
         }
     }
@@ -243,8 +228,7 @@ impl SceneReader<'_> {
         let radius = match fields.get("radius") {
             Some(n) => self.number(n, if rolls { Need::RADIUS } else { Need::LENGTH }),
             None if rolls => {
-                f.hint(node, "a wheel that rolls has a radius", "write `radius: r` beside it");
-                None
+                f.refuse_with(node, "a wheel that rolls has a radius", "write `radius: r` beside it")
             }
             None => Some(Num::Fixed(0.0)),
         };
@@ -261,25 +245,24 @@ impl SceneReader<'_> {
             (None, None, Some(n)) => {
                 let through = self.ground(fields.get("through"));
                 through
-                    .zip(self.direction(n))
+                    .zip(self.direction(n, &LINES))
                     .map(|(through_m, direction_deg)| Surface::Line { through_m, direction_deg })
             }
-            _ => {
-                let hint =
-                    "`along: horizontal` or an angle for a plane, `outside: R` or `inside: R` for a cylinder";
-                f.hint(node, "it has to say on what it rolls or slides", hint);
-                None
-            }
+            _ => f.refuse_with(
+                node,
+                "it has to say on what it rolls or slides",
+                "`along: horizontal` or an angle for a plane, `outside: R` or `inside: R` for a cylinder",
+            ),
         };
         Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls, teeth })
     }
 
-    /// The direction of a line, in a word or as an angle.
-    fn direction(&self, node: &Node) -> Option<Num> {
-        match node.text().map(str::trim) {
-            Some("horizontal") => Some(Num::Fixed(0.0)),
-            Some("vertical") => Some(Num::Fixed(-90.0)),
-            _ => self.number(node, Need::ANGLE),
+    /// A direction, in one of these words or as an angle.
+    fn direction(&self, node: &Node, words: &[(&str, f64)]) -> Option<Num> {
+        let text = node.text().map(str::trim);
+        match words.iter().find(|(word, _)| Some(*word) == text) {
+            Some((_, degrees)) => Some(Num::Fixed(*degrees)),
+            None => self.number(node, Need::ANGLE),
         }
     }
 
@@ -287,11 +270,11 @@ impl SceneReader<'_> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let through = self.ground(fields.get("through"));
-        let along = fields.need("along", "horizontal").and_then(|n| self.direction(n));
+        let along = fields.need("along", "horizontal").and_then(|n| self.direction(n, &LINES));
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
-        let mu_k = fields.get("mu_k").map(|n| self.number(n, Need::FRICTION));
+        let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
         let mut direction_deg = along?;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
@@ -315,11 +298,7 @@ impl SceneReader<'_> {
             }
         }
         let one_sided = pushes.is_some();
-        let mu_k = match mu_k {
-            None => None,
-            Some(number) => Some(number?),
-        };
-        Some(JointKind::Guide { at: at?, through_m: through?, direction_deg, one_sided, mu_k })
+        Some(JointKind::Guide { at: at?, through_m: through?, direction_deg, one_sided, mu_k: mu_k? })
     }
 
     /// A force on a point of a body in the plane, or a blow.
@@ -336,14 +315,11 @@ impl SceneReader<'_> {
         let words = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
         let direction = match (turning, towards) {
             (Some(n), _) => self.number(n, Need::ANGLE),
-            (None, Some(n)) => match words.iter().find(|(w, _)| n.text().map(str::trim) == Some(w)) {
-                Some((_, degrees)) => Some(Num::Fixed(*degrees)),
-                None => self.number(n, Need::ANGLE),
-            },
-            (None, None) => toward.map(|_| Num::Fixed(0.0)),
+            (None, None) if toward.is_some() => Some(Num::Fixed(0.0)),
+            (None, n) => n.and_then(|n| self.direction(n, &words)),
         };
         let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
-        let name = name(&mut fields, symbol, count);
+        let name = own_name(&mut fields, symbol, count);
         fields.close();
         let turns = turning.is_some();
         Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, toward_m, blow })
@@ -360,11 +336,11 @@ impl SceneReader<'_> {
             (None, Some(n)) => self.number(n, Need::ANGLE).map(Rest::Stretch),
             _ => {
                 let hint = "write `relaxed at: 0 deg`, the angle of its body, or `wound: 30 deg`, how far it is wound at the start";
-                f.hint(node, "a torsion spring is relaxed at an angle, or wound by one at the start", hint);
-                None
+                let message = "a torsion spring is relaxed at an angle, or wound by one at the start";
+                f.refuse_with(node, message, hint)
             }
         };
-        let name = name(&mut fields, "spring", count);
+        let name = own_name(&mut fields, "spring", count);
         fields.close();
         let (to, acts) = (StrutEnd::Twist, Acts::Both);
         let at = at.filter(|spot| {
@@ -391,7 +367,7 @@ impl SceneReader<'_> {
             Value::Map(_) => {
                 let mut fields = Fields::open(n, "a guide (along, through)", f)?;
                 let through = self.ground(fields.get("through"));
-                let along = fields.need("along", "horizontal").and_then(|n| self.direction(n));
+                let along = fields.need("along", "horizontal").and_then(|n| self.direction(n, &LINES));
                 fields.close();
                 through
                     .zip(along)
@@ -404,7 +380,7 @@ impl SceneReader<'_> {
         let words = [("pushes", Acts::Pushes), ("pulls", Acts::Pulls)];
         let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
         let acts = acts.unwrap_or_default();
-        let name = name(&mut fields, "spring", count);
+        let name = own_name(&mut fields, "spring", count);
         fields.close();
         Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
@@ -414,14 +390,11 @@ impl SceneReader<'_> {
         match (fields.get("natural length"), fields.get("stretch")) {
             (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
             (None, Some(n)) => self.number(n, stretch).map(Rest::Stretch),
-            _ => {
-                self.faults.hint(
-                    node,
-                    "a spring has a natural length, or a stretch at the start",
-                    "write `natural length: l0`, or `stretch: x0`",
-                );
-                None
-            }
+            _ => self.faults.refuse_with(
+                node,
+                "a spring has a natural length, or a stretch at the start",
+                "write `natural length: l0`, or `stretch: x0`",
+            ),
         }
     }
 }
@@ -431,11 +404,11 @@ const fn on_axis(along: Place) -> [Place; 2] {
     [along, Place::At(Num::Fixed(0.0))]
 }
 
-/// What it is called; without a name the first as it is, the next ones by their number.
-fn name(fields: &mut Fields, without: &str, count: usize) -> String {
+/// The name that is given; else the first is called as its kind, the next ones are numbered.
+fn own_name(fields: &mut Fields, kind: &str, count: usize) -> String {
     match fields.get("name").and_then(Node::text) {
         Some(name) => name.to_owned(),
-        None if count == 0 => without.to_owned(),
-        None => format!("{without}{}", count + 1),
+        None if count == 0 => kind.to_owned(),
+        None => format!("{kind}{}", count + 1),
     }
 }

@@ -92,7 +92,7 @@ impl ClassReporter<'_> {
     }
 
     fn title(&self, problem: usize) -> String {
-        format!("{}. {}", problem + 1, self.marks.class.problems[problem].title)
+        format!("{}. {}", problem + 1, self.marks.class.problems[problem])
     }
 
     /// What the template receives; numbers that are texts are finished, with the mark of the language. `graded` holds lists of

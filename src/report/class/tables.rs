@@ -63,7 +63,7 @@ impl ClassReporter<'_> {
         let text = |text: &str| TableCell::or_none((!text.is_empty()).then(|| TableCell::text(text)));
         let rows = self.marks.class.parts.iter().map(|part| {
             let asked = match part.asked.as_str() {
-                "" => template::in_html(&self.marks.class.problems[part.number - 1].title),
+                "" => template::in_html(&self.marks.class.problems[part.number - 1]),
                 asked => rich(asked),
             };
             let unit = match (part.unit.as_str(), part.unit_required) {
@@ -116,7 +116,7 @@ impl ClassReporter<'_> {
                 share(ease),
                 TableCell::or_none(discrimination.ok().map(|d| TableCell::fixed(d, 2))),
                 TableCell::text(&why_none),
-                TableCell::text(&self.marks.class.problems[of.number - 1].title),
+                TableCell::text(&self.marks.class.problems[of.number - 1]),
                 TableCell::text(&plain(&of.asked)),
             ]
         });

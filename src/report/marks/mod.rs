@@ -27,14 +27,6 @@ pub struct Drawn {
     pub data: Vec<(String, f64)>,
 }
 
-/// A problem of the set.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MarkedProblem {
-    pub id: String,
-    /// Title for people.
-    pub title: String,
-}
-
 /// A part of a problem.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MarkedPart {
@@ -65,8 +57,8 @@ impl MarkedPart {
 pub struct MarkedClass {
     /// In the order of the set.
     pub students: Vec<Student>,
-    /// In the order of the sheet.
-    pub problems: Vec<MarkedProblem>,
+    /// Titles of the problems, in the order of the sheet.
+    pub problems: Vec<String>,
     /// In the order of the sheet.
     pub parts: Vec<MarkedPart>,
     /// Does the sheet of a student have a part? Row after row, one for each student.

@@ -1,7 +1,7 @@
 //! The inverse question: a datum that is `unknown:` is found from another one that was `measured:`.
 use crate::bank::node::{Faults, Node, WHOLE};
 use crate::bank::scene::DatumUse;
-use crate::bank::{Datum, checks, measure, need::Need};
+use crate::bank::{Datum, labels, measure, need::Need};
 use crate::finding::told;
 use crate::scene::admissible::{self, Rule};
 use crate::scene::{Found, Given, Num, Scene};
@@ -53,7 +53,7 @@ pub fn put(
     let unknown = data.iter().enumerate().find_map(|(i, d)| Some((i, d.unknown.as_ref()?)));
     let (Some((i, draw)), Some((at, node))) = (unknown, measured) else { return Vec::new() };
     let name = node.text().unwrap_or("").trim();
-    let label = match checks::label(scene, name) {
+    let label = match labels::named(scene, name) {
         Ok(label) if !label.quantity.is_word() => label,
         Ok(_) => {
             faults.at(node, told!("`{name}` is a word: only a number is measured"));

@@ -1,0 +1,480 @@
+//! Sense of what was read: is every datum used and admissible, can the scene be solved at all, are templates' names known.
+use crate::bank::need::Need;
+use crate::bank::node::{Faults, Node, Value, shorten};
+use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
+use crate::finding::{Finding, told};
+use crate::scene::{
+    Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num,
+    RotaryInertia, Scene, Tie,
+};
+use crate::units::spell;
+
+/// A datum in one case: used where it is drawn, drawn where it is used, and admissible over its whole range.
+pub fn datum(
+    datum: &Datum,
+    node: &Node,
+    draw: Option<&Draw>,
+    uses: &[Need],
+    case: &str,
+    case_node: &Node,
+    faults: &Faults,
+) {
+    let symbol = &datum.symbol;
+    let in_case = if case.is_empty() { String::new() } else { told!(" of the case `{case}`") };
+    match (draw, uses.first()) {
+        (Some(_), None) => faults.hint(
+            node,
+            told!("`{symbol}` is drawn, but the scene{in_case} does not use it"),
+            "remove it, or use it in the scene",
+        ),
+        (None, Some(need)) => faults.hint(
+            if case.is_empty() { node } else { case_node },
+            told!("`{symbol}` is used as {}, but it is not drawn", need.words),
+            told!(
+                "for example `draw: 20 to 40 step 1`{}",
+                if case.is_empty() { "" } else { ", here or in the data" }
+            ),
+        ),
+        (Some(draw), Some(_)) => {
+            let (low, high) = draw.range();
+            for need in uses {
+                for end in [low, high] {
+                    let value = if need.in_degrees() {
+                        datum.unit.decimal_to_scene(end.value, end.decimals)
+                    } else {
+                        datum.unit.decimal_to_si(end.value, end.decimals)
+                    };
+                    if let Err(message) = need.admits(value) {
+                        faults.hint(
+                            if case.is_empty() { node } else { case_node },
+                            told!(
+                                "`{symbol}` could be drawn as {}: {message}",
+                                datum.unit.text_with(&end.text())
+                            ),
+                            "change the range",
+                        );
+                    }
+                }
+            }
+        }
+        (None, None) => {}
+    }
+}
+
+/// A body that slips has inertia: its radius of gyration cannot be drawn as 0.
+pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
+    for tie in &scene.ties {
+        let Tie::Slip { body, .. } = tie else { continue };
+        let num = match scene.bodies[*body].inertia {
+            Some(RotaryInertia::Gyration(n) | RotaryInertia::Moment(n)) => n,
+            _ => continue,
+        };
+        let (zero, what) = match num {
+            Num::Fixed(x) => (x <= 0.0, "its inertia".to_owned()),
+            Num::Datum(i) => match draws.get(i) {
+                Some((symbol, Some(draw))) => (draw.range().0.value <= 0, told!("`{symbol}`")),
+                _ => (false, String::new()),
+            },
+            Num::Derived(_) => (false, String::new()),
+        };
+        if zero {
+            faults.at(node, told!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
+        }
+    }
+}
+
+/// What no data can make solvable: too few or too many freedoms, combinations that the assembly does not have.
+pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
+    // What moves in the plane has a message of its own, with its joints.
+    let planar = scene.bodies.iter().any(|b| b.planar.is_some());
+    if !planar && !grows_alike(scene, node, faults) {
+        return;
+    }
+    carrier(scene, node, faults);
+    loads(scene, node, faults);
+    if let Some((b, _)) = scene.pinned() {
+        let name = Some(scene.bodies[b].name.as_str());
+        let (company, tied) = (scene.bodies.len() > 1, !scene.ties.is_empty());
+        #[rustfmt::skip] // a table
+        let rules: [SceneRule; 2] = [
+            (name.filter(|_| company), "", "`{}` is pinned, and there is another body", "a pinned body is alone in its scene"),
+            (name.filter(|_| tied), "", "`{}` is pinned, and there are ties", "write a spring under `forces`"),
+        ];
+        tell(&rules, node, faults);
+    } else if planar {
+        mechanism(scene, node, faults);
+    } else if !matches!(scene.end, End::AtOnce) {
+        on_lines(scene, node, faults);
+    }
+}
+
+/// Is a scene in which forces grow one whose acceleration grows alike?
+fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
+    let Some(law) = scene.law() else { return true };
+    let even = |t: &Tie| match t {
+        Tie::Roll { .. } => true,
+        Tie::Cord(c) => !matches!(c.to, Far::Spring { .. }),
+        Tie::Slip { .. } | Tie::Slide { .. } => false,
+    };
+    let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
+    let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
+    let (ends, with, end) = match law.with {
+        Grows::Time => (matches!(scene.end, End::Time(..)), "time", "`end: {time: {of: wheel, is: t1}}`"),
+        Grows::Place => (
+            matches!(scene.end, End::Travel(..) | End::Position(..)),
+            "place",
+            "an end after a way or a turn, such as `end: {travel: {of: wheel, by: d}}`",
+        ),
+    };
+    let mixed = scene.growths.iter().any(|g| g.law != law);
+    if !(simple && ends) {
+        let message =
+            told!("a force grows with {with}, and the scene is not one whose acceleration then grows alike");
+        faults.hint(node, message, told!("one freedom, contacts that roll, no spring, no pin, and {end}"));
+    } else if mixed {
+        let hint = "write the same `with:` for all of them";
+        faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);
+    }
+    simple && ends && !mixed
+}
+
+/// Bodies on lines and axles: one freedom, or more from rest, and one spring at most.
+fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
+    if scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        faults.hint(node, "only an instant is asked of a body of particles", "write `end: at once`");
+        return;
+    }
+    let spring = |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. }));
+    let springs = scene.ties.iter().filter(spring).count();
+    let slips = scene.ties.iter().find_map(|t| match t {
+        Tie::Slip { body, .. } => Some(scene.bodies[*body].name.as_str()),
+        _ => None,
+    });
+    let freedoms = scene.freedoms();
+    let count = freedoms.to_string();
+    let several = Some(count.as_str()).filter(|_| freedoms > 1 && slips.is_none());
+    let held = springs > 0;
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 4] = [
+        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away"),
+        (is(springs > 1), "", "a scene has at most one spring", ""),
+        (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is not solved",
+            "let the wheel roll, or take the spring away"),
+        (several.filter(|_| held), "", "a spring holds a scene with {} freedoms; one is solved", "let the wheel roll"),
+    ];
+    tell(&rules, node, faults);
+    thrown(scene, node, faults);
+    let given = !scene.start.is_empty() && scene.thrown().is_none();
+    let twice = freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_));
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 3] = [
+        (slips.filter(|_| given), "start",
+            "`{}` slips, so its speed and its spin at the start are both given, or it starts from rest",
+            "write `start: {{}: {speed: v0, spin: w0}}` (one of them may be 0), or `start: at rest`"),
+        (several.filter(|_| given), "start", "a scene with {} freedoms starts from rest", "write `start: at rest`"),
+        (is(twice), "start", "the ties leave one freedom, so one speed at the start gives all others",
+            "give one speed or spin"),
+    ];
+    tell(&rules, node, faults);
+}
+
+/// Bodies that rest on wheels: how the wheels share the load is not known, so nothing is asked of it.
+fn loads(scene: &Scene, node: &Node, faults: &Faults) {
+    let resting = scene.ties.iter().filter_map(|t| match t {
+        Tie::Cord(c) if c.made == Made::Rests => Some((c.from.body, &c.to)),
+        _ => None,
+    });
+    for (load, on) in resting {
+        let Far::Body(CordEnd { body: wheel, .. }) = *on else { continue };
+        for tie in &scene.ties {
+            let (name, hint) = match tie {
+                _ if tie.touching() == Some(load) => {
+                    (&scene.bodies[load].name, "it rests on wheels alone: take its tie with the surface away")
+                }
+                Tie::Roll { body, mu_s: Some(_), .. } | Tie::Slip { body, .. } if *body == wheel => {
+                    let hint = "how the wheels share the load is not known: write `rolls:` without `mu_s`";
+                    (&scene.bodies[wheel].name, hint)
+                }
+                _ => continue,
+            };
+            let message = told!(
+                "friction limits are not told of `{name}`, for `{}` rests on wheels",
+                scene.bodies[load].name
+            );
+            faults.hint(part(node, "ties"), message, hint);
+        }
+    }
+}
+
+/// A scene that is carried: what its words mean there.
+fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
+    let Some(carrier) = &scene.carried else { return };
+    let name = scene.bodies.first().map_or("crate", |b| b.name.as_str());
+    let fast = carrier.speed_m_s != Num::Fixed(0.0);
+    let (pinned, joined) = (scene.pinned().is_some(), scene.lead().is_some());
+    let particles = scene.bodies.iter().any(|b| !b.particles.is_empty());
+    let on_surface = scene.bodies.iter().any(|b| b.line.is_some_and(|l| l.surface));
+    let unclear = fast && scene.start.is_empty() && on_surface;
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 5] = [
+        (Some(name).filter(|_| pinned), "carried", "`{}` is pinned, and the scene is carried",
+            "write `moves: in the plane` and a joint `O: {pins: rod.A}`"),
+        (is(particles && !pinned), "carried", "a body of particles is not carried", "remove `carried`"),
+        (is(fast && joined && !pinned && !particles), "carried", "of what carries joined bodies the acceleration alone counts",
+            "remove `speed`: bodies in the plane start as they are seen from what carries them"),
+        (Some(name).filter(|_| unclear && !joined && !pinned && !particles), "start",
+            "at rest on the ground, or on what carries the scene?",
+            "write `start: {{}: {speed: 0 m/s}}` for what is set down, as seen from the ground, or give it the speed of what carries it"),
+        (is(matches!(scene.end, End::Speed(..)) && !joined), "end", "a carried scene does not end at a speed",
+            "write `stops slipping`, `time`, or `travel`, which counts on what carries the scene"),
+    ];
+    tell(&rules, node, faults);
+}
+
+/// A rule of scenes: who breaks it, if anybody does; the field of the scene at which that is told (the whole, if it is not
+/// written), what is said (`{}`: who), and what would be right, if that is not plain.
+type SceneRule<'s> = (Option<&'s str>, &'static str, &'static str, &'static str);
+
+/// Tells which of these rules are broken.
+fn tell(rules: &[SceneRule], node: &Node, faults: &Faults) {
+    for (who, field, message, hint) in rules {
+        let Some(who) = who else { continue };
+        let hint = Some(*hint).filter(|hint| !hint.is_empty()).map(|hint| hint.replace("{}", who));
+        faults.maybe(part(node, field), message.replace("{}", who), hint);
+    }
+}
+
+/// A rule that nobody in particular breaks.
+fn is(broken: bool) -> Option<&'static str> {
+    broken.then_some("")
+}
+
+/// Joined bodies: one leads, and none moves otherwise than in the plane.
+fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
+    let named = |what: fn(&Body) -> bool| scene.bodies.iter().find(|b| what(b)).map(|b| b.name.as_str());
+    let level = |b: &Body| b.planar.as_ref().is_some_and(|p| p.level);
+    let rough = |j: &&Joint| matches!(j.kind, JointKind::Guide { mu_k: Some(_), .. });
+    let rough = scene.joints.iter().find(rough).map(|j| j.name.as_str());
+    let driven = (0..scene.bodies.len()).find(|b| scene.planar(*b).is_some_and(|p| p.driven.is_some()));
+    let driven = driven.filter(|b| scene.end != End::AtOnce || scene.is_struck() || scene.lead() != Some(*b));
+    let (struck, still) = (scene.is_struck(), scene.end == End::Equilibrium);
+    let speeds = scene.start_speeds().count();
+    let turning = named(|b| b.turns).unwrap_or("rod");
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 11] = [
+        (named(|b| b.planar.is_none()), "", "`{}` does not move in the plane, and another body does",
+            "write `moves: in the plane` for all of them, with joints"),
+        (is(!scene.ties.is_empty()), "ties", "what moves in the plane is held by joints", "write `joints`"),
+        (is(scene.bodies.iter().any(level) && !scene.bodies.iter().all(level)), "bodies",
+            "some bodies move in a horizontal plane, others in the vertical one", "write the same `moves:` for all of them"),
+        (is(!scene.growths.is_empty()), "forces", "what moves in the plane has no forces that grow",
+            "remove `growing by`, or let the bodies move on lines"),
+        (is(speeds > 1), "start", "more than one speed is given at the start of joined bodies",
+            "give one speed or spin: the joints give the others"),
+        (rough.filter(|_| struck), "joints", "`{}` is rough, and an impulse acts: what friction does in a blow is not known",
+            "remove `mu_k`"),
+        (driven.map(|b| scene.bodies[b].name.as_str()), "start", "`{}` is driven, and its motion goes on",
+            "only an instant is asked of what is driven: give its angle and spin then, and write `end: at once`"),
+        (is(still && speeds > 0), "start", "at rest in equilibrium nothing has a speed or a spin",
+            "give the angle alone: from it the equilibrium is looked for, and nothing moves there"),
+        (is(still && struck), "forces", "at rest in equilibrium nothing is struck", "take the impulse away"),
+        (rough.filter(|_| still), "joints", "`{}` is rough, so that there is no one equilibrium", "remove `mu_k`"),
+        (Some(turning).filter(|_| scene.lead().is_none()), "start", "the angle at which the motion starts is missing",
+            "write `start: {{}: {angle: phi0}}`"),
+    ];
+    tell(&rules, node, faults);
+}
+
+/// The start of a scene of which only an instant is asked: with the ties it gives each velocity, and none twice. What depends
+/// on the numbers is left to the solvers: constants that agree with the ties may be given besides.
+pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
+    let moving = !matches!(scene.end, End::AtOnce) || scene.pinned().is_some() || scene.lead().is_some();
+    if moving || scene.start_speeds().next().is_none() {
+        return;
+    }
+    let coordinates: Vec<Coordinate> = scene.coordinates().collect();
+    let place =
+        |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
+    let end = |e: &CordEnd| {
+        let turn = if matches!(e.attach, Attach::Wound(..)) { place(e.body, Degree::Turn) } else { None };
+        place(e.body, Degree::Along).into_iter().chain(turn)
+    };
+    // The coordinates of which each condition speaks, and the numbers in it: the ties, then the start.
+    let (mut rows, mut numbers): (Vec<Vec<usize>>, Vec<Num>) = (Vec::new(), Vec::new());
+    for tie in &scene.ties {
+        match tie {
+            Tie::Roll { body, radius_m, .. } => {
+                let both = [place(*body, Degree::Along), place(*body, Degree::Turn)];
+                rows.push(both.into_iter().flatten().collect());
+                numbers.push(*radius_m);
+            }
+            Tie::Cord(Cord { from, to, .. }) => {
+                let other = match to {
+                    Far::Body(other) => Some(other),
+                    Far::Fixed => None,
+                    Far::Pull(_) | Far::Spring { .. } => continue,
+                };
+                rows.push(end(from).chain(other.into_iter().flat_map(end)).collect());
+                for e in [Some(from), other].into_iter().flatten() {
+                    if let Attach::Wound(r, _) = e.attach {
+                        numbers.push(r);
+                    }
+                }
+            }
+            Tie::Slip { .. } | Tie::Slide { .. } => {}
+        }
+    }
+    let ties = rows.len();
+    for (c, number) in scene.start_speeds() {
+        rows.push(place(c.body, c.degree).into_iter().collect());
+        numbers.push(number);
+    }
+    // A maximum matching of conditions to coordinates (Kuhn): a condition that finds no coordinate of its own says nothing
+    // new, a coordinate without a condition is left open.
+    fn take(row: usize, rows: &[Vec<usize>], taken: &mut [Option<usize>], tried: &mut [bool]) -> bool {
+        for j in rows[row].iter().copied() {
+            if std::mem::replace(&mut tried[j], true) {
+                continue;
+            }
+            if taken[j].is_none_or(|other| take(other, rows, taken, tried)) {
+                taken[j] = Some(row);
+                return true;
+            }
+        }
+        false
+    }
+    let name = |c: &Coordinate| {
+        let what = if c.degree == Degree::Along { "speed" } else { "spin" };
+        told!("the {what} of `{}`", scene.bodies[c.body].name)
+    };
+    let mut taken = vec![None; coordinates.len()];
+    let start = part(node, "start");
+    let drawn = |number: &Num| {
+        let mut draws = scene.data_of(*number).filter_map(|i| draws.get(i)?.1.as_ref());
+        draws.any(|draw| draw.range().0.value != draw.range().1.value)
+    };
+    let varies = numbers.iter().any(drawn);
+    for row in 0..rows.len() {
+        let found = take(row, &rows, &mut taken, &mut vec![false; coordinates.len()]);
+        let given = row.checked_sub(ties).and_then(|i| scene.start_speeds().nth(i));
+        if let (false, true, Some((c, _))) = (found, varies, given) {
+            faults.hint(
+                start,
+                told!("the ties and the rest of the start already give {}", name(&c)),
+                "take it away: one speed or spin for each freedom that the ties leave",
+            );
+        }
+    }
+    for (c, _) in coordinates.iter().zip(&taken).filter(|(_, row)| row.is_none()) {
+        let (body, field) =
+            (&scene.bodies[c.body].name, if c.degree == Degree::Along { "speed: v" } else { "spin: w" });
+        faults.hint(
+            start,
+            told!("the start and the ties leave {} open", name(c)),
+            told!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
+        );
+    }
+}
+
+/// The field of this name, or the whole where it is not written.
+fn part<'n>(node: &'n Node, name: &str) -> &'n Node {
+    node.field(name).unwrap_or(node)
+}
+
+/// A body thrown with slip: alone on its surface, until it rolls or for a time.
+fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
+    let Some(thrown) = scene.thrown() else {
+        // A body that slips and has one speed only is told so elsewhere.
+        let half = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !scene.start.is_empty();
+        if let End::Rolling(c) = scene.end
+            && !half
+        {
+            let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
+            faults.hint(
+                part(node, "end"),
+                told!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
+                told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
+            );
+        }
+        return;
+    };
+    let name = scene.bodies.get(thrown.body).map_or("ball", |b| b.name.as_str());
+    let company = scene.bodies.len() > 1 || scene.ties.len() > 1;
+    let ends = matches!(scene.end, End::Rolling(_) | End::Time(..));
+    #[rustfmt::skip] // a table
+    let rules: [SceneRule; 3] = [
+        (Some(name).filter(|_| company), "start", "`{}` is thrown with slip; that is solved for one body without cords",
+            "take the other bodies and ties away, or write `start: at rest`"),
+        (Some(name).filter(|_| !ends), "end", "`{}` is thrown with slip; that ends where it begins to roll, or after a time",
+            "write `end: {rolling: {}}` or `end: {time: {of: {}, is: t1}}`"),
+        (Some(name).filter(|_| scene.heading.is_some()), "end", "`{}` is thrown; its speed says which way it goes",
+            "take `heading` away"),
+    ];
+    tell(&rules, node, faults);
+}
+
+/// Names in the statement and in the questions are symbols of the data or names that every template knows.
+pub fn templates(
+    statement: Option<&Node>,
+    questions: Option<&Node>,
+    symbols: &[&str],
+    variables: Variables,
+    faults: &Faults,
+) {
+    let mut texts: Vec<&Node> = statement.into_iter().collect();
+    if let Some(Node { value: Value::Map(entries), .. }) = questions {
+        for (_, question) in entries {
+            if let Value::Map(fields) = &question.value {
+                texts.extend(fields.iter().filter(|(k, _)| k.text() == Some("ask")).map(|(_, v)| v));
+            }
+        }
+    }
+    for node in texts {
+        template(node, statement.is_some_and(|s| std::ptr::eq(s, node)), symbols, variables, faults);
+    }
+}
+
+/// Names in one text: symbols of the data or names that every template knows; a statement gives every datum.
+pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Variables, faults: &Faults) {
+    let Some(text) = node.text() else { return };
+    match variables(text) {
+        Err(found) => {
+            for f in found {
+                told(node, &f, faults);
+            }
+        }
+        Ok(names) => {
+            let known = |name: &str| symbols.contains(&name) || TEMPLATE_NAMES.contains(&name);
+            let unknown: Vec<&str> = names.iter().map(String::as_str).filter(|n| !known(n)).collect();
+            for name in &unknown {
+                let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
+                let hint = spell::hint(name, "known names", known());
+                faults.hint(node, told!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
+            }
+            // A statement that lists values or particles may give any of them.
+            let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
+            if is_statement && !lists {
+                // A misspelt name is a finding already.
+                let meant: Vec<&str> = unknown
+                    .iter()
+                    .filter_map(|name| spell::closest(name, symbols.iter().chain(TEMPLATE_NAMES).copied()))
+                    .collect();
+                let given = |s: &str| s == "g" || meant.contains(&s) || names.iter().any(|n| n == s);
+                for symbol in symbols.iter().filter(|s| !given(s)) {
+                    faults.hint(
+                        node,
+                        told!("the statement never gives `{symbol}`"),
+                        told!("write `{{{{ {symbol} }}}}` where it belongs"),
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn told(node: &Node, finding: &Finding, faults: &Faults) {
+    let place = finding
+        .at
+        .map_or_else(String::new, |(line, column)| told!(" (line {line}, column {column} of the text)"));
+    faults.maybe(node, told!("{}{place}", finding.message), finding.hint.clone());
+}
