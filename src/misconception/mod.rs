@@ -6,11 +6,10 @@ pub mod catalogue;
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
 use crate::num::formula::Formula;
-use crate::num::{Fast, Real as _};
+use crate::num::lanes::LANES;
 use crate::scene::{Label, Owner, Quantity, Term};
-use crate::solve::agree::Quick;
-use crate::solve::outcome::{Entry, Road, Scope, Solved};
-use smallvec::SmallVec;
+use crate::solve::agree::{self, Quick};
+use crate::solve::outcome::{Entry, Scope, Set, Solved, Told};
 
 /// Where a wrong method comes to for one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +41,7 @@ const SAME: f64 = 1e-9;
 /// Where the wrong methods of a problem come to for these quantities, in the order of the methods, then of the quantities. A
 /// method without a real answer (a wheel that would not move) has no value.
 pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, labels: &[Label]) -> Vec<Wrong> {
-    Methods::new(problem, case, labels).values_while(data, solved, &mut |_| true)
+    Methods::new(problem, case, labels, |_| true).values_while(data, solved, &mut |_| true)
 }
 
 /// Where one wrong method, an index into those of the problem, comes to for one quantity; `None` where it has no value.
@@ -52,8 +51,7 @@ pub fn value(
     (data, solved): (&[f64], &Solved),
     (mistake, label): (usize, Label),
 ) -> Option<f64> {
-    let mut methods = Methods::new(problem, case, &[label]);
-    methods.methods.retain(|m| m.index == mistake);
+    let methods = Methods::new(problem, case, &[label], |index| index == mistake);
     methods.values_while(data, solved, &mut |_| true).first().map(|w| w.value)
 }
 
@@ -61,7 +59,7 @@ pub fn value(
 #[derive(Debug)]
 pub struct Methods<'p> {
     problem: &'p Problem,
-    /// Those that guard a draw first, and of these first those that need no other solution: they cost least.
+    /// Those that need no other solution first: they cost least. Then those that are solved together.
     methods: Vec<Method<'p>>,
 }
 
@@ -70,11 +68,12 @@ pub struct Methods<'p> {
 struct Method<'p> {
     /// Its index in the problem.
     index: usize,
-    /// How many values those before it in the problem can have.
-    before: usize,
     mistake: &'p Mistake,
-    /// The scene that it solves, if it changes scene or data.
+    /// The scene that it solves, if it changes scene or data, and what it asks of it.
     solves: Option<Quick<'p>>,
+    asked: Scope,
+    /// Is it solved together with others that only change data?
+    joins: bool,
     /// What it spoils: a quantity, its place among those asked for, and how it comes to it.
     spoils: Vec<(Label, usize, SpoiltBy<'p>)>,
 }
@@ -91,15 +90,13 @@ enum SpoiltBy<'p> {
 }
 
 impl<'p> Methods<'p> {
-    /// Prepares the methods that are taken in this case.
-    pub fn new(problem: &'p Problem, case: usize, labels: &[Label]) -> Self {
+    /// Prepares the methods of these indices that are taken in this case.
+    pub fn new(problem: &'p Problem, case: usize, labels: &[Label], wanted: impl Fn(usize) -> bool) -> Self {
         let right = problem.cases.get(case).map(|c| &c.scene);
         let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
-        let mistakes = problem.mistakes.iter().enumerate().filter(|(_, m)| taken(m));
-        let mut before = 0;
+        let mistakes = problem.mistakes.iter().enumerate().filter(|(i, m)| wanted(*i) && taken(m));
         let method = |(index, mistake): (usize, &'p Mistake)| {
             let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
-            let changed: Vec<usize> = mistake.data.iter().map(|(i, _)| *i).collect();
             let scene = match mistake.scenes.is_empty() {
                 true => right,
                 false => mistake.scenes.get(case).and_then(Option::as_ref),
@@ -127,14 +124,16 @@ impl<'p> Methods<'p> {
                 }
             });
             let spoils: Vec<(Label, usize, SpoiltBy)> = spoils.collect();
-            let asked = Scope::only(spoils.iter().flat_map(|s| needed(s)).map(|label| label.quantity));
-            let quick = |(scene, right)| Quick::new(scene, right, &changed, asked);
+            let changed: Vec<usize> = mistake.data.iter().map(|(i, _)| *i).collect();
+            let quick = |(scene, right)| Quick::new(scene, right, &changed);
             let solves = scene.zip(right).filter(|_| changes).map(quick);
-            before += spoils.len();
-            Method { index, before: before - spoils.len(), mistake, solves, spoils }
+            let asked = Scope::only(spoils.iter().flat_map(needed).map(|label| label.quantity));
+            let joins =
+                solves.is_some() && mistake.scenes.is_empty() && right.is_some_and(agree::side_by_side);
+            Method { index, mistake, solves, asked, joins, spoils }
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
-        methods.sort_by_key(|m| (m.mistake.unguarded.is_some(), m.solves.is_some()));
+        methods.sort_by_key(|m| (m.solves.is_some(), !m.joins, m.mistake.unguarded.is_some()));
         Self { problem, methods }
     }
 
@@ -155,21 +154,44 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let most = self.methods.iter().map(|m| m.before + m.spoils.len()).max();
-        let mut found = vec![None; most.unwrap_or(0)];
-        for method in &self.methods {
-            let (mut more, mut places) = (true, found[method.before..].iter_mut());
-            method.values(self.problem, data, solved, &mut |wrong| {
-                more &= go_on(&wrong);
-                if let Some(place) = places.next() {
-                    *place = Some(wrong);
+        let mut found: Vec<Wrong> = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
+        let together = self.methods.chunk_by(|a, b| a.joins && b.joins).flat_map(|all| all.chunks(LANES - 1));
+        'all: for methods in together {
+            let mut roads = self.roads(methods, data, solved).into_iter();
+            for method in methods {
+                let mut more = true;
+                method.values(roads.next().flatten().as_ref(), data, solved, &mut |wrong| {
+                    more &= go_on(&wrong);
+                    found.push(wrong);
+                });
+                if !more {
+                    break 'all;
                 }
-            });
-            if !more {
-                break;
             }
         }
-        found.into_iter().flatten().collect()
+        found.sort_unstable_by_key(|wrong| (wrong.mistake, wrong.asked));
+        found
+    }
+
+    /// The solutions of the scenes that these methods take for the right one.
+    fn roads(&self, methods: &[Method], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
+        let Some(quick) = &methods[0].solves else { return Vec::new() };
+        let changed: Vec<Option<Set>> =
+            methods.iter().map(|m| m.changed(self.problem, data, solved)).collect();
+        // Several sets are solved as the first one moves: the right one leads.
+        let right = (methods.len() > 1).then(|| data.to_vec());
+        let leads = usize::from(right.is_some());
+        let sets: Vec<Set> = right.into_iter().chain(changed.iter().flatten().cloned()).collect();
+        let asked = methods.iter().fold(Scope::only([]), |all, m| all.with(m.asked));
+        let mut found = quick.roads(&sets, asked).into_iter().skip(leads);
+        // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
+        let stops = |told: &Told| match told {
+            Told::Alone(road) => road.course.is_some_and(|c| c.asked.is_some() && !c.reached),
+            #[cfg(feature = "program")]
+            Told::Lane(..) => false,
+        };
+        let ends = |told: &Told| !(quick.is_pinned() && stops(told));
+        changed.iter().map(|set| set.as_ref().and_then(|_| found.next()?.filter(ends))).collect()
     }
 }
 
@@ -183,13 +205,12 @@ fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Ite
 }
 
 impl Method<'_> {
-    fn values(&self, problem: &Problem, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
+    /// What it comes to, with the solution of the scene that it takes for the right one.
+    fn values(&self, changed: Option<&Told>, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
         let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
         let changes = !self.mistake.data.is_empty() || !self.mistake.scenes.is_empty();
-        // Most methods come to a value by an expression alone.
-        let changed = if changes { self.changed(problem, data, &right) } else { None };
-        let other = |label: Label| match &changed {
-            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value.f64()),
+        let other = |label: Label| match changed {
+            Some(told) => told.value(0, label).unwrap_or(f64::NAN),
             // Without such a motion only what follows from the data alone has a value.
             None if changes => f64::NAN,
             None => right(label),
@@ -220,18 +241,15 @@ impl Method<'_> {
         }
     }
 
-    /// The solution of the scene that the method takes for the right one.
-    fn changed(&self, problem: &Problem, data: &[f64], right: &dyn Fn(Label) -> f64) -> Option<Road<Fast>> {
-        let quick = self.solves.as_ref()?;
-        let mut taken: SmallVec<[f64; 16]> = data.into();
+    /// The data that the method takes for the right ones, if they are such a scene.
+    fn changed(&self, problem: &Problem, data: &[f64], solved: &Solved) -> Option<Set> {
+        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+        let mut taken = data.to_vec();
         for (index, expression) in &self.mistake.data {
-            let value = expression.eval(data, right);
+            let value = expression.eval(data, &right);
             let degrees = problem.data.get(*index).is_some_and(|d| d.degrees);
             *taken.get_mut(*index)? = if degrees { value.to_degrees() } else { value };
         }
-        let road = quick.road(&taken)?;
-        // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
-        let stops = road.course.as_ref().is_some_and(|c| c.asked.is_some() && !c.reached);
-        (!(stops && quick.is_pinned())).then_some(road)
+        self.solves.as_ref()?.admits(&taken).then_some(taken)
     }
 }

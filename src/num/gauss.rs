@@ -15,8 +15,6 @@ const LAST: usize = 3;
 /// A function is smooth on a panel if its last coefficients are below this share of its mean magnitude. They fall geometrically,
 /// and the mean is exact up to twice their degree: its error is about the square of this.
 pub const SMOOTH: f64 = 1e-12;
-/// The same for [`running`], which is exact up to their degree alone: its error is about this.
-pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
 /// Panels of one quadrature at most: a singularity takes two for each halving; what takes more is rough by its rounding, everywhere.
@@ -52,12 +50,28 @@ pub struct Rule {
 
 static SHORT: LazyLock<Rule> = LazyLock::new(|| Rule::new(NODES));
 
-/// Longer panels for what is smooth on a long way and costs much to look at: in numbers of 32 digits, and in doubles.
-static LONG: [LazyLock<Rule>; 2] = [LazyLock::new(|| Rule::new(40)), LazyLock::new(|| Rule::new(32))];
+/// A panel, and the shares below which the last coefficients of a rate, and of what is summed over its way, are smooth on it.
+type Panels = (LazyLock<Rule>, f64, f64);
 
-/// The panel with which numbers of this type are as smooth as they can be told to be on the longest way.
-pub fn long<T: Real>() -> &'static Rule {
-    &LONG[usize::from(T::is_double())]
+/// Longer panels for what is smooth on a long way and costs much to look at: in numbers of 32 digits, and in doubles.
+static LONG: [Panels; 2] =
+    [(LazyLock::new(|| Rule::new(40)), 1e-18, SMOOTH), (LazyLock::new(|| Rule::new(32)), 1e-12, SMOOTH)];
+/// Panels of which only the end counts: there even a rate is exact up to twice their degree.
+static ENDING: [Panels; 2] =
+    [(LazyLock::new(|| Rule::new(28)), SMOOTH, SMOOTH), (LazyLock::new(|| Rule::new(18)), 5e-8, 5e-8)];
+
+fn of_type<T: Real>([exact, double]: &'static [Panels; 2]) -> (&'static Rule, f64, f64) {
+    let (rule, rate, sum) = if T::is_double() { double } else { exact };
+    (rule, *rate, *sum)
+}
+/// The panel with which numbers of this type are as smooth as they can be told to be on the longest way; the shares below which the
+/// last coefficients of a rate are smooth on it, and those of what is summed.
+pub fn long<T: Real>() -> (&'static Rule, f64, f64) {
+    of_type::<T>(&LONG)
+}
+/// The same of a panel of which only the end counts.
+pub fn ending<T: Real>() -> (&'static Rule, f64, f64) {
+    of_type::<T>(&ENDING)
 }
 
 /// The nodes of a panel, as shares of it, ascending.
@@ -196,7 +210,7 @@ pub fn long_integral<T: Real, E: From<Unsettled>>(
     a: T,
     b: T,
 ) -> Result<T, E> {
-    long::<T>().integral(&mut f, (a, b), 0.0)
+    long::<T>().0.integral(&mut f, (a, b), 0.0)
 }
 
 /// The same of a function that is a sum of terms of this magnitude: about a zero of it their rounding is no roughness.

@@ -68,7 +68,7 @@ fn most(sizes: impl Iterator<Item = f64>) -> f64 {
 }
 
 fn add<T: Real>(cell: &mut T, v: T) {
-    *cell = if cell.is_zero() { v } else { *cell + v };
+    *cell = if cell.is_nothing() { v } else { *cell + v };
 }
 
 impl<T: Real> Linear<T> {
@@ -171,20 +171,20 @@ impl<T: Real> Linear<T> {
             let mut best: Option<(usize, f64)> = None;
             for (place, (start, largest)) in rows.iter().enumerate().skip(col) {
                 let share = cells[start + col].size() * scales[col] / largest;
-                if !cells[start + col].is_zero() && best.is_none_or(|(_, s)| share > s) {
+                if !cells[start + col].is_nothing() && best.is_none_or(|(_, s)| share > s) {
                     best = Some((place, share));
                 }
             }
             rows.swap(col, best.ok_or(Hard::Repeats)?.0);
             let (pivot, rest) = (rows[col].0, &rows[col + 1..]);
             for (start, _) in rest {
-                if cells[start + col].is_zero() {
+                if cells[start + col].is_nothing() {
                     continue;
                 }
                 let factor = cells[start + col] / cells[pivot + col];
                 for c in col + 1..width {
                     let (cell, above) = (cells[start + c], cells[pivot + c]);
-                    if !above.is_zero() {
+                    if !above.is_nothing() {
                         let less = factor * above;
                         // A coefficient that is only rounding is no pivot.
                         cells[start + c] = if c < n { cell.balance(-less) } else { cell - less };
@@ -199,11 +199,11 @@ impl<T: Real> Linear<T> {
                 let row = &cells[*start..][..width];
                 let mut sum = row[n + k];
                 for (cell, x) in row[col + 1..n].iter().zip(&x[col + 1..]) {
-                    if !cell.is_zero() && !x.is_zero() {
+                    if !cell.is_nothing() && !x.is_nothing() {
                         sum = sum.balance(-(*cell * *x));
                     }
                 }
-                x[col] = if sum.is_zero() { sum } else { sum / row[col] };
+                x[col] = if sum.is_nothing() { sum } else { sum / row[col] };
             }
             if self.far_apart(k, x) {
                 self.vanish(k, x);
@@ -247,9 +247,9 @@ impl<T: Real> Linear<T> {
     /// Does each row hold for these unknowns, up to the rounding of its terms?
     fn settled(&self, k: usize, x: &[T]) -> bool {
         self.rows(k).all(|(row, right, given)| {
-            let terms = row.iter().zip(x).filter(|(v, _)| !v.is_zero()).map(|(v, x)| *v * *x);
+            let terms = row.iter().zip(x).filter(|(v, _)| !v.is_nothing()).map(|(v, x)| *v * *x);
             let (residual, size) = terms.fold((right, given), |(sum, size), t| (sum - t, size + t.size()));
-            residual.size() <= OPERATIONS * T::SETTLED * size
+            residual.within(OPERATIONS * T::SETTLED * size)
         })
     }
 }
@@ -361,26 +361,28 @@ impl<T: Real> Factors<T> {
     pub fn solve(&self, right: &mut [T]) {
         let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
         let (x, filled, order) = (&mut x[..], &self.filled[..], &self.order[..]);
+        // The unknowns that are other than 0.
+        let mut some = 0_u64;
         let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
             let cells = &self.cells[row * self.size..][..self.size];
             let (mut sum, mut size) = x[r];
             for c in places(filled[row] & columns) {
-                let (cell, x) = (cells[c], x[c].0);
-                if !x.is_zero() && !cell.is_zero() {
-                    let term = cell * x;
-                    (sum, size) = (sum - term, size + term.size());
-                }
+                let term = cells[c] * x[c].0;
+                (sum, size) = (sum - term, size + term.size());
             }
             (sum, size)
         };
         for (r, row) in order.iter().copied().enumerate() {
             x[r] = (right[row], right[row].size());
-            x[r] = less(x, r, row, !(!0 << r));
+            x[r] = less(x, r, row, some);
+            some |= u64::from(!x[r].0.is_zero()) << r;
         }
+        some = 0;
         for (r, row) in order.iter().copied().enumerate().rev() {
-            let (sum, size) = less(x, r, row, !1 << r);
+            let (sum, size) = less(x, r, row, some);
             right[r] = sum.cleared(size) * self.cells[row * self.size + r];
             x[r].0 = right[r];
+            some |= u64::from(!right[r].is_zero()) << r;
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod formula;
 pub mod gauss;
 pub mod half;
 pub mod jet;
+pub mod lanes;
 pub mod legendre;
 pub mod linear;
 pub mod ode;
@@ -22,6 +23,7 @@ pub mod trig;
 pub use ball::Ball;
 pub use dd::Dd;
 pub use jet::Jet;
+pub use lanes::Lanes;
 pub use real::Real;
 
 /// What is computed quickly rather than finely: wrong methods, condition numbers, and the answers by which a page judges.

@@ -70,10 +70,20 @@ pub trait Real:
     fn f64(self) -> f64 {
         self.value().hi
     }
+    /// Two functions of it that are worked out in doubles.
+    fn each(self, f: impl Fn(f64) -> (f64, f64)) -> (Self, Self) {
+        let (one, other) = f(self.f64());
+        (Self::of(one), Self::of(other))
+    }
     /// Is the value exactly zero?
     #[cfg_attr(feature = "program", inline(always))]
     fn is_zero(self) -> bool {
         self.f64() == 0.0
+    }
+    /// May terms with it as a factor be left out? Only to save them.
+    #[cfg_attr(feature = "program", inline(always))]
+    fn is_nothing(self) -> bool {
+        self.is_zero()
     }
     /// Is it the same number, so that what was computed from the one holds for the other? No question of what is true: two
     /// enclosures are the same if their ends are.
@@ -90,6 +100,11 @@ pub trait Real:
     #[cfg_attr(feature = "program", inline(always))]
     fn is_finite(self) -> bool {
         self.f64().is_finite()
+    }
+    /// Is it at most so large?
+    #[cfg_attr(feature = "program", inline(always))]
+    fn within(self, bound: f64) -> bool {
+        self.size() <= bound
     }
     /// Is it nothing beside `scale`, but rounding of double-doubles?
     #[cfg_attr(feature = "program", inline(always))]

@@ -191,7 +191,7 @@ pub fn degrees_per_radian<T: Real>() -> T {
 /// [`sin_cos_degrees`] in any number type.
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
     if T::is_double() {
-        return reduced(degrees.f64());
+        return degrees.each(reduced);
     }
     let (s, c) = sin_cos_degrees(degrees.f64());
     // Sine and cosine change no faster than the angle in radians.

@@ -156,6 +156,10 @@ impl Quantities {
     pub const fn without(self, quantity: Quantity) -> Self {
         Self(self.0 & !(1 << quantity as u32))
     }
+    /// All that are in either.
+    pub const fn with(self, others: Self) -> Self {
+        Self(self.0 | others.0)
+    }
     /// How many there can be.
     pub const fn count(self) -> usize {
         self.0.count_ones() as usize

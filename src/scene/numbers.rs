@@ -81,7 +81,7 @@ impl<'a, T: Real> Numbers<'a, T> {
         let (gravity, bodies) = (T::zero(), SmallVec::new());
         let mut n = Self { data, derived, mass_exponent: 0, gravity, carried: None, bodies };
         n.gravity = n.get(scene.gravity_m_s2);
-        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
+        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).size()).find(|m| *m > 0.0);
         n.mass_exponent = first.map_or(0, exponent);
         if n.mass_exponent.abs() > 128 {
             n.mass_exponent = 0;

@@ -4,8 +4,8 @@
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, JointKind, Label, Mass, Num, Owner, Pin, Place, Rest,
-    RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
+    Arm, Attach, Body, CordEnd, Degree, End, Far, Formulas, JointKind, Label, Mass, Num, Owner, Pin, Place,
+    Rest, RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -26,9 +26,9 @@ impl Scales {
     /// The units of SI.
     pub const SI: Self = Self { mass: 0, length: 0, time: 0 };
 
-    /// Exponents of mass, length and time in a unit of SI, with which the number of that unit is scaled.
-    fn power(self, unit: &str) -> i32 {
-        self.of_powers(match unit {
+    /// Powers of mass, length and time of a unit of SI.
+    fn powers(unit: &str) -> [i32; 3] {
+        match unit {
             "kg" => [1, 0, 0],
             "m" => [0, 1, 0],
             "s" => [0, 0, 1],
@@ -51,17 +51,18 @@ impl Scales {
             "kg*m^2/s" => [1, 2, -1],
             "N*s" => [1, 1, -1],
             _ => [0, 0, 0],
-        })
+        }
+    }
+    /// The exponent with which the number of a unit of SI is scaled.
+    fn power(self, unit: &str) -> i32 {
+        self.of_powers(Self::powers(unit))
     }
     /// The same for a unit of these powers of mass, length and time.
     fn of_powers(self, [mass, length, time]: [i32; 3]) -> i32 {
         mass * self.mass + length * self.length + time * self.time
     }
     fn of_label(self, scene: &Scene, label: Label) -> i32 {
-        match label.of {
-            Owner::Asked(i) => scene.formulas.asked.get(i).map_or(0, |a| self.of_powers(a.powers)),
-            _ => self.power(label.quantity.unit()),
-        }
+        self.of_powers(Self::powers_of(scene, label))
     }
     /// The value of a quantity in SI that is `x` in these units.
     pub fn said(self, scene: &Scene, label: Label, x: f64) -> f64 {
@@ -78,6 +79,14 @@ impl Scales {
     /// A number in these units that is `x` in a unit of SI.
     pub fn own(self, unit: &str, x: f64) -> f64 {
         ldexp(x, -self.power(unit))
+    }
+
+    /// Powers of mass, length and time of what is said of a label.
+    pub fn powers_of(scene: &Scene, label: Label) -> [i32; 3] {
+        match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i).map_or([0; 3], |a| a.powers),
+            _ => Self::powers(label.quantity.unit()),
+        }
     }
 
     /// The scene and its data in these units; `None` where a number leaves the doubles.
@@ -159,6 +168,26 @@ impl Scales {
             time: time + STEPS[2] * t,
         })
     }
+}
+
+/// Powers of mass, length and time of these data, where a change of units changes nothing but them: no number of the scene that is no
+/// datum has a unit.
+pub fn powers_of_data(scene: &Scene, data: &[usize]) -> Option<Vec<[i32; 3]>> {
+    let mut powers: Vec<Option<[i32; 3]>> = vec![None; data.len()];
+    let mut all = scene.formulas == Formulas::default();
+    each(&mut scene.clone(), &mut |num, unit| {
+        let own = Scales::powers(unit);
+        match *num {
+            Num::Datum(i) => {
+                if let Some(at) = data.iter().position(|datum| *datum == i) {
+                    all &= *powers[at].get_or_insert(own) == own;
+                }
+            }
+            Num::Fixed(x) => all &= x == 0.0 || own == [0; 3],
+            Num::Derived(_) => all = false,
+        }
+    });
+    powers.into_iter().collect::<Option<_>>().filter(|_| all)
 }
 
 /// Has a unit of the scene the dimension of mass in it?

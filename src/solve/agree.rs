@@ -3,7 +3,9 @@ use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Course, Entry, Refusal, Road, Said, Scope, Solved, Unsupported};
+use crate::solve::outcome::{
+    Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
+};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -26,9 +28,9 @@ pub struct Half {
     /// The same in the units in which it is computed, where these are not those of SI.
     own: Option<Solved>,
     /// Sense of the motion, and whether its end is reached.
-    course: condition::Kind,
+    course: Kind,
     /// The same of the motion that follows.
-    next: condition::Kind,
+    next: Kind,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -103,8 +105,7 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
     if let (Some((_, scene)), Some(next)) = (next, &road.next) {
         checks.push(physical::judge_next(scene, next));
     }
-    let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
-    let (course, next) = (kind(&road), road.next.as_deref().and_then(kind));
+    let (course, next) = (road.kind(), road.next.as_deref().and_then(Road::kind));
     let (open, beyond, scales) = (road.open, Vec::new(), Scales::SI);
     let solved = Solved { regime, checks, entries, words, open, beyond, scales };
     Ok(Half { asked, solved, own: None, course, next })
@@ -157,21 +158,25 @@ pub fn in_scales<R>(
     solve(&scene, &data)
 }
 
-/// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
+/// A scene that is solved again and again on the first road in doubles, for what is never published: where wrong methods would
 /// come to. What the right scene shares with it was admissible there and is not looked at again.
 #[derive(Debug)]
 pub struct Quick<'s> {
     scene: &'s Scene,
-    asked: Scope,
     /// Rules that the other data or the other scene may break.
     rules: Vec<(Num, Rule)>,
     /// Is the combination one that the assembly has? `None` where that hangs on the data.
     supported: Option<bool>,
 }
 
+/// Is it cheaper to solve the scene with several sets of data at once?
+pub fn side_by_side(scene: &Scene) -> bool {
+    eom::side_by_side(scene)
+}
+
 impl<'s> Quick<'s> {
-    /// Prepares `scene`, which stands for `right` with other values of these data and is asked for so much.
-    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize], asked: Scope) -> Self {
+    /// Prepares `scene`, which stands for `right` with other values of these data.
+    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
         // A formula may be another one in another scene.
         let other = |n: Num| match n {
             Num::Datum(i) => changed.contains(&i),
@@ -197,7 +202,7 @@ impl<'s> Quick<'s> {
             }
         });
         let supported = (!scene.ties.iter().any(is_held)).then(|| supported(scene, &[]).is_ok());
-        Self { scene, asked, rules, supported }
+        Self { scene, rules, supported }
     }
 
     /// Does a pinned body swing in it?
@@ -205,11 +210,15 @@ impl<'s> Quick<'s> {
         self.scene.pinned().is_some()
     }
 
-    /// What the equations of motion say with these data; `None` where the data are no such scene or have no motion.
-    pub fn road(&self, data: &[f64]) -> Option<Road<Fast>> {
-        let admissible = self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule));
-        let supported = || self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok());
-        if admissible && supported() { eom::road_of(self.scene, data, self.asked).ok() } else { None }
+    /// Are these data such a scene?
+    pub fn admits(&self, data: &[f64]) -> bool {
+        self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule))
+            && self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok())
+    }
+
+    /// What the equations of motion say of what is asked with each of these sets of data; `None` where there is no motion.
+    pub fn roads(&self, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
+        eom::roads(self.scene, sets, asked)
     }
 }
 
@@ -301,12 +310,11 @@ fn compared(
     scene: &Scene,
     data: &[f64],
     asked: Scope,
-    (solved, course, next): (&mut Solved, condition::Kind, condition::Kind),
+    (solved, course, next): (&mut Solved, Kind, Kind),
 ) -> Result<(), Refusal> {
     let second: Road<Dd> = energy::road_of(scene, data, asked)?;
     for (i, entry) in solved.entries.iter_mut().enumerate() {
-        // The roads mostly speak in the same order.
-        let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
+        let said = second.said_at(i, entry.label);
         let (mut eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
         // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms. Of joined
         // bodies that rounding stands in every pose, on both roads.
@@ -371,7 +379,7 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
         return false;
     }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
-        let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
+        let said = road.said_at(i, entry.label);
         let value = scales.own_said(scene, entry.label, entry.value());
         let bound = said.map(|s| scales.said(scene, entry.label, s.value.about(value)));
         entry.bound = bound.filter(|b| b.is_finite());

@@ -4,11 +4,14 @@
 //! A quotient needs a motion of the same kind at the changed data: where a changed datum turns the motion or takes its end out of
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
+//! Of joined bodies, each of whose motions is summed, up to three data are not changed: no answer hangs on the units of mass, length
+//! and time, so what these data do follows from what the others do.
 use crate::num::dd::pow2;
-use crate::num::{Fast, NOISE, Real};
-use crate::scene::{Label, Scene, admissible};
+use crate::num::eliminate::Equations;
+use crate::num::{NOISE, Real};
+use crate::scene::{Scales, Scene, admissible, scales};
 use crate::solve::eom;
-use crate::solve::outcome::{Entry, Road, Scope};
+use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
 use smallvec::SmallVec;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
@@ -18,9 +21,6 @@ const FINE: [f64; 2] = [6e-7, 2e-4];
 
 /// Slopes to the two sides of a datum that differ by more than this share belong to a kink, or to a singularity between them.
 const UNEVEN: f64 = 0.1;
-
-/// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
-pub type Kind = Option<(f64, bool)>;
 
 /// What differences of doubles leave of a condition number of 0.
 const NOTHING: f64 = 1e-6;
@@ -38,14 +38,25 @@ struct Changed<T> {
 }
 
 /// One value for each entry, where it has one and it is asked.
-type Values<T> = SmallVec<[Option<T>; 4]>;
+type Values<T> = SmallVec<[Option<T>; 8]>;
 
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let (mut conds, rounded) = quotients::<Fast>(scene, data, kind, entries);
+    let joined = scene.lead().is_some();
+    let labels = || entries.iter().map(|e| e.label).enumerate();
+    let doubles = |sets: &[Set], asked| {
+        let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());
+        eom::roads(scene, sets, asked).into_iter().map(|told| told.map(values)).collect()
+    };
+    let (mut conds, rounded) = quotients(scene, data, kind, entries, &doubles, joined);
     if !T::is_double() && rounded.contains(&true) {
-        let (finer, _) = quotients::<T>(scene, data, kind, entries);
+        let value = |road: &Road<T>, (at, label)| road.said_at(at, label).map(|said| said.value);
+        let values = |road: Road<T>| (road.kind(), labels().map(|label| value(&road, label)).collect());
+        let each = |sets: &[Set], asked| {
+            sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(values)).collect()
+        };
+        let (finer, _) = quotients(scene, data, kind, entries, &each, joined);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }
@@ -53,43 +64,55 @@ pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entr
     conds
 }
 
-/// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell.
-fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> (Vec<f64>, Vec<bool>) {
-    let used = used(scene, data);
+/// For each of several sets of data the kind of motion and the values of the entries; `None` where there is no motion.
+type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Option<(Kind, Values<T>)>>;
+
+/// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell. If data may
+/// `follow` others, those are not changed.
+fn quotients<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    kind: Kind,
+    entries: &[Entry],
+    roads: Roads<T>,
+    follow: bool,
+) -> (Vec<f64>, Vec<bool>) {
+    let mut used = used(scene, data);
+    let followers = if follow { followers(scene, &mut used) } else { Vec::new() };
     let mut rounded = vec![false; entries.len()];
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
-    // What was found needs no further road.
-    let solved = |data: &[f64], conds: &[Option<f64>]| {
+    // Where each datum is changed, after the data as they are if these are wanted.
+    let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<T>> {
+        // What was found needs no further road.
         let missing = entries.iter().zip(conds).filter(|(_, cond)| cond.is_none());
-        let road = eom::road_of(scene, data, Scope::only(missing.map(|(e, _)| e.label.quantity))).ok();
-        let value = |at: usize| match conds[at] {
-            Some(_) => None,
-            None => value(road.as_ref()?, at, entries[at].label),
+        let asked = Scope::only(missing.map(|(e, _)| e.label.quantity));
+        let moves: Vec<Option<usize>> =
+            own.then_some(None).into_iter().chain(used.iter().map(|i| Some(*i))).collect();
+        let moved = |i: &Option<usize>| {
+            let mut moved = data.to_vec();
+            i.iter().for_each(|i| moved[*i] = data[*i] * (1.0 + by));
+            moved
         };
-        let values: Values<T> = (0..entries.len()).map(value).collect();
-        let kind = |road: &Road<T>| road.course.as_ref().map(|c| (c.sense, c.reached));
-        (values, road.as_ref().map(kind))
-    };
-    let (base, _) = solved(data, &conds);
-    let mut moved = data.to_vec();
-    let mut changed = |by: f64, conds: &[Option<f64>]| -> Vec<Changed<T>> {
-        let change = |i: &usize| {
-            moved[*i] = data[*i] * (1.0 + by);
-            let (values, found) = solved(&moved, conds);
-            let by = moved[*i] / data[*i] - 1.0;
-            moved[*i] = data[*i];
-            Changed { by, alike: found == Some(kind), values }
+        let sets: Vec<Set> = moves.iter().map(moved).collect();
+        let change = |(found, (set, i)): (Option<(Kind, Values<T>)>, (&Set, &Option<usize>))| {
+            let by = i.map_or(0.0, |i| set[i] / data[i] - 1.0);
+            match found {
+                Some((found, values)) => Changed { by, alike: found == kind, values },
+                None => Changed { by, alike: false, values: entries.iter().map(|_| None).collect() },
+            }
         };
-        used.iter().map(change).collect()
+        roads(&sets, asked).into_iter().zip(sets.iter().zip(&moves)).map(change).collect()
     };
+    let mut base = None;
     'found: for power in STEPS {
         let step = pow2(power);
-        let up = changed(step, &conds);
+        let mut up = changed(step, &conds, base.is_none());
+        let base = base.get_or_insert_with(|| up.remove(0).values);
         let mut down: Vec<Changed<T>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
-                down = changed(-step, &conds);
+                down = changed(-step, &conds, false);
             } else if !up.iter().all(|c| c.alike) {
                 continue;
             }
@@ -97,7 +120,19 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
                 let slopes = (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i)));
-                let (sum, uneven) = slopes.fold((0.0, false), |(sum, u), s| (sum + s.size, u || s.uneven));
+                let (mut slopes, uneven): (Vec<f64>, Vec<bool>) = slopes.map(|s| (s.per, s.uneven)).unzip();
+                let uneven = uneven.contains(&true);
+                if uneven && !followers.is_empty() {
+                    return quotients(scene, data, kind, entries, roads, false);
+                }
+                let powers = Scales::powers_of(scene, entry.label).map(|p| f64::from(p) * entry.value());
+                let known: Vec<f64> = slopes.iter().copied().chain(powers).collect();
+                let of = |shares: &Vec<f64>| {
+                    let terms = shares.iter().zip(&known).filter(|(share, _)| **share != 0.0);
+                    terms.map(|(share, slope)| share * slope).sum::<f64>()
+                };
+                slopes.extend(followers.iter().map(of));
+                let sum = slopes.iter().map(|s: &f64| s.abs()).sum();
                 let found = relative(entry, sum);
                 let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
                 if found * step <= fine || last {
@@ -126,6 +161,27 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
     (conds.into_iter().map(told).collect(), rounded)
 }
 
+/// Takes up to three data out of those that are used, and tells for each the shares that the slopes of the others have in its own, and
+/// an answer as often as it has units of mass, length and time: a change of units changes the answer as it does all data.
+fn followers(scene: &Scene, used: &mut Vec<usize>) -> Vec<Vec<f64>> {
+    let Some(powers) = scales::powers_of_data(scene, used) else { return Vec::new() };
+    let count = used.len();
+    let mut units = Equations::<f64>::new(count + 3);
+    for unit in 0..3 {
+        let row = units.row();
+        row.iter_mut().zip(&powers).for_each(|(cell, powers)| *cell = f64::from(powers[unit]));
+        row[count + unit] = -1.0;
+    }
+    let reduced = units.reduce(&[count, count + 1, count + 2]);
+    let open = reduced.open();
+    let columns: Vec<usize> = open.iter().copied().filter(|j| *j < count).chain(count..count + 3).collect();
+    let share = |which: &usize, j| if open.contains(which) { reduced.in_mode(*which, j) } else { 0.0 };
+    let follows = (0..count).filter(|j| !open.contains(j));
+    let shares = follows.map(|j| columns.iter().map(|which| share(which, j)).collect()).collect();
+    *used = columns.into_iter().filter(|j| *j < count).map(|j| used[j]).collect();
+    shares
+}
+
 /// Is an answer in doubles off its value in 32 digits by what a change of this share would be told by?
 fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
     let y = entry.value();
@@ -151,14 +207,9 @@ fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
     (0..data.len()).filter(|i| used[*i]).collect()
 }
 
-/// What a road says of a label; the roads mostly speak in the same order.
-fn value<T: Real>(road: &Road<T>, at: usize, label: Label) -> Option<T> {
-    road.said.get(at).filter(|s| s.label == label).or_else(|| road.get(label)).map(|s| s.value)
-}
-
 /// Change of an entry per relative change of a datum.
 struct EntrySlope {
-    size: f64,
+    per: f64,
     /// Do the two sides of the datum differ? The larger one then counts.
     uneven: bool,
 }
@@ -175,23 +226,23 @@ fn slope<T: Real>(
     // Of two sides of which one has another kind of motion, that one does not count.
     let above = up.values[at].filter(|_| up.alike || !down.is_some_and(|d| d.alike));
     let below = down.and_then(|d| d.values[at].filter(|_| d.alike || !up.alike).map(|value| (value, d.by)));
-    let per = |from: T, to: T, by: f64| ((to - from).f64() / by).abs();
+    let per = |from: T, to: T, by: f64| (to - from).f64() / by;
+    let larger = |one: f64, other: f64| if one.abs() < other.abs() { other } else { one };
     // At a zero the two sides of a magnitude are alike: each counts by itself.
     if let (Some(a), Some((b, by)), true) = (above, below, y != 0.0) {
         let whole = per(b, a, up.by - by);
         // Where the sides differ, as about a singularity, their mean would hide it.
         let sides = base.map(|base| (per(base, a, up.by), per(base, b, by)));
-        let kink = sides.filter(|(u, d)| (u - d).abs() > UNEVEN * whole);
-        return EntrySlope { size: kink.map_or(whole, |(u, d)| u.max(d)), uneven: kink.is_some() };
+        let kink = sides.filter(|(u, d)| (u.abs() - d.abs()).abs() > UNEVEN * whole.abs());
+        return EntrySlope { per: kink.map_or(whole, |(u, d)| larger(u, d)), uneven: kink.is_some() };
     }
     let rounding = if y == 0.0 { 2.0 * T::NOISE * entry.scale } else { 0.0 };
     let alone = |(value, by): (T, f64)| {
-        let change = (value - base.unwrap_or_else(|| T::of(y))).size();
-        if change <= rounding { 0.0 } else { (change / by).abs() }
+        let change = (value - base.unwrap_or_else(|| T::of(y))).f64();
+        if change.abs() <= rounding { 0.0 } else { change / by }
     };
     let sides = above.map(|value| (value, up.by)).into_iter().chain(below);
-    let larger = |most: Option<f64>, slope: f64| Some(most.map_or(slope, |m| m.max(slope)));
-    EntrySlope { size: sides.map(alone).fold(None, larger).unwrap_or(f64::INFINITY), uneven: false }
+    EntrySlope { per: sides.map(alone).reduce(larger).unwrap_or(f64::INFINITY), uneven: false }
 }
 
 /// The sum of the changes as a share of the answer. A place that is 0 is told by the scale of its terms: where the origin lies

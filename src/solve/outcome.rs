@@ -1,14 +1,18 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
+#[cfg(feature = "program")]
+use crate::num::Lanes;
 use crate::num::dd::pow2;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
-use crate::num::{Real, ball};
+use crate::num::{Fast, Real, ball};
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Taken,
     Term, admissible, pose,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
+#[cfg(feature = "program")]
+use std::rc::Rc;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -719,6 +723,9 @@ pub struct Throw {
     pub available: f64,
 }
 
+/// A set of data, where a scene is solved with several.
+pub type Set = Vec<f64>;
+
 /// What is asked of a road; beside it, a road always says where the motion goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Scope {
@@ -737,11 +744,18 @@ impl Scope {
     }
     /// All but the time: of joined bodies it is a quadrature of its own, and no other answer hangs on it.
     pub const TIMELESS: Self = Self { quantities: Quantities::ALL.without(Quantity::T), held: true };
+    /// What is asked by either.
+    pub const fn with(self, other: Self) -> Self {
+        Self { quantities: self.quantities.with(other.quantities), held: self.held || other.held }
+    }
     /// Is one of these quantities asked?
     pub fn any(self, quantities: &[Quantity]) -> bool {
         quantities.iter().any(|q| self.quantities.has(*q))
     }
 }
+
+/// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
+pub type Kind = Option<(f64, bool)>;
 
 /// What one road says of a scene: everything, or what it was asked for.
 #[derive(Debug, Clone)]
@@ -787,6 +801,14 @@ impl<T: Real> Road<T> {
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {
         self.said.iter().find(|s| s.label == label)
+    }
+    /// The same, probably said at this place: roads mostly speak in the same order.
+    pub fn said_at(&self, at: usize, label: Label) -> Option<&Said<T>> {
+        self.said.get(at).filter(|s| s.label == label).or_else(|| self.get(label))
+    }
+    /// Which kind of motion it is.
+    pub fn kind(&self) -> Kind {
+        self.course.as_ref().map(|c| (c.sense, c.reached))
     }
     /// The road with what is asked by formulas; `other` is the same road of another scene, with what that takes over from this one.
     /// What has no value is not said.
@@ -892,6 +914,35 @@ impl<T: Real> Road<T> {
             }
         }
         Ok(Some(road))
+    }
+}
+
+/// What a road in doubles says with one of several sets of data: by itself, or in one lane of a road for several.
+#[derive(Debug, Clone)]
+pub enum Told {
+    /// By itself.
+    Alone(Road<Fast>),
+    /// In this lane.
+    #[cfg(feature = "program")]
+    Lane(Rc<Road<Lanes>>, usize),
+}
+
+impl Told {
+    /// The value of a label, probably said at this place.
+    pub fn value(&self, at: usize, label: Label) -> Option<f64> {
+        match self {
+            Self::Alone(road) => road.said_at(at, label).map(|said| said.value),
+            #[cfg(feature = "program")]
+            Self::Lane(road, lane) => road.said_at(at, label).map(|said| said.value.lane(*lane)),
+        }
+    }
+    /// Which kind of motion it is.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Alone(road) => road.kind(),
+            #[cfg(feature = "program")]
+            Self::Lane(road, _) => road.kind(),
+        }
     }
 }
 

@@ -49,7 +49,7 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("falling-rod", "085123690901cbee", "5fb9c6efcea2b9b9", "1e9c45393daf55b6"),
     ("compound-pendulum", "c17564cfef8ebd5a", "1fe8790e449053f4", "ed38f0bcc6d6a5fa"),
     ("lifted-rod", "efa876bf286d2b6c", "b94bef31c6a95479", "80a8e8b5f0d2ba1a"),
-    ("rod-and-spring", "9589c05578d271dc", "d476733f2f7ee1d7", "2cb504eb0cacf19c"),
+    ("rod-and-spring", "9589c05578d271dc", "f5b6f17028f82786", "2cb504eb0cacf19c"),
     ("sliding-ladder", "f2e49d74df14783a", "f9841652a2205858", "e3b0c44298fc1c14"),
     ("rod-on-smooth-floor", "5dad0cefeaa30310", "38a4054d1b08dcb1", "e3b0c44298fc1c14"),
     ("guided-rod-and-spring", "a5e228ca743fc4d3", "1333fdb69349bdc0", "e3b0c44298fc1c14"),

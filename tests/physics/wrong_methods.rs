@@ -1,9 +1,12 @@
 //! Wrong methods against reference values: what each of the known ones comes to, by its id, on homework-like data.
+use crate::support;
 use serde_json::Value;
 use slipstick::bank::load;
 use slipstick::misconception;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::{Label, Owner, Quantity};
-use slipstick::solve::agree;
+use slipstick::solve::outcome::{Road, Scope, Set};
+use slipstick::solve::{agree, eom};
 use std::collections::BTreeMap;
 
 const CASES: &str = include_str!("../reference/solver_cases.json");
@@ -80,4 +83,48 @@ fn each_known_wrong_method_comes_to_its_reference_value() {
     println!("{} methods, {} values", compared.len(), compared.values().sum::<usize>());
     assert_eq!(compared.len(), 71, "{compared:?}");
     assert!(compared.values().filter(|n| **n >= 10).count() >= 68, "{compared:?}");
+}
+
+/// Several sets of data are walked at once: the first as it would be alone, the others as the first one moves or, where they would
+/// move otherwise, alone.
+#[test]
+fn several_sets_of_data_come_to_what_each_comes_to_alone() {
+    let mut compared = 0;
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let variant = Maker::new(problem, 1, "sets").variant("1").unwrap();
+            let scene = &problem.cases[variant.case].scene;
+            if !eom::side_by_side(scene) {
+                continue;
+            }
+            // A little off, by far, the other way, and nothing at all.
+            let factors = [1.0 + 1e-8, 0.3, 7.0, -1.0, 0.0];
+            let moved = |(i, factor): (usize, &f64)| {
+                let mut set: Set = variant.data.clone();
+                set[i] *= factor;
+                set
+            };
+            let mut sets: Vec<Set> = vec![variant.data.clone()];
+            sets.extend((0..variant.data.len()).flat_map(|i| factors.iter().map(move |f| (i, f))).map(moved));
+            let asked = Scope { held: false, ..Scope::ALL };
+            for (set, road) in sets.iter().zip(eom::roads(scene, &sets, asked)) {
+                let alone: Option<Road<f64>> = eom::road_of(scene, set, asked).ok();
+                let what = format!("{} {set:?}", problem.id);
+                assert_eq!(road.is_some(), alone.is_some(), "{what}");
+                let (Some(road), Some(alone)) = (road, alone) else { continue };
+                assert_eq!(road.kind(), alone.kind(), "{what}");
+                for (at, alone) in alone.said.iter().enumerate() {
+                    let (label, a, b) = (alone.label, road.value(at, alone.label), alone.value);
+                    let a = a.unwrap_or_else(|| panic!("{what}: {label:?}"));
+                    let near = (a - b).abs() <= 1e-11 * a.abs().max(b.abs()).max(alone.scale);
+                    assert!(
+                        near || a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
+                        "{what} {label:?}: {a:e}, {b:e}"
+                    );
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 1000, "{compared}");
 }

@@ -6,15 +6,18 @@
 //! the root singularity out of the time, or beside an equilibrium as the square of its hyperbolic sine, as the time itself would
 //! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
 use crate::num::dd::pow2;
-use crate::num::gauss::{self, PerNode, Unsettled, long};
+use crate::num::gauss::{self, PerNode, Rule, Unsettled};
+use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
-use crate::scene::{Acts, End, JointKind, Label, Numbers, Owner, Quantity, Scene, Spot};
-use crate::solve::eom::STEPS;
+use crate::scene::{Acts, End, JointKind, Label, Numbers, Owner, Quantity, Ray, Scene, Spot};
 use crate::solve::eom::integrate::{Event, Route, pace};
+use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
+use crate::solve::eom::travel;
+use crate::solve::eom::{STEPS, couple_on};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::SmallVec;
@@ -24,9 +27,6 @@ use std::cell::{Cell, RefCell};
 const TURNS: f64 = 2.0;
 /// Angle after which a panel ends at the latest, radians.
 const STRIDE: f64 = 1.0;
-/// Legendre coefficients below this share are rounding of the answer, in numbers of 32 digits and in doubles: see
-/// [`gauss::Rule::rough`].
-const SMOOTH: [f64; 2] = [1e-18, 1e-12];
 
 /// Panels of a motion at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
 /// is rough by its rounding.
@@ -38,8 +38,8 @@ const BESIDE: f64 = 1.0 / 4096.0;
 /// An equilibrium farther away than this leaves the time smooth, radians.
 const NEAR: f64 = 0.25;
 
-/// The degree of coefficients that fall as those of a panel do.
-const DEGREE: f64 = 32.0;
+/// The share of the nodes of a panel that is the degree of coefficients which fall as its last ones do.
+const DEGREE: f64 = 0.8;
 
 /// A panel is no shorter than this share of the way: a singularity so far away is still seen.
 const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
@@ -47,8 +47,14 @@ const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
 /// So far does a motion go at most before a torsion spring is wound by half a turn.
 const SHORT: f64 = 1.0 - SHORTEST;
 
+/// How often a bracket about a peak is cut by a third.
+const PEAK: u32 = 80;
+
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
+
+/// A turning point in the first 2^-4 of a panel is looked for anew in a shorter one.
+const EARLY: i32 = 4;
 
 /// A normal force below this share of all weights does not press.
 const PUSHES: f64 = 1e-9;
@@ -73,6 +79,30 @@ struct Motion<'m, 'a, T: Real> {
     meets: SmallVec<[(usize, T); 4]>,
     /// Panels that may still be made.
     panels: Cell<u32>,
+    /// What has a closed form.
+    pendulum: Option<Pendulum<T>>,
+    /// How fine its panels are.
+    fine: Fine,
+}
+
+/// The panels of a motion, and the shares below which the last Legendre coefficients of its rate and of its time are smooth.
+#[derive(Debug, Clone, Copy)]
+struct Fine {
+    rule: &'static Rule,
+    rate: f64,
+    time: f64,
+    /// Are there joints that can only push, or rub?
+    watched: bool,
+}
+
+impl Fine {
+    /// Longer panels where something may happen within one, a turning point of a body on a pin, a joint that can only push or rubs being watched there, or a speed.
+    fn of<T: Real>(scene: &Scene, pinned: bool) -> Self {
+        let watched = scene.joints.iter().any(|j| j.kind.is_one_sided() || j.kind.rubs().is_some());
+        let ending = !watched && !pinned && matches!(scene.end, End::Angle(..));
+        let (rule, rate, time) = if ending { gauss::ending::<T>() } else { gauss::long::<T>() };
+        Self { rule, rate, time, watched }
+    }
 }
 
 /// What the rate has come to.
@@ -125,6 +155,9 @@ struct Stop<T> {
     time: Option<T>,
 }
 
+/// A rung, and which quantities are wanted of it.
+pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
+
 /// What stops a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Why {
@@ -146,11 +179,13 @@ pub fn road_by<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     asked: Scope,
-    by: Option<Rung>,
+    by: Option<Steps>,
 ) -> Result<(Road<T>, Count), Refusal> {
-    let mechanism = Mechanism::new(scene, n)?;
+    let plane = scene.in_the_plane();
+    let mechanism = Mechanism::new(&plane, n)?;
     let (count, road) = (Count::default(), Road::new(asked));
-    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, count, road };
+    let pinned = scene.pinned().map(|(body, _)| body);
+    let mut teller = Teller { scene: &plane, n, mechanism: &mechanism, asked, by, pinned, count, road };
     follow(&mut teller)?;
     Ok((teller.road, teller.count))
 }
@@ -159,9 +194,12 @@ pub fn road_by<T: Real>(
 fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     let (scene, n, mechanism) = (teller.scene, teller.n, teller.mechanism);
     let mut spin = mechanism.start_rate()?;
+    if teller.pinned.is_some() {
+        teller.tell_lasting(spin)?;
+    }
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
-        let state = mechanism.state(T::zero(), !spin.is_zero())?;
+        let state = mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?;
         if scene.is_struck() {
             let jumps = mechanism.struck(&state)?;
             teller.tell_blow(&jumps);
@@ -222,7 +260,10 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     let free = mechanism.respond(&state, &nothing)?;
     let (a, b) = mechanism.leading(&free);
     // In a balance rounding is left of the drive.
-    let turning = teller.drives() / mechanism.inertia(&state).size();
+    let turning = match teller.pinned {
+        Some(_) => teller.terms(&state),
+        None => teller.drives() / mechanism.inertia(&state).size(),
+    };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
     let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
@@ -239,13 +280,15 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         rubs,
         meets: mechanism.meets(sense, (horizon(), look())),
         panels: Cell::new(PANELS),
+        pendulum: teller.pendulum(&state, sense, spin),
+        fine: Fine::of::<T>(scene, teller.pinned.is_some()),
     };
     // Friction may hold what would set off without it.
     let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
     let sets_off = a.balance(b * spin.square()).cleared(turning).signed(sense);
     if sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
         teller.road.course = Some(Course::at_rest());
-        return Ok(());
+        return teller.tell_standing(&state, &free, T::zero());
     }
     motion.set_off(&state)?.to_its_end(teller)?;
     Ok(())
@@ -326,6 +369,24 @@ fn rubbing<T: Real>(
     Ok(turned(&sides))
 }
 
+/// Where a pendulum stops within `far`.
+fn pendulum_stop<T: Real>(pendulum: &Pendulum<T>, far: T, level: Option<T>) -> Result<Stop<T>, Refusal> {
+    let limit = pendulum.turning();
+    let last = limit.filter(|limit| limit.at_most(far)).unwrap_or(far);
+    if let Some(level) = level
+        && let Some(way) = pendulum.reaching(level, last)?
+    {
+        return Ok(Stop { way, half_square: level, why: Why::Speed, time: None });
+    }
+    // What is asked at the turning point is there at rest.
+    let (half_square, why) = match limit {
+        Some(limit) if far.side(limit) == 0.0 => (T::zero(), Why::Far),
+        Some(limit) if limit.below(far) => (T::zero(), Why::Rest),
+        _ => (pendulum.half_square(far), Why::Far),
+    };
+    Ok(Stop { way: if why == Why::Rest { last } else { far }, half_square, why, time: None })
+}
+
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     fn angle(&self, way: T) -> T {
         self.start + way.signed(self.sense)
@@ -400,22 +461,21 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     }
 
     fn panel(&self, ends: (T, T), from: Gain<T>) -> Result<Panel<T>, Refusal> {
-        let (width, share) = (ends.1 - ends.0, SMOOTH[usize::from(T::is_double())]);
+        let (width, Fine { rule, rate: share, time, watched }) = (ends.1 - ends.0, self.fine);
         let (mechanism, joints) = (self.mechanism, &self.mechanism.scene.joints);
-        let watched = joints.iter().any(|j| j.kind.is_one_sided() || j.kind.rubs().is_some());
         let [mut drives, mut growths, mut slopes, mut inertias] =
-            [(); 4].map(|()| PerNode::with_capacity(long::<T>().nodes.len()));
+            [(); 4].map(|()| PerNode::with_capacity(rule.nodes.len()));
         let mut slides_on = PerNode::new();
         let mut pushes: Watched<(T, T)> = SmallVec::new();
         let mut state = mechanism.state(self.angle(self.way(ends.1).0), true)?;
         let mut last = mechanism.inertia(&state);
-        for node in long::<T>().nodes.iter() {
+        for node in rule.nodes.iter() {
             let (way, slope) = self.way(ends.0 + width * T::constant(*node));
             let slope = slope * width;
             mechanism.next(self.angle(way), &mut state)?;
             let inertia = mechanism.inertia(&state);
             let mut drive = mechanism.drive(&state);
-            if watched || self.is_rubbed() {
+            if watched {
                 let response = mechanism.respond(&state, &self.rubs)?;
                 slides_on.push(self.slides_on(&state));
                 for joint in 0..joints.len() {
@@ -440,13 +500,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         // The integrating factor where something rubs. Growths are exponents: beside 1 they count.
         let mut rough = 0.0;
         if self.is_rubbed() {
-            rough = long::<T>().rough(&growths, share, 1.0);
-            inertias = long::<T>().running(&growths).into_iter().map(|x| trig::exp_of(-x)).collect();
-            last = trig::exp_of(-long::<T>().mean(&growths));
+            rough = rule.rough(&growths, share, 1.0);
+            inertias = rule.running(&growths).into_iter().map(|x| trig::exp_of(-x)).collect();
+            last = trig::exp_of(-rule.mean(&growths));
             drives.iter_mut().zip(&inertias).for_each(|(a, e)| *a = *a * *e);
         }
         let start = from.half_square * from.factor;
-        let squares = long::<T>().running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
+        let squares = rule.running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
         let squares: PerNode<T> = squares.collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
@@ -457,11 +517,12 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             .into_iter()
             .chain(pushes.iter().map(|p| (&p.1, self.weights())))
         {
-            rough = f64::max(rough, long::<T>().rough(values, share, beside));
+            rough = f64::max(rough, rule.rough(values, share, beside));
         }
-        let half_square = (start + long::<T>().mean(&drives)) / last;
+        let gained = rule.mean(&drives);
+        let half_square = (start + gained).cleared(start.size() + gained.size()) / last;
         let factor = if self.is_rubbed() { T::of(1.0) } else { last };
-        let uneven = long::<T>().rough(&times, gauss::SMOOTH, 0.0);
+        let uneven = rule.rough(&times, time, 0.0);
         let last = Gain { half_square, factor };
         Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares })
     }
@@ -487,7 +548,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let moves = panel.squares.iter().all(|y| y.sign() > 0.0);
             let rough = if timely && moves { f64::max(panel.rough, panel.uneven) } else { panel.rough };
             // The coefficients fall geometrically, the faster the farther away a singularity is in lengths of the panel.
-            let fit = 0.9 * trig::power(rough, -1.0 / DEGREE);
+            let fit = 0.9 * trig::power(rough, -1.0 / (DEGREE * self.fine.rule.nodes.len() as f64));
             width = next - at;
             let cost = if rough <= 1.0 { 1 } else { ROUGH };
             let left = self.panels.get().checked_sub(cost);
@@ -526,13 +587,30 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         timely: bool,
         least: &mut [(usize, f64, f64)],
     ) -> Result<Stop<T>, Refusal> {
+        if let Some(pendulum) = &self.pendulum {
+            return pendulum_stop(pendulum, far, level);
+        }
         let mut found: Option<Stop<T>> = None;
         let mut time = Some(T::zero());
         let mut visit = |panel: &Panel<T>, from: Gain<T>| {
             found = self.stopped(panel, from.half_square, level, least)?;
+            // So early within a panel only a shorter one resolves it.
+            let mut end = panel.ends.1;
+            while let Some(stop) = &found
+                && stop.why == Why::Rest
+                && let x = self.variable(stop.way)
+                && (x - panel.ends.0).scale2(EARLY).below(end - panel.ends.0)
+            {
+                end = panel.ends.0 + (x - panel.ends.0).scale2(2);
+                let shorter = self.panel((panel.ends.0, end), from)?;
+                match self.stopped(&shorter, from.half_square, level, least)? {
+                    None => break,
+                    finer => found = finer,
+                }
+            }
             let part = match &found {
                 Some(stop) => stop.time,
-                None => (panel.uneven <= 1.0).then(|| long::<T>().mean(&panel.times)),
+                None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
             };
             time = time.zip(part).map(|(sum, part)| sum + plant!("eom: time of joined bodies", part));
             Ok(found.is_some())
@@ -551,8 +629,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         level: Option<T>,
         least: &mut [(usize, f64, f64)],
     ) -> Result<Option<Stop<T>>, Refusal> {
-        let (a, b) = panel.ends;
-        let nodes = long::<T>().nodes.iter().map(|s| a + (b - a) * T::constant(*s));
+        let ((a, b), rule) = (panel.ends, self.fine.rule);
+        let nodes = rule.nodes.iter().map(|s| a + (b - a) * T::constant(*s));
         let rising = level.map(|l| from.below(l));
         let mut before = a;
         let squares = panel.squares.iter().copied();
@@ -568,7 +646,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
             let force = |forces: &PerNode<T>| match forces.get(i) {
                 Some(force) => *force,
-                None => long::<T>().at(forces, T::of(1.0)),
+                None => rule.at(forces, T::of(1.0)),
             };
             let now = panel.pushes.iter().map(|(joint, forces)| (*joint, force(forces)));
             let now: SmallVec<[(usize, T); 2]> = now.collect();
@@ -592,11 +670,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
             if let Some((x, why)) = first {
                 let share = (x - a) / (b - a);
-                let fine = why != Why::Rest
-                    && long::<T>().rough(&panel.times, SMOOTH[usize::from(T::is_double())], 0.0) <= 1.0;
-                let half_square =
-                    if why == Why::Rest { T::zero() } else { long::<T>().at(&panel.squares, share) };
-                let time = fine.then(|| long::<T>().until(&panel.times, share));
+                let fine = why != Why::Rest && rule.rough(&panel.times, self.fine.rate, 0.0) <= 1.0;
+                let half_square = if why == Why::Rest { T::zero() } else { rule.at(&panel.squares, share) };
+                let time = fine.then(|| rule.until(&panel.times, share));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
             for (joint, force) in now {
@@ -618,16 +694,16 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         (before, after): (T, T),
         level: Option<(T, bool)>,
     ) -> Result<T, Refusal> {
-        let (a, b) = panel.ends;
+        let ((a, b), rule) = (panel.ends, self.fine.rule);
         let share = |x: T| (x - a) / (b - a);
-        let square = |x: T| long::<T>().at(&panel.squares, share(x));
+        let square = |x: T| rule.at(&panel.squares, share(x));
         match (why, level) {
             (Why::Speed, Some((level, rising))) => {
                 root::between_values(before, after, rising, &|x| Ok(square(x) - level))
             }
             (Why::Leaves(joint), _) => {
                 let forces = panel.pushes.iter().find(|p| p.0 == joint).map(|p| &p.1);
-                let force = |x: T| forces.map_or_else(T::zero, |forces| long::<T>().at(forces, share(x)));
+                let force = |x: T| forces.map_or_else(T::zero, |forces| rule.at(forces, share(x)));
                 let x = root::between_values(before, after, force(after).sign() > 0.0, &|x| {
                     Ok::<_, Refusal>(force(x))
                 })?;
@@ -643,7 +719,47 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
 
     /// The state at the end by the steps of a rung in time, in doubles: what the angle is, or the half square of the rate that ends
     /// the motion, is given.
-    fn stepped(&self, far: T, level: Option<T>, rung: Rung) -> Result<(Stop<T>, Count), Refusal> {
+    fn stepped(
+        &self,
+        (far, level): (T, Option<T>),
+        known: &dyn Fn() -> f64,
+        rung: Rung,
+    ) -> Result<(Stop<T>, Count), Refusal> {
+        let scene = self.mechanism.scene;
+        let u0 = self.from.half_square.scale2(1).root().f64();
+        let (event, why) = match (scene.end, level) {
+            (End::Time(_, t), _) => (Event::Time(self.mechanism.n.get(t).f64()), Why::Far),
+            (End::Leaves(joint), _) => (Event::Release, Why::Leaves(joint)),
+            (End::TurningPoint(_), _) => (Event::Fall(0.0), Why::Rest),
+            (_, Some(level)) => {
+                let u = level.scale2(1).root().f64();
+                (if u0 < u { Event::Rise(u) } else { Event::Fall(u) }, Why::Speed)
+            }
+            _ => (Event::Place(far.f64()), Why::Far),
+        };
+        let expected = if let Event::Place(way) = event { way } else { STRIDE };
+        let (states, count) = self.run(&[(event, expected)], expected, known, rung)?;
+        let [x, u, time] = states.first().map_or([f64::NAN; 3], |end| [end.s, end.u, end.time]).map(T::of);
+        let half_square = if why == Why::Rest { T::zero() } else { u.square().scale2(-1) };
+        Ok((Stop { way: x, half_square, why, time: Some(time) }, count))
+    }
+
+    /// The time until it stops, without steps.
+    fn until(&self, far: T, level: Option<T>) -> Result<f64, Refusal> {
+        let stop = self.stop(far, level, true, &mut [])?;
+        let rest = stop.why == Why::Rest || stop.half_square.is_zero();
+        Ok(self.time(stop.way, rest)?.f64())
+    }
+
+    /// The states at these events by the steps of a rung in time, in doubles; how far the last one is, and a time that is not passed
+    /// without them.
+    fn run(
+        &self,
+        events: &[(Event, f64)],
+        expected: f64,
+        known: &dyn Fn() -> f64,
+        rung: Rung,
+    ) -> Result<(Vec<travel::State<f64>>, Count), Refusal> {
         let scene = self.mechanism.scene;
         let n = self.mechanism.n.in_doubles(scene);
         let mechanism = Mechanism::new(scene, &n)?;
@@ -665,31 +781,19 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             _ => f64::NAN,
         };
         let u0 = self.from.half_square.scale2(1).root().f64();
-        let (event, why) = match (scene.end, level) {
-            (End::Time(_, t), _) => (Event::Time(n.get(t)), Why::Far),
-            (End::Leaves(joint), _) => (Event::Release, Why::Leaves(joint)),
-            (End::TurningPoint(_), _) => (Event::Fall(0.0), Why::Rest),
-            (_, Some(level)) => {
-                let u = level.scale2(1).root().f64();
-                (if u0 < u { Event::Rise(u) } else { Event::Fall(u) }, Why::Speed)
-            }
-            _ => (Event::Place(far.f64()), Why::Far),
-        };
-        let expected = if let Event::Place(way) = event { way } else { STRIDE };
         let force = law(0, 0.0, u0).abs().max(law(0, 0.5 * expected, u0).abs());
-        let pace = if let Event::Time(t) = event { t } else { pace(expected, force, u0) };
-        let route = Route { law, presses: &presses, switch: None, u0, pace, time: &|| f64::INFINITY };
-        let run = route.states(&[(event, expected)], rung);
-        let (states, count) = run.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
-        let [x, u, time] = states.first().map_or([f64::NAN; 3], |end| [end.s, end.u, end.time]).map(T::of);
-        let half_square = if why == Why::Rest { T::zero() } else { u.square().scale2(-1) };
-        Ok((Stop { way: x, half_square, why, time: Some(time) }, count))
+        let pace = if let [(Event::Time(t), _)] = events { *t } else { pace(expected, force, u0) };
+        let route = Route { law, presses: &presses, switch: None, u0, pace, time: known };
+        route.states(events, rung).map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })
     }
 
     /// Time over a way that ends at rest or not.
     fn time(&self, way: T, rest: bool) -> Result<T, Refusal> {
         if way.is_zero() {
             return Ok(T::zero());
+        }
+        if let Some(pendulum) = &self.pendulum {
+            return Ok(pendulum.time(way, rest));
         }
         if rest {
             // The last half is the way back from the turning point.
@@ -702,11 +806,105 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
         let mut time = T::zero();
         let mut visit = |panel: &Panel<T>, _: Gain<T>| {
-            time = time + long::<T>().mean(&panel.times);
+            time = time + self.fine.rule.mean(&panel.times);
             Ok(false)
         };
         self.over((T::zero(), self.variable(way)), self.from, true, &mut visit)?;
         Ok(plant!("eom: time of joined bodies", time))
+    }
+
+    /// The angle of a body on a pin after a way, at the end of which it rests or not; `exactly` as the end has it.
+    fn place(&self, way: T, rest: bool, exactly: bool) -> Half<T> {
+        let (scene, n) = (self.mechanism.scene, self.mechanism.n);
+        let about = scene.start_angle(n).plus(Half::of_radians(way.signed(self.sense)));
+        match (scene.end, &self.pendulum) {
+            // The angle itself is printed; the way to it would round it.
+            (End::Angle(_, angle), _) if exactly => Half::of_degrees(n.get(angle)),
+            (_, Some(pendulum)) if rest && exactly => {
+                // A hair from the top the way to it would round off the hair.
+                let Half { sine, cosine } = pendulum.turned();
+                let hanging = Half { sine: sine.signed(self.sense), cosine };
+                let up = scene.planar(self.mechanism.lead).is_some_and(|p| p.from == Ray::Up);
+                let half = if up { hanging.less_half_turn() } else { hanging };
+                let same = half.sine * about.sine + half.cosine * about.cosine;
+                if same.sign() < 0.0 { Half { sine: -half.sine, cosine: -half.cosine } } else { half }
+            }
+            _ => about,
+        }
+    }
+
+    /// How far a body on a pin gets before it turns, up to twice the way on which it was followed. What spoils the motion further on
+    /// does not matter.
+    fn limit(&self, stop: &Stop<T>) -> Option<T> {
+        let beyond = || {
+            let state = self.mechanism.state(self.angle(stop.way), true).ok()?;
+            let from = Gain { half_square: stop.half_square, factor: self.mechanism.inertia(&state) };
+            let onward = Motion { start: self.angle(stop.way), from, ..self.clone() };
+            let next = onward.stop(stop.way, None, false, &mut []).ok()?;
+            (next.why == Why::Rest).then(|| stop.way + next.way)
+        };
+        match &self.pendulum {
+            _ if stop.half_square.is_zero() => Some(stop.way),
+            Some(pendulum) => pendulum.turning(),
+            None => beyond(),
+        }
+    }
+
+    /// The greatest rate before a body on a pin turns, or on two turns, and at least that of where it stops; infinite where what comes
+    /// after that, such as a spring through its anchor, has no speed.
+    fn fastest(&self, stop: &Stop<T>) -> T {
+        let known = stop.half_square.larger(self.from.half_square).scale2(1).root();
+        if let Some(pendulum) = &self.pendulum {
+            return known.larger(pendulum.fastest(pendulum.turning()));
+        }
+        let mut greatest = known.square().scale2(-1);
+        let mut visit = |panel: &Panel<T>, _: Gain<T>| {
+            let values: Vec<T> = panel.squares.iter().copied().chain([panel.last.half_square]).collect();
+            let fallen = values.iter().position(|y| y.sign() < 0.0);
+            let until = fallen.unwrap_or(values.len());
+            let nodes: Vec<f64> = self.fine.rule.nodes.iter().map(|s| s.hi).chain([1.0]).collect();
+            let best = (0..until).max_by(|a, b| values[*a].f64().total_cmp(&values[*b].f64()));
+            if let Some(i) = best {
+                // Between its neighbours it has one peak.
+                let (mut low, mut high) =
+                    (i.checked_sub(1).map_or(0.0, |i| nodes[i]), *nodes.get(i + 1).unwrap_or(&1.0));
+                let at = |x: f64| self.fine.rule.at(&panel.squares, T::of(x));
+                for _ in 0..PEAK {
+                    let [a, b] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
+                    if at(a).below(at(b)) { low = a } else { high = b }
+                }
+                greatest = greatest.larger(values[i]).larger(at(0.5 * (low + high)));
+            }
+            Ok(fallen.is_some())
+        };
+        match self.over((T::zero(), self.variable(horizon())), self.from, false, &mut visit) {
+            Ok(_) => greatest.scale2(1).root(),
+            Err(_) => T::of(f64::INFINITY),
+        }
+    }
+
+    /// Period and greatest speed of a pendulum from rest by the steps of a rung, where they are wanted.
+    fn step_through(
+        &self,
+        teller: &mut Teller<'_, '_, T>,
+        pendulum: &Pendulum<T>,
+        asked: &dyn Fn(Quantity) -> bool,
+    ) -> Result<(), Refusal> {
+        let wanted = asked(Quantity::Period) || asked(Quantity::OmegaMax);
+        let (Some(far), Some((rung, _)), true) = (pendulum.turning(), teller.by, wanted && self.rests())
+        else {
+            return Ok(());
+        };
+        let far = far.f64();
+        let events = [(Event::Level, 0.5 * far), (Event::Fall(0.0), far)];
+        let (states, count) = self.run(&events, far, &|| pendulum.period().0.f64(), rung)?;
+        let [lowest, turned] = states[..] else { return Ok(()) };
+        teller.count.evaluations += count.evaluations;
+        teller.count.steps += count.steps;
+        teller.count.refused += count.refused;
+        teller.replace(Quantity::Period, T::of(2.0 * turned.time));
+        teller.replace(Quantity::OmegaMax, T::of(lowest.u));
+        Ok(())
     }
 
     /// Follows the motion to the end that is asked and tells what is there.
@@ -754,17 +952,25 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let mut least = nothing.clone();
         let backward = far.sign() < 0.0;
         let by = teller.by.filter(|_| STEPS && !backward);
-        let mut stop = if let Some(rung) = by {
-            let (stop, count) = self.stepped(far, level, rung)?;
+        let mut stop = if let Some((rung, _)) = by {
+            let known = || match teller.pinned {
+                Some(_) => self.until(far, level).unwrap_or(f64::INFINITY),
+                None => f64::INFINITY,
+            };
+            let (stop, count) = self.stepped((far, level), &known, rung)?;
             teller.count = count;
             stop
         } else if backward {
             Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None }
+        } else if let (Some(level), Some(_)) = (level, teller.pinned)
+            && level.side(self.from.half_square) == 0.0
+        {
+            Stop { way: T::zero(), half_square: level, why: Why::Speed, time: None }
         } else {
             // Whether the time is asked changes no other answer, not even by its rounding.
             self.stop(far, level, matches!(scene.end, End::Time(..)), &mut least)?
         };
-        let mut time = stop.time;
+        let (mut time, mut most) = (stop.time, None);
         let overwound =
             || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overwound)) } else { Ok(()) };
         if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
@@ -772,11 +978,14 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
         if let (End::Time(_, t), None) = (scene.end, by) {
             let t = n.get(t);
-            let most = match time {
+            let until = match time {
                 Some(time) => time,
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
-            if t.at_most(most) {
+            most = Some(until);
+            if t.side(until) == 0.0 {
+                (stop.why, time) = (Why::Far, most);
+            } else if t.below(until) {
                 let way = root::between_values(T::zero(), stop.way, true, &|way| {
                     Ok::<_, Refusal>(self.time(way, false)? - t)
                 })?;
@@ -800,7 +1009,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 End::Time(..) => stop.why == Why::Far && time.is_some(),
                 _ => false,
             };
+        let margins = teller.pinned.is_some() && teller.asked.held;
         let farthest = match scene.end {
+            End::Angle(..) if reached && margins => {
+                self.limit(&stop).map_or_else(|| T::of(f64::INFINITY), |way| way * degrees())
+            }
+            End::Speed(..) if margins => self.fastest(&stop),
+            End::Time(..) if teller.pinned.is_some() => most.unwrap_or_else(|| T::of(f64::INFINITY)),
             End::Angle(..) if reached => T::of(f64::INFINITY),
             End::Angle(..) => stop.way * degrees(),
             End::TurningPoint(_) if stop.why == Why::Rest => stop.way * degrees(),
@@ -822,10 +1037,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
         }
         if !reached {
-            return Ok(());
+            return teller.tell_standing(&first, &begin, self.from.half_square.scale2(1));
         }
         teller.tell_met(&self.meets, stop.way)?;
-        let rest = stop.why == Why::Rest;
+        let rest = stop.why == Why::Rest || stop.half_square.is_zero();
         if teller.asked.quantities.has(Quantity::T) {
             let time = match time {
                 Some(time) => time,
@@ -834,7 +1049,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             teller.say(Quantity::T, Owner::Scene, time);
         }
         teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), stop.way);
-        let (state, response) = self.at(stop.way)?;
+        let (mut state, mut response) = self.at(stop.way)?;
+        if teller.pinned.is_some() {
+            let place = self.place(stop.way, rest, by.is_none());
+            teller.tell_turned(stop.way, self.sense, &place);
+            self.mechanism.turn_to(&mut state, &place)?;
+            response = self.mechanism.respond(&state, &self.rubs)?;
+        }
         let presses_on = |j: usize| {
             let force = self.mechanism.reaction(&response, j, stop.half_square.scale2(1));
             force.is_none_or(|force| self.presses_on(j, force[0]))
@@ -843,10 +1064,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if !self.slides_on(&state) || !rubs.into_iter().all(presses_on) {
             return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
         }
+        if let (Some(pinned), Some((_, rung_asks))) = (&self.pendulum, by) {
+            self.step_through(teller, pinned, rung_asks)?;
+        }
         let size = self.mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
             let (high, low) = (self.mechanism.height(&state, b), self.mechanism.height(&first, b));
-            if body.planar.is_some() {
+            if body.planar.is_some() && teller.pinned.is_none() {
                 teller.say_scaled(Quantity::Rise, Owner::Body(b), high - low, size);
             }
         }
@@ -862,7 +1086,9 @@ struct Teller<'t, 'a, T: Real> {
     n: &'t Numbers<'a, T>,
     mechanism: &'t Mechanism<'a, T>,
     asked: Scope,
-    by: Option<Rung>,
+    by: Option<Steps<'t>>,
+    /// A body on a pin, of which all is told as its own.
+    pinned: Option<usize>,
     count: Count,
     road: Road<T>,
 }
@@ -872,8 +1098,92 @@ impl<T: Real> Teller<'_, '_, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
+        use Quantity::{AX, AY, VX, VY};
+        let of = match (self.pinned, of) {
+            (Some(body), Owner::Joint(_) | Owner::Strut(_)) => Owner::Body(body),
+            _ => of,
+        };
+        let apart = matches!(quantity, VX | VY | AX | AY) || matches!(of, Owner::Spot(_));
+        if apart && self.pinned.is_some() {
+            return;
+        }
         if self.asked.quantities.has(quantity) {
             self.road.said.push(Said::of(self.n, Label { quantity, of }, value, scale));
+        }
+    }
+
+    /// Puts another value in the place of what was said of a body on a pin.
+    fn replace(&mut self, quantity: Quantity, value: T) {
+        let value = self.n.publish(quantity, value);
+        for said in self.road.said.iter_mut().filter(|s| s.label.quantity == quantity) {
+            said.value = value;
+        }
+    }
+
+    /// A body on a pin under its weight alone, on its way in this sense from a place and with this rate there, by its closed form.
+    fn pendulum(&self, state: &State<T>, sense: f64, rate: T) -> Option<Pendulum<T>> {
+        let planar = self.scene.planar(self.pinned?)?;
+        let numbers = &self.n.bodies[self.mechanism.lead];
+        let arm = pose::along(self.n, planar.centre);
+        let weight = plant!("eom: weight of a pendulum", numbers.mass * self.n.gravity);
+        let frequency = (weight * arm / self.mechanism.inertia(state)).root();
+        let free = self.scene.couples.is_empty() && self.scene.struts.is_empty();
+        let start = self.scene.start_angle(self.n);
+        let hanging = if planar.from == Ray::Up { start.less_half_turn() } else { start };
+        let hanging = Half { sine: hanging.sine.signed(sense), cosine: hanging.cosine };
+        let half_square = rate.square().scale2(-1);
+        (free && !frequency.is_zero()).then(|| Pendulum::new(hanging, half_square, frequency))
+    }
+
+    /// What holds of a body on a pin whatever the end.
+    fn tell_lasting(&mut self, rate: T) -> Result<(), Refusal> {
+        use Quantity::{IO, OmegaMax, OmegaSmall, Period, PeriodSmall};
+        if !self.asked.any(&[IO, OmegaMax, OmegaSmall, Period, PeriodSmall]) {
+            return Ok(());
+        }
+        let (mechanism, of) = (self.mechanism, Owner::Body(self.mechanism.lead));
+        let state = mechanism.state(T::zero(), true)?;
+        self.say(IO, of, mechanism.inertia(&state));
+        let sense = if rate.is_zero() { mechanism.drive(&state).sign() } else { rate.sign() };
+        if let Some(pendulum) = self.pendulum(&state, sense, rate) {
+            let (frequency, (period, fastest)) = (pendulum.frequency(), pendulum.period());
+            self.say(OmegaSmall, of, frequency);
+            self.say(PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+            self.say(Period, of, period);
+            self.say(OmegaMax, of, fastest);
+        }
+        Ok(())
+    }
+
+    /// Acceleration and forces of a body on a pin where it stands, at this square of its rate.
+    fn tell_standing(&mut self, state: &State<T>, response: &Response<T>, square: T) -> Result<(), Refusal> {
+        let Some(body) = self.pinned else { return Ok(()) };
+        let (constant, by_square) = self.mechanism.turning(response, body);
+        let scale = self.terms(state);
+        self.say_scaled(Quantity::Alpha, Owner::Body(body), constant.balance(by_square * square), scale);
+        let nothing: SmallVec<[f64; 4]> = self.scene.joints.iter().map(|_| 0.0).collect();
+        self.tell_forces(state, response, square, &nothing);
+        Ok(())
+    }
+
+    /// Magnitudes of the terms of the angular acceleration of a body on a pin.
+    fn terms(&self, state: &State<T>) -> f64 {
+        self.mechanism.drive_of_terms(state).1 / self.mechanism.inertia(state).size()
+    }
+
+    /// How a body on a pin has turned.
+    fn tell_turned(&mut self, way: T, sense: f64, place: &Half<T>) {
+        let Some(body) = self.pinned else { return };
+        let (of, Some(planar)) = (Owner::Body(body), self.scene.planar(body)) else { return };
+        let (start, step) = (self.scene.start_angle(self.n), Half::of_radians(way.signed(sense)));
+        // A difference of two heights, as a product.
+        let product = (step.sine * place.plus(start).sine).scale2(1);
+        let arm = pose::along(self.n, planar.centre);
+        let sunk = plant!("eom: height lost by the mass centre", arm) * product;
+        let rise = if planar.from == Ray::Up { -sunk } else { sunk };
+        self.say_scaled(Quantity::Rise, of, rise, 2.0 * arm.size());
+        if let Some(moment) = couple_on(self.scene, self.n, body) {
+            self.say(Quantity::WorkCouple, of, moment.signed(sense) * way);
         }
     }
 
@@ -956,6 +1266,8 @@ impl<T: Real> Teller<'_, '_, T> {
             rubs: nothing.collect(),
             meets: mechanism.meets(way.sign(), (way.abs(), look())),
             panels: Cell::new(PANELS),
+            pendulum: None,
+            fine: Fine::of::<T>(self.scene, self.pinned.is_some()),
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
@@ -1070,6 +1382,43 @@ impl<T: Real> Teller<'_, '_, T> {
         self.say_scaled(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1), most);
     }
 
+    /// Momentum and shares of a body on a pin that turns at this rate.
+    fn tell_spin(&mut self, state: &State<T>, rate: T) {
+        let Some(body) = self.pinned else { return };
+        let (of, inertia) = (Owner::Body(body), self.mechanism.inertia(state));
+        self.say(Quantity::AngularMomentum, of, inertia * rate.abs());
+        if !rate.is_zero() {
+            self.say(Quantity::RotationalFraction, Owner::Scene, self.n.bodies[body].inertia / inertia);
+        }
+        if let Some(moment) = couple_on(self.scene, self.n, body)
+            && self.road.course.is_some()
+        {
+            self.say(Quantity::PowerCouple, of, moment * rate);
+        }
+    }
+
+    /// The force of the pin of a body along its axis, toward the pin, and across, positive with a growing angle.
+    fn tell_along(&mut self, state: &State<T>, response: &Response<T>, square: T, [x, y]: [T; 2]) {
+        let (mechanism, Some(body)) = (self.mechanism, self.pinned) else { return };
+        let ([c, s], sense) = (mechanism.axis(state, body), mechanism.sense(body));
+        let scale = x.size() + y.size() + self.pulls();
+        let radial = -(x * c).balance(y * s);
+        let mut across = ((y * c).balance(-(x * s)).signed(sense), scale);
+        // Of a body whose mass sits at its centre it is a small difference, but not of the moments about that.
+        let arm = self.scene.planar(body).map_or_else(T::zero, |p| pose::along(self.n, p.centre));
+        if !arm.is_zero() {
+            let (constant, by_square) = mechanism.turning(response, body);
+            let turning = self.n.bodies[body].inertia * constant.balance(by_square * square);
+            let moment = mechanism.moment(state, body);
+            let size = (moment.size() + turning.size()) / arm.size();
+            if size < scale {
+                across = (moment.balance(-turning) / arm, size);
+            }
+        }
+        self.say_scaled(Quantity::PinRadial, Owner::Body(body), radial, scale);
+        self.say_scaled(Quantity::PinTangential, Owner::Body(body), across.0, across.1);
+    }
+
     /// Everything at a place, at this rate of the leading angle.
     fn tell(
         &mut self,
@@ -1082,8 +1431,11 @@ impl<T: Real> Teller<'_, '_, T> {
         // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
         let size = self.mechanism.size();
         let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
-        let terms = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
+        let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
+        // Of a body on a pin its own terms measure them.
+        let terms = if self.pinned.is_some() { self.terms(state) } else { all };
         self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
+        self.tell_spin(state, rate);
         self.tell_forces(state, response, square, sliding);
         Ok(())
     }
@@ -1116,6 +1468,7 @@ impl<T: Real> Teller<'_, '_, T> {
             }
             if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
                 let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
+                self.tell_along(state, response, square, [x, y]);
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
                 if !force.is_zero() {

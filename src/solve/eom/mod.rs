@@ -5,9 +5,8 @@ pub mod equations;
 pub mod instant;
 pub mod integrate;
 pub mod joined;
-pub mod pinned;
+pub mod pendulum;
 pub mod planar;
-pub mod swing;
 pub mod thrown;
 pub mod travel;
 
@@ -15,6 +14,8 @@ use crate::num::dd::Dd;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, trig};
+#[cfg(feature = "program")]
+use crate::num::{Lanes, lanes};
 use crate::scene::pose;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
@@ -27,8 +28,10 @@ use crate::solve::found;
 use crate::solve::found::Forward;
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Unsupported};
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Set, Told, Unsupported};
 use smallvec::{SmallVec, smallvec};
+#[cfg(feature = "program")]
+use std::rc::Rc;
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///
@@ -44,6 +47,42 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
         None if scene.formulas.asked.is_empty() => alone(scene, data, asked),
         None => answered(scene, data),
     }
+}
+
+/// What they say of what is asked with each of several sets of data, in doubles; `None` where they say nothing. Scenes of constant
+/// velocity ratios are walked for several sets at once.
+pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
+    let alone = |data: &Set| road_of(scene, data, asked).ok().map(Told::Alone);
+    #[cfg(feature = "program")]
+    if sets.len() > 1 && side_by_side(scene) {
+        return sets.chunks(lanes::LANES).flat_map(|sets| together(scene, sets, asked, &alone)).collect();
+    }
+    sets.iter().map(alone).collect()
+}
+
+/// The same of so many sets as go side by side.
+#[cfg(feature = "program")]
+fn together(
+    scene: &Scene,
+    sets: &[Set],
+    asked: Scope,
+    alone: &dyn Fn(&Set) -> Option<Told>,
+) -> Vec<Option<Told>> {
+    let walk = |data: &[f64]| Walk::<Lanes>::new(scene, Numbers::new(scene, data), asked)?.walk();
+    let (road, astray) = lanes::side_by_side(sets, walk);
+    let road = road.map(|(road, _)| Rc::new(road.telling(scene)));
+    let of = |(lane, data)| match &road {
+        Ok(road) if astray >> lane & 1 == 0 => Some(Told::Lane(Rc::clone(road), lane)),
+        _ => alone(data),
+    };
+    sets.iter().enumerate().map(of).collect()
+}
+
+/// Is it walked for several sets of data at once? A motion on lines and axles, with all data given and nothing asked by formulas.
+pub fn side_by_side(scene: &Scene) -> bool {
+    let given = scene.formulas.found.is_none() && scene.formulas.asked.is_empty();
+    let placed = scene.lead().is_some() || scene.pinned().is_some() || scene.thrown().is_some();
+    cfg!(feature = "program") && given && !placed && !matches!(scene.end, End::AtOnce)
 }
 
 /// [`road`] with all data given.
@@ -79,11 +118,8 @@ fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>,
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
-    if scene.lead().is_some() {
+    if scene.lead().is_some() || scene.pinned().is_some() {
         return Ok(joined::road_by(scene, &n, asked, None)?.0);
-    }
-    if let Some((body, pin)) = scene.pinned() {
-        return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
         return at_once(scene, n, asked);
@@ -146,15 +182,12 @@ fn alone_by<T: Real>(
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() {
+    if scene.lead().is_some() || scene.pinned().is_some() {
         // Its formula wants accelerations that do not hang on the speed.
         return match rung.method() {
-            Method::Verlet => Err(Refusal::NoMethod { method: Method::Verlet }),
-            _ => joined::road_by(scene, &n, Scope::ALL, Some(rung)),
+            Method::Verlet if scene.lead().is_some() => Err(Refusal::NoMethod { method: Method::Verlet }),
+            _ => joined::road_by(scene, &n, Scope::ALL, Some((rung, asked))),
         };
-    }
-    if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok((at_once(scene, n, Scope::ALL)?, Count::default()));
@@ -442,7 +475,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
-        self.say_scaled(quantity, of, value, value.f64().abs());
+        self.say_scaled(quantity, of, value, value.size());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
         let way = matches!(quantity, Quantity::Distance | Quantity::Phi | Quantity::CordTravel);
@@ -456,9 +489,9 @@ impl<'a, T: Real> Walk<'a, T> {
             self.road.velocities.push((c, velocity));
         }
     }
-    fn hold(&mut self, held: Held<T>) {
+    fn hold(&mut self, held: impl FnOnce(&Self) -> Held<T>) {
         if self.asked.held {
-            self.road.held.push(held);
+            self.road.held.push(held(self));
         }
     }
     /// Is one of these quantities asked?
@@ -593,7 +626,7 @@ impl<'a, T: Real> Walk<'a, T> {
         if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
             (reached, s, travel.slack, self.scene.spring())
         {
-            self.hold(Held::Slack(tie, s, slack));
+            self.hold(|_| Held::Slack(tie, s, slack));
         }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
@@ -810,9 +843,12 @@ impl<'a, T: Real> Walk<'a, T> {
             let turn = self.turn(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
-            let available = self.n.get(*mu_s) * normal;
-            let force = |f: T| self.n.publish(Quantity::Friction, f);
-            self.hold(Held::Slipping(t, force(friction), force(available), against, along.sign()));
+            let mu_s = *mu_s;
+            self.hold(|walk| {
+                let force = |f: T| walk.n.publish(Quantity::Friction, f);
+                let available = walk.n.get(mu_s) * normal;
+                Held::Slipping(t, force(friction), force(available), against, along.sign())
+            });
         }
     }
 
@@ -824,7 +860,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let inertial = n.mass * a;
         // The rest (pulls and tensions) follows from the force sum.
         let rest = inertial + weight - friction;
-        inertial.f64().abs() + weight.f64().abs() + rest.f64().abs()
+        inertial.size() + weight.size() + rest.size()
     }
 
     /// Weight of a body along its line, with what its mass takes to be carried.
@@ -842,8 +878,7 @@ impl<'a, T: Real> Walk<'a, T> {
         for b in with_normals(self.scene) {
             let normal = self.response.normal(b);
             self.say(Quantity::Normal, Owner::Body(b), normal);
-            let force = self.n.publish(Quantity::Normal, normal).f64();
-            self.hold(Held::Pressed(b, force));
+            self.hold(|walk| Held::Pressed(b, walk.n.publish(Quantity::Normal, normal).f64()));
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if self.response.is_open(t) {
@@ -853,7 +888,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.say_open(Quantity::MuRequired, Owner::Body(*body));
                 }
                 if matches!(tie, Tie::Roll { mu_s: Some(_), .. } | Tie::Cord(_)) {
-                    self.hold(Held::Open(t));
+                    self.hold(|_| Held::Open(t));
                 }
                 continue;
             }
@@ -866,20 +901,19 @@ impl<'a, T: Real> Walk<'a, T> {
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                     }
-                    let force = |f: T| self.n.publish(Quantity::Friction, f);
-                    let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
-                    self.hold(Held::Rolling(t, force(most), available));
+                    self.hold(|walk| {
+                        let force = |f: T| walk.n.publish(Quantity::Friction, f);
+                        Held::Rolling(t, force(most), mu_s.map(|mu| force(walk.n.get(mu) * normal)))
+                    });
                 }
-                Tie::Cord(c)
-                    if matches!(c.to, Far::Body(_) | Far::Fixed)
-                        && c.made == Made::Cord
-                        && self.asked.held =>
-                {
-                    let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
-                    let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
-                    let share = self.share_of_tension(t, c, least, at);
-                    let force = self.n.publish(Quantity::Tension, least).f64();
-                    self.hold(Held::Cord(t, force, share));
+                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && c.made == Made::Cord => {
+                    self.hold(|walk| {
+                        let (first, last) = (walk.friction(t, tension0), walk.friction(t, tension1));
+                        let (least, at) =
+                            if last.below(first) { (last, tension1) } else { (first, tension0) };
+                        let force = walk.n.publish(Quantity::Tension, least).f64();
+                        Held::Cord(t, force, walk.share_of_tension(t, c, least, at))
+                    });
                 }
                 _ => {}
             }
@@ -977,7 +1011,7 @@ impl<'a, T: Real> Walk<'a, T> {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
                     let a = self.acceleration(c, tension);
-                    let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.f64().abs() };
+                    let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.size() };
                     match (c.degree, self.n.bodies[b].carried) {
                         (Degree::Along, Some([forward, _])) => {
                             let with = plant!("eom: acceleration of the carrier", forward.acceleration);
@@ -994,12 +1028,12 @@ impl<'a, T: Real> Walk<'a, T> {
     /// over the arm at which it acts.
     fn rate_that_vanishes(&self, c: Coordinate, tension: T) -> f64 {
         let lines = (0..self.scene.bodies.len()).filter_map(|b| self.along(b));
-        let most = lines.map(|line| self.acceleration(line, tension).f64().abs()).fold(0.0, f64::max);
+        let most = lines.map(|line| self.acceleration(line, tension).size()).fold(0.0, f64::max);
         match c.degree {
             Degree::Along => most,
             Degree::Turn => {
                 let acting = self.scene.ties.iter().flat_map(Tie::actions).filter(|a| a.body == c.body);
-                let arms = acting.filter_map(|a| a.arm).map(|(arm, _)| self.n.get(arm).f64());
+                let arms = acting.filter_map(|a| a.arm).map(|(arm, _)| self.n.get(arm).size());
                 arms.filter(|arm| *arm > 0.0).map(|arm| most / arm).fold(0.0, f64::max)
             }
         }
@@ -1039,7 +1073,7 @@ impl<'a, T: Real> Walk<'a, T> {
                         let f = self.friction(t, tension);
                         let ends = tie.actions().map(|end| end.body);
                         let forces = ends.map(|b| self.friction_scale(&self.response, b, f, tension));
-                        let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.f64().abs() };
+                        let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.size() };
                         let f = if c.force() == Quantity::Tension { f } else { f.abs() };
                         self.say_scaled(c.force(), Owner::Tie(t), f, scale);
                     }
@@ -1156,7 +1190,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     let turned = self.turn(*body).map_or_else(T::zero, |c| self.ratio(c)) * s;
                     let wound = plant!("eom: radius of the slip", self.n.get(*radius_m)) * turned;
                     let slip = (centre - wound).abs();
-                    let scale = centre.f64().abs() + wound.f64().abs();
+                    let scale = centre.size() + wound.size();
                     self.say_scaled(Quantity::SlipDistance, Owner::Body(*body), slip, scale);
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * slip);
                 }

@@ -15,6 +15,7 @@
 //! Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, articles 5/6 (relative acceleration) and 6/5 (general plane motion).
 use crate::num::Real;
 use crate::num::eliminate::Equations;
+use crate::num::half::Half;
 use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::root;
@@ -364,6 +365,18 @@ impl<'a, T: Real> Mechanism<'a, T> {
         self.look(state, true).map_err(self.in_place(way))
     }
 
+    /// Turns a single body on a pin to this angle.
+    ///
+    /// Errors: those of [`Self::state`].
+    pub fn turn_to(&self, state: &mut State<T>, angle: &Half<T>) -> Result<(), Refusal> {
+        let Some(planar) = self.scene.planar(self.lead) else { return Ok(()) };
+        let [x, y] = planar.from.components().map(T::of);
+        let (c, s) = (angle.full_cosine(), angle.full_sine().signed(self.sense(self.lead)));
+        state.poses[self.lead].axis = [(x * c).balance(-(y * s)), (y * c).balance(x * s)];
+        state.leads = self.leads(&state.poses);
+        self.look(state, true)
+    }
+
     /// Says why there: where rods lie in one line, nothing tells how they go on.
     fn in_place(&self, way: T) -> impl Fn(Refusal) -> Refusal {
         move |why| match why {
@@ -441,9 +454,14 @@ impl<'a, T: Real> Mechanism<'a, T> {
     }
 
     /// 1 where the angle of a body counts counter-clockwise, else -1.
-    fn sense(&self, body: usize) -> f64 {
+    pub fn sense(&self, body: usize) -> f64 {
         let clockwise = self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise);
         if clockwise { -1.0 } else { 1.0 }
+    }
+
+    /// Direction of the axis of a body.
+    pub fn axis(&self, state: &State<T>, body: usize) -> Vector<T> {
+        state.poses[body].axis
     }
 
     /// For each body: the forces on it and their moment about the mass centre, save those of joints; or the impulses of blows.
@@ -555,6 +573,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// The sum of the forces times the velocities for a unit rate of the leading angle, where nothing rubs.
     pub fn drive(&self, state: &State<T>) -> T {
+        self.drive_of_terms(state).0
+    }
+
+    /// The same with the magnitudes of its terms.
+    pub fn drive_of_terms(&self, state: &State<T>) -> (T, f64) {
         let forces = self.forces(&state.poses, false);
         let terms = forces.iter().flatten().zip(state.rates.iter().flatten());
         let (mut sum, mut size) = (T::zero(), 0.0);
@@ -562,7 +585,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
             let power = *force * *rate;
             (sum, size) = (sum + power, size + power.size());
         }
-        sum.cleared(size)
+        (sum.cleared(size), size)
+    }
+
+    /// Moment about the mass centre of a body of all forces on it but those of joints, as its own angle counts.
+    pub fn moment(&self, state: &State<T>, body: usize) -> T {
+        self.forces(&state.poses, false)[body][2].signed(self.sense(body))
     }
 
     /// Accelerations and reactions for these senses of sliding of each joint (0 where nothing rubs).

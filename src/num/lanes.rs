@@ -1,0 +1,199 @@
+//! Several doubles side by side, so that a scene is walked once for several sets of data.
+//!
+//! What is decided on the way is decided for the first set. A set for which it would be decided otherwise has gone *astray*: what its
+//! lane says is nothing, and it is to be walked alone. The others come to what doubles alone would come to, up to the order in which
+//! equations are eliminated.
+use crate::num::{Dd, Real};
+use std::cell::{Cell, RefCell};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// How many sets of data are walked at once.
+pub const LANES: usize = 12;
+
+thread_local! {
+    static DATA: RefCell<Vec<Lanes>> = const { RefCell::new(Vec::new()) };
+    static ASTRAY: Cell<u32> = const { Cell::new(0) };
+}
+
+/// One double for each set of data.
+#[derive(Debug, Clone, Copy)]
+pub struct Lanes([f64; LANES]);
+
+/// Runs a computation with these sets of data, at least one and at most [`LANES`]. Says which sets have gone astray, a bit for each.
+pub fn side_by_side<R>(sets: &[impl AsRef<[f64]>], run: impl FnOnce(&[f64]) -> R) -> (R, u32) {
+    let first = sets[0].as_ref();
+    let of = |i: usize| Lanes::from(|lane| sets.get(lane).map_or(first[i], |set| set.as_ref()[i]));
+    DATA.with_borrow_mut(|data| {
+        data.clear();
+        data.extend((0..first.len()).map(of));
+    });
+    ASTRAY.set(0);
+    let result = run(first);
+    (result, ASTRAY.get())
+}
+
+impl Lanes {
+    #[inline(always)]
+    fn from(of: impl FnMut(usize) -> f64) -> Self {
+        Self(std::array::from_fn(of))
+    }
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self(self.0.map(f))
+    }
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self::from(|lane| f(self.0[lane], other.0[lane]))
+    }
+    /// The value for one set.
+    pub const fn lane(self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+    /// What is decided for the first set; those for which it would be decided otherwise go astray.
+    #[inline(always)]
+    fn decided<D: Copy + PartialEq>(decide: impl Fn(usize) -> D) -> D {
+        let first = decide(0);
+        let mut off = 0;
+        for lane in 1..LANES {
+            off |= u32::from(decide(lane) != first) << lane;
+        }
+        if off != 0 {
+            ASTRAY.set(ASTRAY.get() | off);
+        }
+        first
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, o: Self) -> Self {
+        self.with(o, |a, b| a + b)
+    }
+}
+impl Sub for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        self.with(o, |a, b| a - b)
+    }
+}
+impl Mul for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, o: Self) -> Self {
+        self.with(o, |a, b| a * b)
+    }
+}
+impl Div for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, o: Self) -> Self {
+        self.with(o, |a, b| a / b)
+    }
+}
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|a| -a)
+    }
+}
+
+impl Real for Lanes {
+    const NOISE: f64 = <f64 as Real>::NOISE;
+    const SETTLED: f64 = <f64 as Real>::SETTLED;
+    fn datum(value: f64) -> Self {
+        Self([value; LANES])
+    }
+    fn given(index: usize, value: f64) -> Self {
+        DATA.with_borrow(|data| data.get(index).copied().unwrap_or_else(|| Self::datum(value)))
+    }
+    fn constant(value: Dd) -> Self {
+        Self::datum(value.hi)
+    }
+    fn value(self) -> Dd {
+        Dd::new(self.f64())
+    }
+    fn sign(self) -> f64 {
+        Self::decided(|lane| Real::sign(self.0[lane]))
+    }
+    fn root(self) -> Self {
+        self.map(Real::root)
+    }
+    fn scale2(self, e: i32) -> Self {
+        self.map(|a| a.scale2(e))
+    }
+    fn below(self, other: Self) -> bool {
+        Self::decided(|lane| self.0[lane] < other.0[lane])
+    }
+    fn f64(self) -> f64 {
+        Self::decided(|lane| self.0[lane])
+    }
+    fn each(self, f: impl Fn(f64) -> (f64, f64)) -> (Self, Self) {
+        let all = self.0.map(f);
+        (Self::from(|lane| all[lane].0), Self::from(|lane| all[lane].1))
+    }
+    fn is_zero(self) -> bool {
+        Self::decided(|lane| self.0[lane] == 0.0)
+    }
+    fn is_nothing(self) -> bool {
+        self.0.iter().all(|x| *x == 0.0)
+    }
+    /// Of the first set: for scales. What is decided by sizes is decided by the methods below.
+    fn size(self) -> f64 {
+        self.0[0].abs()
+    }
+    fn is_finite(self) -> bool {
+        Self::decided(|lane| self.0[lane].is_finite())
+    }
+    fn within(self, bound: f64) -> bool {
+        Self::decided(|lane| self.0[lane].abs() <= bound)
+    }
+    fn negligible(self, scale: f64) -> bool {
+        self.within(Self::NOISE * scale)
+    }
+    fn at_most(self, limit: Self) -> bool {
+        Self::decided(|lane| Real::at_most(self.0[lane], limit.0[lane]))
+    }
+    fn side(self, other: Self) -> f64 {
+        Self::decided(|lane| Real::side(self.0[lane], other.0[lane]))
+    }
+    fn abs(self) -> Self {
+        self.map(Real::abs)
+    }
+    fn status(self, boundary: Self) -> f64 {
+        Self::decided(|lane| Real::status(self.0[lane], boundary.0[lane]))
+    }
+    fn apart(self, other: Self) -> Self {
+        self.with(other, Real::apart)
+    }
+    fn cleared(self, scale: f64) -> Self {
+        self.map(|a| a.cleared(scale))
+    }
+    fn balance(self, other: Self) -> Self {
+        self.with(other, Real::balance)
+    }
+    fn over(self, under: Self) -> Self {
+        self.with(under, Real::over)
+    }
+    fn larger(self, other: Self) -> Self {
+        self.with(other, Real::larger)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_set_for_which_it_would_be_decided_otherwise_goes_astray() {
+        let sets = [[1.0, 2.0], [3.0, 2.0], [-1.0, 2.0]];
+        let (sum, astray) = side_by_side(&sets, |_| {
+            let [x, y] = [0, 1].map(|i| Lanes::given(i, f64::NAN));
+            if x.sign() > 0.0 { x + y } else { y }
+        });
+        assert_eq!([0, 1].map(|lane| sum.lane(lane).to_bits()), [3.0_f64, 5.0].map(f64::to_bits));
+        assert_eq!(astray, 0b100);
+    }
+}
