@@ -187,6 +187,10 @@ struct NamedSurface<'n> {
     slope: Slope,
 }
 
+/// Positive senses along a line, and whether that is up: of any line, and of a level one.
+const SENSES: [(&str, bool); 6] =
+    [("up", true), ("down", false), ("forward", true), ("right", true), ("back", false), ("left", false)];
+
 impl SceneReader<'_> {
     fn scene(&self, node: &Node, gravity: usize) -> Option<Scene> {
         let f = self.faults;
@@ -605,11 +609,8 @@ impl SceneReader<'_> {
             );
             return Err(());
         };
-        let words: &[(&str, bool)] = if slope == Slope::Level {
-            &[("forward", true), ("right", true), ("back", false), ("left", false)]
-        } else {
-            &[("up", true), ("down", false)]
-        };
+        // Down a slope and on along a level floor, in the motion that follows, a body keeps its positive sense.
+        let words = if slope == Slope::Level { &SENSES[..] } else { &SENSES[..2] };
         let forward_up =
             positive.map_or(Some(true), |n| self.word(n, "the positive sense", words)).ok_or(())?;
         Ok(Some(Line { slope, forward_up, surface }))

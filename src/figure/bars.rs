@@ -1,7 +1,7 @@
 //! Energy bars: what there is at the start and what is put in, beside what there is at the end and what has become heat. Both
 //! bars are equally high; where they are not, nothing is drawn.
 use crate::bank::{FigureLabels, Problem};
-use crate::figure::joined::{PlaneLayout, towards};
+use crate::figure::joined::{PlaneLayout, ground, towards};
 use crate::figure::view::SceneView;
 use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
@@ -189,8 +189,12 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
         end[2] += 0.5 * k * after * after;
     }
     for push in &scene.pushes {
-        let path = plane.spot(view, &laid, push.at) - plane.spot(view, &plane.start, push.at);
-        work += view.of(push.force_n) * path.dot(&towards(view, &laid, push)) / plane.scale;
+        let [from, to] = [&plane.start, &laid].map(|laid| plane.spot(view, laid, push.at) / plane.scale);
+        let gained = match push.toward_m.map(|place| ground(view, place)) {
+            Some(place) => (place - from).norm() - (place - to).norm(),
+            None => (to - from).dot(&towards(view, &plane, &laid, push)),
+        };
+        work += view.of(push.force_n) * gained;
     }
     for couple in &scene.couples {
         let (before, after) = (plane.start[couple.body].axis, laid[couple.body].axis);

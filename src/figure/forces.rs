@@ -595,7 +595,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     for push in view.scene.pushes.iter().filter(|p| p.at.body == body && !p.blow) {
         let given = view.symbol(push.force_n);
         let label = if given.is_empty() { symbol::symbol("P") } else { given };
-        let towards = joined::towards(view, &laid, push);
+        let towards = joined::towards(view, &plane, &laid, push);
         forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
     }
     let planar = this.planar.as_ref()?;

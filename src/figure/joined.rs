@@ -8,7 +8,7 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Shape, Spot, Strut, StrutEnd, Surface, pose,
+    Scene, Shape, Spot, Strut, StrutEnd, Surface, pose,
 };
 use crate::words::plain::capital;
 
@@ -87,7 +87,7 @@ impl PlaneLayout {
                 (low, high) = (low.inf(&(place - corner)), high.sup(&(place + corner)));
             }
         }
-        for place in view.scene.joints.iter().filter_map(fixed_place) {
+        for place in fixed_places(view.scene) {
             let p = ground(view, place);
             (low, high) = (low.inf(&p), high.sup(&p));
         }
@@ -301,15 +301,17 @@ fn aside(view: &SceneView, planar: &Planar) -> [f64; 2] {
     places.fold([0.0; 2], |[low, high], x| [low.min(x), high.max(x)])
 }
 
-fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
+pub fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
     vec2(view.of(place[0]), view.of(place[1]))
 }
 
-fn fixed_place(joint: &Joint) -> Option<[Num; 2]> {
-    match joint.kind {
+/// Places to which bodies are pinned or tied, or are pulled.
+fn fixed_places(scene: &Scene) -> impl Iterator<Item = [Num; 2]> {
+    let held = scene.joints.iter().filter_map(|joint| match joint.kind {
         JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => Some(place_m),
         _ => None,
-    }
+    });
+    held.chain(scene.pushes.iter().filter_map(|push| push.toward_m))
 }
 
 /// Draws the bodies with their joints, forces and sizes.
@@ -675,7 +677,7 @@ fn places(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
         StrutEnd::Spot(_) | StrutEnd::Twist => None,
     });
     let mut seen: Vec<Num> = Vec::new();
-    for place in view.scene.joints.iter().filter_map(fixed_place).chain(springs) {
+    for place in fixed_places(view.scene).chain(springs) {
         let at = ground(view, place) * plane.scale;
         let [x, y] = place;
         // An upright length stands on the side where no body is.
@@ -749,7 +751,13 @@ fn radius_line(board: &mut Board, view: &SceneView, centre: Vec2, radius_m: Num,
 fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     for push in &view.scene.pushes {
         let at = plane.spot(view, &plane.start, push.at);
-        let towards = towards(view, &plane.start, push);
+        let towards = towards(view, plane, &plane.start, push);
+        if let Some(place) = push.toward_m {
+            let pulley = ground(view, place) * plane.scale;
+            board.line(at, pulley, Role::Cord);
+            board.circle(pulley, 5.0, Role::Body);
+            board.dot(pulley);
+        }
         let tip = at + towards * 56.0;
         board.arrow(at, tip, Role::Force);
         let spots = vec![(tip, towards), (at.middle(tip), towards.left()), (at.middle(tip), towards.right())];
@@ -794,7 +802,10 @@ fn loads(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
 }
 
 /// Direction of a force.
-pub fn towards(view: &SceneView, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
+pub fn towards(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], push: &crate::scene::Push) -> Vec2 {
+    if let Some(place) = push.toward_m {
+        return (ground(view, place) * plane.scale - plane.spot(view, laid, push.at)).unit();
+    }
     let direction = Vec2::at_degrees(view.of(push.direction_deg));
     if push.turns {
         let axis = laid[push.at.body].axis;
@@ -893,8 +904,10 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
     }
     for push in &view.scene.pushes {
         let (name, unit) = if push.blow { ("blow", "N·s") } else { ("force", "N") };
+        let name = if push.toward_m.is_some() { "pull" } else { name };
         let force = say::text(view, push.force_n, unit);
-        out.push(say(name, &[("force", &force), ("point", &called(push.at))]));
+        let to = push.toward_m.map_or_else(String::new, place);
+        out.push(say(name, &[("force", &force), ("point", &called(push.at)), ("place", &to)]));
     }
     for strut in &view.scene.struts {
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;

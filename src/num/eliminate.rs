@@ -60,6 +60,8 @@ impl<T: Real> Equations<T> {
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
         let mut base: SmallVec<[T; 9]> = SmallVec::new();
+        // Whether a right-hand side is nothing decides nothing: what an enclosure leaves open is reckoned with.
+        let nothing = |k: usize, v: T| if T::ENCLOSES && k >= cols { v.same(T::zero()) } else { v.is_zero() };
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
@@ -98,7 +100,7 @@ impl<T: Real> Equations<T> {
                 let lead = row[j];
                 row[j] = T::of(1.0);
                 for (k, v) in row.iter_mut().enumerate() {
-                    if k != j && !v.is_zero() {
+                    if k != j && !nothing(k, *v) {
                         *v = *v / lead;
                     }
                 }
@@ -116,7 +118,7 @@ impl<T: Real> Equations<T> {
                         self.sizes[k] = Some(own + f.size() * error);
                     }
                     for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
-                        if k == j || b.is_zero() {
+                        if k == j || nothing(k, *b) {
                             continue;
                         }
                         // An equation that says again what others say leaves nothing but rounding.

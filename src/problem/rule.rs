@@ -193,6 +193,9 @@ impl Refusals {
                 "with these numbers it happens, but within a margin: write the `margins:` that is named above smaller, or change a number"
                     .to_owned()
             }
+            None if self.tallies.iter().any(|(rule, _)| matches!(rule, DrawRule::Regime(r) if r.word() == "instant")) => {
+                "of an instant no regime is told: leave `regimes` out, and ask for what holds then".to_owned()
+            }
             None => "with these numbers it does not happen, whatever the margins: change a number, the ties or the end".to_owned(),
         }
     }

@@ -208,6 +208,7 @@ fn joint_rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
     for push in &scene.pushes {
         tell(push.force_n, Rule::NotNegative);
         tell(push.direction_deg, Rule::Angle);
+        push.toward_m.iter().flatten().for_each(|x| tell(*x, Rule::Finite));
     }
     for strut in &scene.struts {
         tell(strut.stiffness_n_m, Rule::Positive);

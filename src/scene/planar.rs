@@ -227,6 +227,8 @@ pub struct Push {
     pub direction_deg: Num,
     /// Does its direction turn with the body?
     pub turns: bool,
+    /// The place to which it is directed at all times, m, as a cord pulls that is led over a small pulley there.
+    pub toward_m: Option<[Num; 2]>,
     /// Is it a blow?
     pub blow: bool,
 }

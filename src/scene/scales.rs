@@ -262,6 +262,7 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     for push in &mut scene.pushes {
         tell(&mut push.force_n, if push.blow { "N*s" } else { "N" });
         tell(&mut push.direction_deg, "1");
+        push.toward_m.iter_mut().flatten().for_each(|x| tell(x, "m"));
     }
     for strut in &mut scene.struts {
         let [stiffness, length] = strut.units();

@@ -377,7 +377,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             (false, _) if named.is_empty() => "joined.speeds",
             (false, _) => "joined.speeds_added",
         };
-        self.say(name, &[("speeds", &moving.join(", "))]);
+        // A disc that turns about its mass centre moves none.
+        if !moving.is_empty() {
+            self.say(name, &[("speeds", &moving.join(", "))]);
+        }
         self.tell(named);
         let is = self.moving.expr();
         let plain = self.single() && self.moving.terms().len() == 1;

@@ -987,8 +987,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         });
         let mut power: f64 = powers.sum();
         for push in self.scene.pushes.iter().filter(|p| !p.blow && !p.turns) {
-            let v = moving[push.at.body].point(pose::of_spot(self.scene, &numbers, push.at)).map(|x| x.first);
-            let [c, s] = pose::direction(&numbers, push.direction_deg);
+            let at = moving[push.at.body].point(pose::of_spot(self.scene, &numbers, push.at));
+            let v = at.map(|x| x.first);
+            let [c, s] = match push.toward_m.map(|place| pose::ground(&numbers, place)) {
+                Some([x, y]) => {
+                    let apart = [x - at[0].value, y - at[1].value];
+                    apart.map(|a| a / apart[0].hypot(apart[1]))
+                }
+                None => pose::direction(&numbers, push.direction_deg),
+            };
             power += self.datum(push.force_n) * (v[0] * c + v[1] * s);
         }
         for couple in &self.scene.couples {
@@ -1330,8 +1337,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let scene = self.scene;
         let still = scene.end == End::AtOnce;
         self.weigh();
-        for push in scene.pushes.iter().filter(|p| !p.blow) {
+        for (i, push) in scene.pushes.iter().enumerate().filter(|(_, p)| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
+            if let Some(place) = push.toward_m {
+                let tag = if scene.pushes.len() > 1 { format!(",{}", i + 1) } else { String::new() };
+                self.pull_toward(push.at, place, &size, &tag);
+                continue;
+            }
             let unit = self.direction(push.direction_deg);
             let along = if push.turns {
                 let axis = self.axis_of(push.at.body);
@@ -1436,6 +1448,25 @@ impl<'d, 'a> Plane<'d, 'a> {
             Ok((x * c - y * s) * v[0] + (y * c + x * s) * v[1])
         };
         self.scene.value(push.force_n, data) * gauss::integral(power, 0.0, way).unwrap_or(f64::NAN)
+    }
+
+    /// A force that is directed to a place at all times: its work is that over the length by which it comes nearer.
+    fn pull_toward(&mut self, at: Spot, place: [Num; 2], size: &Factors, tag: &str) {
+        let near = self.spot(at);
+        let apart = less(&self.ground(place), &near);
+        let (mut lengths, mut last): (Vec<Expr>, _) = (Vec::new(), Vector::default());
+        for which in self.looked_at() {
+            last = self.places(&apart, which);
+            let is = self.size(&last);
+            lengths.push(self.named_by(["l", "b"], &format!("{which}{tag}"), "m", is));
+        }
+        let last = self.frame(&last);
+        let along = self.unit(&last, &lengths[lengths.len() - 1], ["n", "u"], tag);
+        let pull = self.pull(at.body, &near, size.clone(), along, None);
+        self.pulls.push(pull);
+        if let [first, last] = lengths.as_slice() {
+            self.works.push(size.by(first - last));
+        }
     }
 
     fn spring(&mut self, strut: usize) -> Result<(), DerivationStop> {

@@ -135,6 +135,7 @@ fn guided(mu_k: Option<f64>, end: f64) -> Scene {
         force_n,
         direction_deg,
         turns,
+        toward_m: None,
         blow: false,
     };
     scene.pushes = vec![push(f(3.0), f(200.0), false), push(f(2.0), f(70.0), true)];
@@ -220,7 +221,15 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
 /// The same with an impulse.
 fn struck(mut scene: Scene) -> Scene {
     let (name, at) = ("J".to_owned(), spot(0, 1));
-    scene.pushes.push(Push { name, at, force_n: f(2.0), direction_deg: f(-40.0), turns: false, blow: true });
+    scene.pushes.push(Push {
+        name,
+        at,
+        force_n: f(2.0),
+        direction_deg: f(-40.0),
+        turns: false,
+        toward_m: None,
+        blow: true,
+    });
     scene
 }
 

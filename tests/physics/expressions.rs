@@ -482,6 +482,29 @@ problems:
     questions: {x: {value: m, unit: kg, ask: m}}
     statement: s
 ";
+    // A bar of 0.8 m set off from hanging, by a spin and by a blow at its end, turns after 70 degrees.
+    let swing = "bank: b
+title: B
+problems:
+  p:
+    title: A bar
+    data:
+      phi1: {name: angle, unit: deg, draw: always 70, measured: phi}
+      x: {name: what sets it off, unit: UNIT, unknown: RANGE step 0.1}
+    scene:
+      bodies: {bar: {mass: 2 kg, shape: {rod: 0.8 m}, moves: in the plane, angle: from hanging}}
+      joints: {O: {pins: bar.A}}
+      forces: FORCES
+      start: {bar: {angle: 0 deg SPIN}}
+      end: {turning point: bar}
+    questions: {x: {value: x, unit: UNIT, ask: x}}
+    statement: s
+";
+    let written =
+        |unit, forces, spin| swing.replace("UNIT", unit).replace("FORCES", forces).replace("SPIN", spin);
+    let spun = written("rad/s", "[]", ", spin: x");
+    let struck = written("N*s", "[impulse: {on: bar.B, magnitude: x, direction: right}]", "");
+    let spin = (3.0 * 9.81 / 0.8 * (1.0 - 70f64.to_radians().cos())).sqrt();
     let slope = 16f64.to_radians();
     let mu = (4.0 / (2.0 * 9.81 * 2.65) + slope.sin()) / slope.cos();
     let a = 2.0 / (1.5 * 1.5);
@@ -489,6 +512,9 @@ problems:
     let cases = [
         (stopping, mu, ["0.29 to 0.55", "0.2868 to 0.5468", "0.3 to 0.9", "0.36 to 0.37"]),
         (atwood, mass, ["5.1 to 15.7", "5.5 to 6.5", "5.2 to 100", "5.2 to 6"]),
+        // Of joined bodies the place where they turn was not enclosed, and every range was refused.
+        (&spun, spin, ["1 to 6", "4 to 5", "0.5 to 8", "4.9 to 5"]),
+        (&struck, spin * 2.0 * 0.8 / 3.0, ["0.5 to 6", "2 to 3", "1 to 4", "2.6 to 2.7"]),
     ];
     for (text, expected, ranges) in cases {
         for range in ranges {

@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// The stable equilibrium of one freedom and the square of its frequency, from energy and inertia alone: the minimum by trisection, the
 /// second derivative by differences.
-fn least(energy: &dyn Fn(f64) -> f64, inertia: f64, (mut low, mut high): (f64, f64)) -> (f64, f64) {
+pub fn least(energy: &dyn Fn(f64) -> f64, inertia: f64, (mut low, mut high): (f64, f64)) -> (f64, f64) {
     for _ in 0..200 {
         let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
         if energy(a) < energy(b) { high = b } else { low = a }
@@ -442,6 +442,53 @@ end: equilibrium
     let stiffness: f64 = 500.0 * 0.36;
     all_near(&[entry.value()], &[tau * (3.0 * 0.81 / 3.0 / stiffness).sqrt()], 1e-12);
     assert!(entry.cond < 10.0, "{}", entry.cond);
+}
+
+/// What is nothing at the end is no doubt which way it goes: a spring at its natural length there, a pin on which nothing acts. Where
+/// joined bodies turn or reach a speed is enclosed. Earlier tests had neither: their banks end elsewhere, and of what is
+/// not enclosed the fuzz asks nothing.
+#[test]
+fn ends_of_joined_bodies_are_enclosed() {
+    let disc = "
+bodies: {disc: {mass: 5 kg, shape: {disc: 0.2 m}, moves: in a horizontal plane, angle: from right}}
+joints: {O: {pins: disc.A}}
+forces: [torsion: {on: disc.A, stiffness: 3 N*m/rad, relaxed at: 0 deg}]
+start: {disc: {angle: 20 deg}}
+end: {angle: {of: disc, reaches: 0 deg}}
+";
+    let wheel = "
+surfaces: {floor: level}
+bodies: {wheel: {mass: 10 kg, shape: {disc: 0.2 m}, moves: along floor}}
+ties:
+  - rolls: {body: wheel, on its: rim}
+  - cord: {from: {body: wheel, tied at: centre, leaves: forward}, spring: {stiffness: 200 N/m, stretch: 0.15 m, attached: rigidly}}
+start: at rest
+end: {travel: {of: wheel, by: 0.15 m}}
+";
+    let bar = "
+bodies: {bar: {mass: 2 kg, shape: {rod: 0.8 m}, moves: in the plane, angle: from hanging}}
+joints: {O: {pins: bar.A}}
+start: {bar: {angle: 0 deg, spin: 5 rad/s}}
+end: {turning point: bar}
+";
+    let turns = (1.0 - 25.0 * 0.8 / (3.0 * 9.81f64)).acos();
+    let slows = (1.0 - 16.0 * 0.8 / (3.0 * 9.81f64)).acos();
+    let slower = bar.replace("turning point: bar", "speed: {of: bar, reaches: 3 rad/s}");
+    let cases = [
+        (disc, "omega", 20f64.to_radians() * (3.0 / 0.1f64).sqrt()),
+        (wheel, "v", 0.15 * (200.0 / 15.0f64).sqrt()),
+        (bar, "phi", turns),
+        (&slower, "phi", slows),
+    ];
+    for (text, name, expected) in cases {
+        let (bank, mut found) = solved(text);
+        let scene = &bank.problems[0].cases[0].scene;
+        assert!(agree::prove(scene, &[9.81], &mut found), "{text}: not proved");
+        let entry = found.get(checks::label(scene, name).unwrap()).unwrap();
+        all_near(&[entry.value()], &[expected], 1e-14);
+        let bound = entry.bound.unwrap_or_else(|| panic!("{text}: no bound"));
+        assert!(bound < 1e-12 * expected, "{text}: {bound}");
+    }
 }
 
 /// A crank that stands upright is balanced, although its connecting rod is oblique: all weights move level there. An impulse on its pin

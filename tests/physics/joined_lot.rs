@@ -67,6 +67,8 @@ pub enum Hold {
 pub enum Load {
     /// Point, force, direction; does it turn with the axis?
     Force(Spot, f64, f64, bool),
+    /// Point, the place to which it is drawn at all times, force.
+    Pull(Spot, V2, f64),
     /// Body, moment counter-clockwise.
     Couple(usize, f64),
     /// Point, fixed place or other point, stiffness, natural length; 1 if it only pulls, -1 if it only pushes, else 0.
@@ -726,6 +728,15 @@ fn loads(m: &mut Machine, l: &mut Lot) {
                 };
                 // A spring of no length has no direction.
                 if length(plus(at, -1.0, m.at(spot))) < 0.1 {
+                    continue;
+                }
+                if let Far::Place(at) = far
+                    && l.in_100(30)
+                {
+                    let force = grid(l, 1.0, 90.0, 0);
+                    let f = m.number(l, force, 0, "N");
+                    m.force_text.push(format!("force: {{on: {on}, magnitude: {f}, toward: {to}}}"));
+                    m.loads.push(Load::Pull(spot, at, force));
                     continue;
                 }
                 let (stiffness, natural) = (grid(l, 5.0, 300.0, 0), grid(l, 0.05, 1.5, 2));

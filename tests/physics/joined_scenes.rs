@@ -155,6 +155,10 @@ impl<'m> Judge<'m> {
                     let angle = direction + if turns { q[3 * at.0 + 2] } else { 0.0 };
                     push(at, unit(angle).map(|x| x * force));
                 }
+                Load::Pull(at, to, force) => {
+                    let apart = plus(to, -1.0, self.place(q, at));
+                    push(at, apart.map(|x| x * force / length(apart)));
+                }
                 Load::Couple(..) | Load::Torsion(..) | Load::Blow(..) => {}
                 Load::Spring(at, far, ..) => {
                     let (tension, e) = self.spring(q, load).expect("a spring");

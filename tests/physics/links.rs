@@ -431,3 +431,34 @@ end: {{angle: {{of: bar, reaches: 5 deg}}}}
     let (short, long) = (bar("stretch: -0.1 m"), bar("natural length: 0.4 m"));
     near(of(&short)("omega"), of(&long)("omega"), 1e-13);
 }
+
+/// A cord from the end of a bar runs over a small pulley and is pulled with a constant force: its work is that over the length of cord that
+/// runs off, `P (l0 - l1)`, whatever the way between; at once it has the moment of its direction there. An equilibrium under it is the
+/// bottom of `-m g y_G + P l`.
+#[test]
+fn a_cord_over_a_small_pulley_pulls_toward_it() {
+    let bar = "
+bodies: {bar: {mass: 6 kg, shape: {rod: 1.2 m}, moves: in the plane, angle: from right}}
+joints: {O: {pins: bar.A}}
+forces: [force: {on: bar.B, magnitude: 80 N, toward: [0.4 m, 1.5 m]}]
+start: {bar: {angle: 0 deg}}
+end: END
+";
+    let (m, length, pull): (f64, f64, f64) = (6.0, 1.2, 80.0);
+    let inertia = m * length * length / 3.0;
+    let off = |angle: f64| (length * angle.cos() - 0.4).hypot(length * angle.sin() - 1.5);
+    let to = 50f64.to_radians();
+    let work = pull * (off(0.0) - off(to)) - m * 9.81 * length / 2.0 * to.sin();
+    let said = crate::joined::told(&bar.replace("END", "{angle: {of: bar, reaches: 50 deg}}"), &["omega"]);
+    near(said[0], (2.0 * work / inertia).sqrt(), 1e-13);
+    let said = crate::joined::told(&bar.replace("END", "at once"), &["alpha", "O.pin_x", "O.pin_y"]);
+    let alpha = (pull * 1.5 / off(0.0) * length - m * 9.81 * length / 2.0) / inertia;
+    near(said[0], alpha, 1e-13);
+    near(said[1], pull * 0.8 / off(0.0), 1e-13);
+    near(said[2], m * (9.81 + alpha * length / 2.0) - pull * 1.5 / off(0.0), 1e-13);
+    let energy = |angle: f64| pull * off(angle) + m * 9.81 * length / 2.0 * angle.sin();
+    let said = crate::joined::told(&bar.replace("END", "equilibrium"), &["phi", "omega_small"]);
+    let (at, square) = crate::joined_edges::least(&energy, inertia, (0.2, 1.5));
+    near(said[0], at, 1e-6);
+    near(said[1], square.sqrt(), 1e-6);
+}

@@ -83,6 +83,32 @@ fn it_comes_back_with_what_friction_leaves() {
     }
 }
 
+/// A body whose positive sense is down its slope keeps it where it runs out on a level floor.
+#[test]
+fn it_runs_out_on_the_level() {
+    let text = on_incline(
+        "{mass: 2 kg, moves: along incline, positive: down}",
+        "      d: {name: way, unit: m, draw: 1 to 4 step 0.1}
+      mu: {name: friction, unit: \"1\", draw: 0.2 to 0.4 step 0.01}",
+        "      start: at rest
+      end: {travel: {of: it, by: d}}
+      next:
+        surfaces: {incline: level}
+        ties: [slides: {body: it, mu_s: mu, mu_k: mu}]
+        end: {turning point: it}",
+        "      way: {quantity: displacement, motion: next, unit: m, ask: a}
+      rubs: {quantity: friction, motion: next, unit: N, ask: a}",
+    );
+    let problem = problem(&text);
+    for s in 0..seeds(1000) {
+        let variant = drawn(&problem, s);
+        let [beta, d, mu, _] = variant.data[..] else { panic!("four data") };
+        let found = answers(&problem, &variant);
+        near(found[0], d * beta.to_radians().sin() / mu, "way");
+        near(found[1], mu * 2.0 * G, "friction");
+    }
+}
+
 #[test]
 fn a_time_counts_from_the_start_of_the_whole() {
     // Without friction the way there and back is one formula: x = v0 t - g sin(beta) t^2/2.

@@ -309,16 +309,20 @@ impl SceneReader<'_> {
         let (symbol, need) = if blow { ("J", Need::IMPULSE) } else { ("P", Need::FORCE) };
         let force = self.need_number(&mut fields, "magnitude", symbol, need);
         let turning = fields.get("from the axis");
-        let towards = if turning.is_some() { None } else { fields.need("direction", "right") };
+        let toward = if blow { None } else { fields.get("toward") };
+        let given = turning.is_some() || toward.is_some();
+        let towards = if given { None } else { fields.need("direction", "right") };
         let words = [("right", 0.0), ("up", 90.0), ("left", 180.0), ("down", -90.0)];
         let direction = match (turning, towards) {
             (Some(n), _) => self.number(n, Need::ANGLE),
+            (None, None) if toward.is_some() => Some(Num::Fixed(0.0)),
             (None, n) => n.and_then(|n| self.direction(n, &words)),
         };
+        let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let name = own_name(&mut fields, symbol, count);
         fields.close();
         let turns = turning.is_some();
-        Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, blow })
+        Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, toward_m, blow })
     }
 
     /// A torsion spring between a body and what does not move.

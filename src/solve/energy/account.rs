@@ -19,7 +19,7 @@ impl<T: Real> Store<T> {
     /// Stretch at a place; none where the cord is slack.
     pub fn stretch_at(&self, s: T) -> T {
         let stretch = self.stretch.balance(-(self.lost * s));
-        if stretch.sign() < 0.0 && !self.rigid { T::zero() } else { stretch }
+        if self.rigid { stretch } else { stretch.larger(T::zero()) }
     }
     /// Energy stored per square of the way, doubled.
     pub fn stiff(&self) -> T {

@@ -7,6 +7,7 @@
 //! together do no work, and solved by collocation. Time is a quadrature in an angle whose cosine is the place: the root
 //! singularities at the ends of the way are gone.
 //! Source: Routh, *Dynamics of a System of Rigid Bodies*, elementary part, article 33 (equimomental bodies).
+use crate::num::dd::pow2;
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::{self, PerNode, Unsettled};
 use crate::num::ode::Count;
@@ -14,11 +15,13 @@ use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Pose};
 use crate::scene::{
-    Acts, End, Joint, JointKind, Label, Numbers, Owner, Place, Quantity, Rest, Scene, Spot, Strut, StrutEnd,
+    Acts, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Push, Quantity, Rest, Scene, Spot, Strut,
+    StrutEnd,
 };
 use crate::solve::outcome::{self, Course, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::{Cell, RefCell};
+use std::ops::RangeInclusive;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -29,6 +32,14 @@ const TURNS_OF_ITERATION: u32 = 40;
 /// Coefficients of a panel of the collocation that are below this share are rounding of the answer, in numbers of 32 digits and in
 /// doubles.
 const SMOOTH: [f64; 2] = [1e-18, 1e-12];
+
+/// Widths about a root within which a change of sign is looked for, as powers of 2 of its size.
+const WIDTHS: RangeInclusive<i32> = -50..=-2;
+
+/// Is its sign known?
+fn decided<T: Real>(value: T) -> bool {
+    value.size() > value.radius()
+}
 
 type Vector<T> = [T; 2];
 /// Where all bodies are, with derivatives by the leading angle.
@@ -170,8 +181,8 @@ impl<T: Real> Account<'_, T> {
         if matches!(scene.end, End::Angle(..)) {
             self.settle(spin, drive, (asked, &mut road))?;
         } else {
-            // Where the end is searched for, nothing is enclosed, so no comparison has to be proved.
-            ball::unwatched(|| self.settle(spin, drive, (asked, &mut road)))?;
+            // Where the end is searched for and a comparison is left open, nothing is enclosed, and it is no doubt which way it goes.
+            self.settled(|| self.settle(spin, drive, (asked, &mut road)))?;
         }
         Ok(road)
     }
@@ -541,7 +552,7 @@ impl<'a, T: Real> Account<'a, T> {
         let mut powers: SmallVec<[T; 6]> = SmallVec::new();
         let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| p.blow == blows);
         let pushed = pushes.map(|(push, direction)| {
-            let u = Self::push(poses, push, *direction);
+            let u = self.push(poses, push, *direction);
             let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
             p * dot(u, self.of_spot(poses, motion, push.at))
         });
@@ -602,9 +613,25 @@ impl<'a, T: Real> Account<'a, T> {
     }
 
     /// Direction of a force.
-    fn push(poses: &Poses<T>, push: &crate::scene::Push, [c, s]: Vector<T>) -> Vector<T> {
+    fn push(&self, poses: &Poses<T>, push: &Push, [c, s]: Vector<T>) -> Vector<T> {
+        if let Some(place) = push.toward_m {
+            let length = self.off(poses, push.at, place);
+            let [x, y] = self.to_place(poses, push.at, place).map(|x| x.value);
+            return [x, y].map(|x| x / length.value);
+        }
         let axis = poses[push.at.body].axis.map(|x| x.value);
         if push.turns { [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s] } else { [c, s] }
+    }
+
+    /// From a point to a place.
+    fn to_place(&self, poses: &Poses<T>, at: Spot, place_m: [Num; 2]) -> pose::Point<T> {
+        let (at, place) = (self.point(poses, at), pose::ground(self.n, place_m));
+        [0, 1].map(|i| Jet::fixed(place[i]) - at[i])
+    }
+    /// How far a point is off a place.
+    fn off(&self, poses: &Poses<T>, at: Spot, place_m: [Num; 2]) -> Jet<T> {
+        let [x, y] = self.to_place(poses, at, place_m);
+        (x * x + y * y).root()
     }
 
     /// 1 where the angle of a body counts counter-clockwise, else -1.
@@ -632,17 +659,20 @@ impl<'a, T: Real> Account<'a, T> {
         }
         for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
             let p = plant!("energy: work of a force on a point", self.n.massive(push.force_n));
-            if push.turns {
+            if let Some(place) = push.toward_m {
+                let [a, b] = [from, to].map(|poses| self.off(poses, push.at, place).value);
+                add(p * (a - b));
+            } else if push.turns {
                 let power = |at: T| {
                     let poses = self.poses(at)?;
                     let v = self.point(&poses, push.at).map(|x| x.first.signed(self.sense));
-                    Ok::<_, Refusal>(dot(Self::push(&poses, push, *direction), v))
+                    Ok::<_, Refusal>(dot(self.push(&poses, push, *direction), v))
                 };
                 let terms = pose::size(self.scene, self.n);
                 add(p * gauss::integral_of_terms(power, (T::zero(), way), terms)?);
             } else {
                 let (a, b) = (self.point(from, push.at), self.point(to, push.at));
-                add(p * dot(Self::push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
+                add(p * dot(self.push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
             }
         }
         for c in &self.scene.couples {
@@ -809,6 +839,11 @@ impl<'a, T: Real> Account<'a, T> {
     ) -> Result<Option<T>, Refusal> {
         let gone = |now: T| now.sign() == 0.0 || (now.sign() > 0.0) == rising;
         ball::unwatched(|| {
+            let mut sure = true;
+            let root = |from, to, sure| {
+                let root = root::between_values(from, to, rising, value)?;
+                Self::around(root, sure, value).map(Some)
+            };
             let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
             while let Some((before, _)) = seen.last().copied()
                 && before.below(far)
@@ -817,12 +852,13 @@ impl<'a, T: Real> Account<'a, T> {
                 let next = if next.below(far) { next } else { far };
                 let now = value(next)?;
                 if gone(now) {
-                    return Ok(Some(root::between_values(before, next, rising, value)?));
+                    return root(before, next, sure);
                 }
+                sure &= decided(now);
                 seen.push((next, now));
                 // Between two looks it may have been gone and back.
                 if let Some([left, at, _]) = root::dipped(&seen, value)? {
-                    return Ok(Some(root::between_values(left, at, rising, value)?));
+                    return root(left, at, sure);
                 }
                 if seen.len() == 3 {
                     seen.remove(0);
@@ -830,6 +866,26 @@ impl<'a, T: Real> Account<'a, T> {
             }
             Ok(None)
         })
+    }
+
+    /// Of numbers that enclose, a root with the width within which the value is shown to change its sign; endless without one, and
+    /// where the sign before it is not sure.
+    fn around(root: T, sure: bool, value: &dyn Fn(T) -> Result<T, Refusal>) -> Result<T, Refusal> {
+        if !T::ENCLOSES {
+            return Ok(root);
+        }
+        let middle = root.value();
+        for power in WIDTHS.filter(|_| sure).step_by(3) {
+            let width = root.size() * pow2(power);
+            let side = |by| {
+                let side = value(T::constant(middle + Dd::new(by)))?;
+                Ok::<_, Refusal>(if decided(side) { side.sign() } else { 0.0 })
+            };
+            if side(-width)? * side(width)? < 0.0 {
+                return Ok(T::constant(middle).widened(|| width));
+            }
+        }
+        Ok(root.widened(|| f64::INFINITY))
     }
 
     /// Does what only pushes push up to this way, and is it not what the end waits for? Errors: friction that turns about.
@@ -914,7 +970,8 @@ impl<'a, T: Real> Account<'a, T> {
             End::Time(_, t) => Some(self.n.get(t)),
             _ => None,
         };
-        let limit = self.overwinds((far + T::of(STEP), T::of(STEP))).filter(|limit| limit.at_most(far));
+        let limit = ball::unwatched(|| self.overwinds((far + T::of(STEP), T::of(STEP))));
+        let limit = limit.filter(|limit| limit.at_most(far));
         // Short of half a turn of a torsion spring, beside which its moment has two signs.
         far = limit.map_or(far, |limit| limit * T::of(1.0 - 1e-12));
         let begin = self.poses(T::zero())?;
@@ -991,7 +1048,7 @@ impl<'a, T: Real> Account<'a, T> {
         let Some(way) = found else { return Ok(()) };
         let rest = matches!(scene.end, End::TurningPoint(_));
         let open = |x: T| {
-            if proves && !matches!(scene.end, End::Angle(..)) { x.widened(|| f64::INFINITY) } else { x }
+            if proves && matches!(scene.end, End::Time(..)) { x.widened(|| f64::INFINITY) } else { x }
         };
         let half_square = if rest { T::zero() } else { self.half_square(way, from)? };
         let mut say = |quantity, of, value: T| self.say(road, quantity, of, value);
@@ -1199,7 +1256,11 @@ impl<'a, T: Real> Account<'a, T> {
             }
         }
         for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
-            let (at, u) = (self.point(poses, push.at), Self::push(poses, push, *direction));
+            if let Some(place) = push.toward_m {
+                sum = sum - self.n.massive(push.force_n) * self.off(poses, push.at, place).second;
+                continue;
+            }
+            let (at, u) = (self.point(poses, push.at), self.push(poses, push, *direction));
             let turn = if push.turns { poses[push.at.body].turn().0 } else { T::zero() };
             let turned = [-u[1] * turn, u[0] * turn];
             sum = sum + self.n.massive(push.force_n) * (dot(u, second(at)) + dot(turned, first(at)));
@@ -1380,7 +1441,8 @@ impl<'a, T: Real> Account<'a, T> {
                 let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
                 let force = (x.square() + y.square()).root();
                 self.say(road, Quantity::PinForce, of, force);
-                if !force.is_zero() {
+                // A pin on which nothing acts: its force has no angle, and nothing else hangs on that.
+                if !ball::unwatched(|| force.is_zero()) {
                     self.say(road, Quantity::PinAngle, of, trig::angle(y, x));
                 }
             }

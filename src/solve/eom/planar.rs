@@ -486,7 +486,15 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 continue;
             }
             let axis = poses[push.at.body].axis;
-            let u = if push.turns { [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s] } else { [c, s] };
+            let u = if let Some(place) = push.toward_m {
+                let (_, _, apart) = self.strut(poses, push.at, &StrutEnd::Ground(place));
+                let length = dot(apart, apart).root();
+                apart.map(|x| x / length)
+            } else if push.turns {
+                [axis[0] * c - axis[1] * s, axis[1] * c + axis[0] * s]
+            } else {
+                [c, s]
+            };
             let p = plant!("eom: force on a point", self.n.massive(push.force_n));
             force(push.at.body, u.map(|x| x * p), self.lever(poses, push.at));
         }
