@@ -35,13 +35,16 @@ pub struct MethodWords<'w> {
     pub hint: &'w str,
 }
 
+/// Methods that are solved together at most, beside the right data that lead them; a page does not gain from that.
+const TOGETHER: usize = if cfg!(feature = "program") { LANES - 1 } else { 1 };
+
 /// A method that names no quantities spoils those that come out different by more than rounding of doubles.
 const SAME: f64 = 1e-9;
 
 /// Where the wrong methods of a problem come to for these quantities, in the order of the methods, then of the quantities. A
 /// method without a real answer (a wheel that would not move) has no value.
 pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, labels: &[Label]) -> Vec<Wrong> {
-    Methods::new(problem, case, labels, |_| true).values_while(data, solved, &mut |_| true)
+    Methods::new(problem, case, labels, &|_| true).values_while(data, solved, &mut |_| true)
 }
 
 /// Where one wrong method, an index into those of the problem, comes to for one quantity; `None` where it has no value.
@@ -51,7 +54,7 @@ pub fn value(
     (data, solved): (&[f64], &Solved),
     (mistake, label): (usize, Label),
 ) -> Option<f64> {
-    let methods = Methods::new(problem, case, &[label], |index| index == mistake);
+    let methods = Methods::new(problem, case, &[label], &|index| index == mistake);
     methods.values_while(data, solved, &mut |_| true).first().map(|w| w.value)
 }
 
@@ -91,7 +94,7 @@ enum SpoiltBy<'p> {
 
 impl<'p> Methods<'p> {
     /// Prepares the methods of these indices that are taken in this case.
-    pub fn new(problem: &'p Problem, case: usize, labels: &[Label], wanted: impl Fn(usize) -> bool) -> Self {
+    pub fn new(problem: &'p Problem, case: usize, labels: &[Label], wanted: &dyn Fn(usize) -> bool) -> Self {
         let right = problem.cases.get(case).map(|c| &c.scene);
         let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
         let mistakes = problem.mistakes.iter().enumerate().filter(|(i, m)| wanted(*i) && taken(m));
@@ -155,8 +158,11 @@ impl<'p> Methods<'p> {
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
         let mut found: Vec<Wrong> = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
-        let together = self.methods.chunk_by(|a, b| a.joins && b.joins).flat_map(|all| all.chunks(LANES - 1));
-        'all: for methods in together {
+        let mut left = &self.methods[..];
+        'all: while !left.is_empty() {
+            let together = left.iter().take(TOGETHER).take_while(|m| m.joins).count().max(1);
+            let (methods, others) = left.split_at(together);
+            left = others;
             let mut roads = self.roads(methods, data, solved).into_iter();
             for method in methods {
                 let mut more = true;

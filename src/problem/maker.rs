@@ -384,7 +384,7 @@ impl<'p> Maker<'p> {
     fn plan(&self, index: usize) -> &DrawPlan<'p> {
         self.plans[index].get_or_init(|| {
             let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
-            let methods = Methods::new(self.problem, index, &labels, |_| true);
+            let methods = Methods::new(self.problem, index, &labels, &|_| true);
             let bounds = self.problem.cases[index].bounds.iter().flat_map(|b| b.expression.quantities());
             let energies = [Quantity::KineticEnergy, Quantity::Rise, Quantity::WorkPull];
             let named = labels.iter().copied().chain(bounds).map(|label| label.quantity);

@@ -43,20 +43,21 @@ type Values<T> = SmallVec<[Option<T>; 8]>;
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let joined = scene.lead().is_some();
+    // What is judged in doubles alone, in a page, needs no speed.
+    let follow = !T::is_double() && scene.lead().is_some();
     let labels = || entries.iter().map(|e| e.label).enumerate();
     let doubles = |sets: &[Set], asked| {
         let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());
         eom::roads(scene, sets, asked).into_iter().map(|told| told.map(values)).collect()
     };
-    let (mut conds, rounded) = quotients(scene, data, kind, entries, &doubles, joined);
+    let (mut conds, rounded) = quotients(scene, data, kind, entries, &doubles, follow);
     if !T::is_double() && rounded.contains(&true) {
         let value = |road: &Road<T>, (at, label)| road.said_at(at, label).map(|said| said.value);
         let values = |road: Road<T>| (road.kind(), labels().map(|label| value(&road, label)).collect());
         let each = |sets: &[Set], asked| {
             sets.iter().map(|data| eom::road_of(scene, data, asked).ok().map(values)).collect()
         };
-        let (finer, _) = quotients(scene, data, kind, entries, &each, joined);
+        let (finer, _) = quotients(scene, data, kind, entries, &each, follow);
         for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
             *cond = finer;
         }
@@ -121,20 +122,16 @@ fn quotients<T: Real>(
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let slopes = (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i)));
-                let (mut slopes, uneven): (Vec<f64>, Vec<bool>) = slopes.map(|s| (s.per, s.uneven)).unzip();
-                let uneven = uneven.contains(&true);
-                if uneven && !followers.is_empty() {
-                    return quotients(scene, data, kind, entries, roads, false);
+                let slopes: Vec<EntrySlope> =
+                    (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i))).collect();
+                let uneven = slopes.iter().any(|s| s.uneven);
+                let mut sum: f64 = slopes.iter().map(|s| s.per.abs()).sum();
+                if !followers.is_empty() {
+                    if uneven {
+                        return quotients(scene, data, kind, entries, roads, false);
+                    }
+                    sum += followed(scene, entry, &followers, &slopes);
                 }
-                let powers = Scales::powers_of(scene, entry.label).map(|p| f64::from(p) * entry.value());
-                let known: Vec<f64> = slopes.iter().copied().chain(powers).collect();
-                let of = |shares: &Vec<f64>| {
-                    let terms = shares.iter().zip(&known).filter(|(share, _)| **share != 0.0);
-                    terms.map(|(share, slope)| share * slope).sum::<f64>()
-                };
-                slopes.extend(followers.iter().map(of));
-                let sum = slopes.iter().map(|s: &f64| s.abs()).sum();
                 let found = relative(entry, sum);
                 let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
                 if found * step <= fine || last {
@@ -161,6 +158,17 @@ fn quotients<T: Real>(
         _ => f64::INFINITY,
     };
     (conds.into_iter().map(told).collect(), rounded)
+}
+
+/// The slopes, added up, of the data that follow others.
+fn followed(scene: &Scene, entry: &Entry, followers: &[Vec<f64>], slopes: &[EntrySlope]) -> f64 {
+    let powers = Scales::powers_of(scene, entry.label).map(|p| f64::from(p) * entry.value());
+    let known: Vec<f64> = slopes.iter().map(|s| s.per).chain(powers).collect();
+    let of = |shares: &Vec<f64>| {
+        let terms = shares.iter().zip(&known).filter(|(share, _)| **share != 0.0);
+        terms.map(|(share, slope)| share * slope).sum::<f64>().abs()
+    };
+    followers.iter().map(of).sum()
 }
 
 /// Takes up to three data out of those that are used, and tells for each the shares that the slopes of the others have in its own, and

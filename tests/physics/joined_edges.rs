@@ -484,7 +484,7 @@ end: {turning point: bar}
         let (bank, mut found) = solved(text);
         let scene = &bank.problems[0].cases[0].scene;
         assert!(agree::prove(scene, &[9.81], &mut found), "{text}: not proved");
-        let entry = found.get(checks::label(scene, name).unwrap()).unwrap();
+        let entry = found.get(labels::named(scene, name).unwrap()).unwrap();
         all_near(&[entry.value()], &[expected], 1e-14);
         let bound = entry.bound.unwrap_or_else(|| panic!("{text}: no bound"));
         assert!(bound < 1e-12 * expected, "{text}: {bound}");
