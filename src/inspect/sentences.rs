@@ -405,7 +405,7 @@ fn trouble(trouble: &Trouble) -> String {
         }
         Trouble::Overdue { at } => {
             format!(
-                "goes past the end without meeting it, as far as t = {} s; take a shorter step",
+                "goes past the end without meeting it, as far as t = {} s; take a shorter step or a smaller tolerance",
                 figures(*at)
             )
         }

@@ -56,22 +56,21 @@ type Panels = (LazyLock<Rule>, f64, f64);
 /// Longer panels for what is smooth on a long way and costs much to look at: in numbers of 32 digits, and in doubles.
 static LONG: [Panels; 2] =
     [(LazyLock::new(|| Rule::new(40)), 1e-18, SMOOTH), (LazyLock::new(|| Rule::new(32)), 1e-12, SMOOTH)];
-/// Panels of which only the end counts: there even a rate is exact up to twice their degree.
-static ENDING: [Panels; 2] =
-    [(LazyLock::new(|| Rule::new(28)), SMOOTH, SMOOTH), (LazyLock::new(|| Rule::new(18)), 5e-8, 5e-8)];
+/// Panels of which only the end counts, in doubles: there even a rate is exact up to twice their degree. The time is not, and what is
+/// published of it has to be.
+static ENDING: Panels = (LazyLock::new(|| Rule::new(18)), 5e-8, 5e-8);
 
-fn of_type<T: Real>([exact, double]: &'static [Panels; 2]) -> (&'static Rule, f64, f64) {
-    let (rule, rate, sum) = if T::is_double() { double } else { exact };
-    (rule, *rate, *sum)
-}
 /// The panel with which numbers of this type are as smooth as they can be told to be on the longest way; the shares below which the
 /// last coefficients of a rate are smooth on it, and those of what is summed.
 pub fn long<T: Real>() -> (&'static Rule, f64, f64) {
-    of_type::<T>(&LONG)
+    shares(&LONG[usize::from(T::is_double())])
 }
 /// The same of a panel of which only the end counts.
 pub fn ending<T: Real>() -> (&'static Rule, f64, f64) {
-    of_type::<T>(&ENDING)
+    if T::is_double() { shares(&ENDING) } else { long::<T>() }
+}
+fn shares((rule, rate, sum): &'static Panels) -> (&'static Rule, f64, f64) {
+    (rule, *rate, *sum)
 }
 
 /// The nodes of a panel, as shares of it, ascending.

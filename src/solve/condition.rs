@@ -83,6 +83,7 @@ fn quotients<T: Real>(
     let mut used = used(scene, data);
     let followers = if follow { followers(scene, &mut used) } else { Vec::new() };
     let mut rounded = vec![false; entries.len()];
+    let mut kinked: Vec<usize> = Vec::new();
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
     // Where each datum is changed, after the data as they are if these are wanted.
@@ -127,8 +128,11 @@ fn quotients<T: Real>(
                 let uneven = slopes.iter().any(|s| s.uneven);
                 let mut sum: f64 = slopes.iter().map(|s| s.per.abs()).sum();
                 if !followers.is_empty() {
+                    // What follows from the slopes of others cannot be told beside a kink.
                     if uneven {
-                        return quotients(scene, data, kind, entries, roads, false);
+                        kinked.push(at);
+                        *cond = Some(f64::NAN);
+                        continue;
                     }
                     sum += followed(scene, entry, &followers, &slopes);
                 }
@@ -157,7 +161,14 @@ fn quotients<T: Real>(
         Some(cond) if !cond.is_nan() => cond,
         _ => f64::INFINITY,
     };
-    (conds.into_iter().map(told).collect(), rounded)
+    let mut conds: Vec<f64> = conds.into_iter().map(told).collect();
+    if !kinked.is_empty() {
+        let (all, roughly) = quotients(scene, data, kind, entries, roads, false);
+        for at in kinked {
+            (conds[at], rounded[at]) = (all[at], roughly[at]);
+        }
+    }
+    (conds, rounded)
 }
 
 /// The slopes, added up, of the data that follow others.

@@ -41,7 +41,7 @@ pub struct Route<'r, L> {
     pub time: &'r dyn Fn() -> f64,
 }
 
-/// A run with a fixed step that takes so many times the time of the motion has passed its event.
+/// A run that takes so many times the time of the motion has passed its event.
 const OVERDUE: f64 = 20.0;
 /// A run that takes so many times its rough time goes on and on.
 const LONG: f64 = 100.0;
@@ -75,14 +75,10 @@ impl<L: Fn(usize, f64, f64) -> f64> Route<'_, L> {
         let field = |_: f64, y: &[f64; 2]| [y[1], (self.law)(piece.get(), y[0], y[1])];
         let formula = rung.method().formula().unwrap_or(Formula::Dop853);
         let mut run = Run::new(formula, field, 0.0, [0.0, self.u0], rung.pace(0.05 * self.pace));
-        // Only a step of fixed length can go past its event for ever.
-        let mut step = match rung {
-            Rung::Fixed(_, step) => Some(step),
-            _ => None,
-        };
-        if let Some(step) = step {
-            run.give_up_at(LONG * (self.pace + step));
-        }
+        // Long steps, or a loose tolerance, can go past an event for ever.
+        let step = if let Rung::Fixed(_, step) = rung { step } else { 0.0 };
+        run.give_up_at(LONG * (self.pace + step));
+        let mut bounded = false;
         let turned = |_: f64, y: &[f64; 2]| -y[1];
         // The size of the accelerations and speeds to come, for the residuals.
         let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
@@ -111,13 +107,13 @@ impl<L: Fn(usize, f64, f64) -> f64> Route<'_, L> {
                     Event::Level => run.until(&law, force, &turned).map(|_| ()),
                     Event::Release => run.until(&pressed, pressing, &turned).map(|_| ()),
                 };
-                match (landed, step.take()) {
-                    (Err(Trouble::Overdue { .. }), Some(step)) => {
+                match landed {
+                    Err(Trouble::Overdue { .. }) if !bounded => {
                         let time = (self.time)();
                         run.give_up_at(if time >= 0.0 { OVERDUE * (time + step) } else { f64::INFINITY });
+                        bounded = true;
                     }
-                    (landed, kept) => {
-                        step = kept;
+                    landed => {
                         landed?;
                         break;
                     }
