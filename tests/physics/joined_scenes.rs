@@ -283,8 +283,11 @@ impl<'m> Judge<'m> {
         drive -= self.inertias().zip(self.carried()).zip(&v).map(|((m, a), v)| m * a * v).sum::<f64>();
         Some((drive, self.inertias().zip(&v).map(|(m, v)| m * v * v).sum()))
     }
-    /// Where it stands when the leading body has turned on by this much.
+    /// Where it stands when the leading body has turned on by this much: in short steps, for beside a dead centre the others go far.
     fn turned_on(&self, q: &[f64], by: f64) -> Option<Vec<f64>> {
+        (0..8).try_fold(q.to_vec(), |q, _| self.turned_a_step(&q, by / 8.0))
+    }
+    fn turned_a_step(&self, q: &[f64], by: f64) -> Option<Vec<f64>> {
         let along = |at: &[f64], slope: &[f64], h: f64| -> Vec<f64> {
             at.iter().zip(slope).map(|(x, k)| x + h * k).collect()
         };
