@@ -283,9 +283,16 @@ impl<'m> Judge<'m> {
         drive -= self.inertias().zip(self.carried()).zip(&v).map(|((m, a), v)| m * a * v).sum::<f64>();
         Some((drive, self.inertias().zip(&v).map(|(m, v)| m * v * v).sum()))
     }
-    /// Where it stands when the leading body has turned on by this much: in short steps, for beside a dead centre the others go far.
+    /// Where it stands when the leading body has turned on by this much: in as short steps as it takes beside a dead centre.
     fn turned_on(&self, q: &[f64], by: f64) -> Option<Vec<f64>> {
-        (0..8).try_fold(q.to_vec(), |q, _| self.turned_a_step(&q, by / 8.0))
+        let half = 0.5 * by;
+        let once = self.turned_a_step(q, by)?;
+        let twice = self.turned_a_step(q, half).and_then(|q| self.turned_a_step(&q, half))?;
+        let off = once.iter().zip(&twice).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        if off < 1e-10 || half.abs() < 1e-6 {
+            return Some(twice);
+        }
+        self.turned_on(q, half).and_then(|q| self.turned_on(&q, half))
     }
     fn turned_a_step(&self, q: &[f64], by: f64) -> Option<Vec<f64>> {
         let along = |at: &[f64], slope: &[f64], h: f64| -> Vec<f64> {
