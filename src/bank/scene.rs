@@ -213,9 +213,9 @@ impl SceneReader<'_> {
         let Forces { couples, pushes, struts } = forces;
         let start_node = fields.get("start");
         let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
-        let end = fields
-            .need("end", "{travel: {of: wheel, by: d}}")
-            .and_then(|n| self.end(n, &bodies, &ties, &joints));
+        let end_node = fields.need("end", "{travel: {of: wheel, by: d}}");
+        let end = end_node.and_then(|n| self.end(n, &bodies, &ties, &joints));
+        let stays = end_node.is_some_and(|n| n.field("stops slipping").is_some());
         let next_node = fields.get("next");
         fields.close();
         let (end, heading) = end?;
@@ -244,7 +244,7 @@ impl SceneReader<'_> {
             end,
             heading,
             span: Span::default(),
-            formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
+            formulas: Formulas { numbers: self.derived.take(), stays, ..Formulas::default() },
         };
         scene.still_turns();
         if let Some(n) = next_node {

@@ -111,6 +111,12 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
         CheckKind::Moves => moves(scene, c),
         CheckKind::NoSlip if c.available.is_nan() => unknown(format!("the contact of the {tie}")),
         CheckKind::Taut if c.available.is_nan() => unknown(tie),
+        CheckKind::NoSlip if matches!(scene.ties.get(c.of), Some(Tie::Slide { .. })) => {
+            let [not, then] = if c.ok { ["", ""] } else { ["not", ", and it slips on"] };
+            format!(
+                "static friction can{not} hold the {tie} where its slip ends{then}: that needs {required} N, mu_s N = {available} N"
+            )
+        }
         CheckKind::NoSlip if c.ok => format!(
             "the {tie} holds without slipping{looks}: needs {required} N of friction, mu_s N = {available} N"
         ),
@@ -233,7 +239,10 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         "of forces that grow what comes then is told with time, and without other couples: a couple that stays may be a brake".to_owned()
     };
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
-        (false, _) if c.required == 0.0 && scene.ends_at_a_place() => {
+        // It is reached, and by a motion of no length.
+        (false, _) if c.required == 0.0 || c.required.total_cmp(&c.available).is_eq() => {
+            let started = !scene.starts_from_rest() && scene.ends_at_a_place();
+            let then = if started { then } else { "write an end that comes after the start".to_owned() };
             format!("the end lies where the motion starts, and it leaves there; {then}")
         }
         (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {

@@ -330,6 +330,13 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
         R::NotAbove(other) => {
             format!("{name} = {value}: must not be above {}", symbol(problem, scene, other))
         }
+        R::Inside(other) => {
+            format!("{name} = {value}: must be below {}, for the body moves inside it", symbol(problem, scene, other))
+        }
+        R::Unlike(other) => format!(
+            "{name} = {value}: must not be {}: the body would touch all around and could not roll or slide",
+            symbol(problem, scene, other)
+        ),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
 use crate::num::{Dd, Real, trig};
 use crate::scene::{
-    Arm, Attach, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Slope, Start,
+    Arm, Attach, Body, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Shape, Slope, Start,
     StrutEnd, Surface, Tie, Zero,
 };
 
@@ -24,6 +24,20 @@ pub enum Rule {
     Range,
     /// Not above another datum (hub <= rim, mu_k <= mu_s).
     NotAbove(Num),
+    /// Below the radius of the cylinder within which a solid body moves.
+    Inside(Num),
+    /// Not the radius of the cylinder within which a body, or which within a body, moves: it would touch it all around.
+    Unlike(Num),
+}
+
+impl Rule {
+    /// The other number that it compares with.
+    pub const fn bound(self) -> Option<Num> {
+        match self {
+            Self::NotAbove(other) | Self::Inside(other) | Self::Unlike(other) => Some(other),
+            _ => None,
+        }
+    }
 }
 
 /// The least magnitude of a datum that is not 0, SI.
@@ -185,16 +199,22 @@ fn joint_rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
             JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
                 place_m.iter().for_each(|x| tell(*x, Rule::Finite));
             }
-            JointKind::Contact { radius_m, surface, .. } => {
+            JointKind::Contact { at, radius_m, surface, .. } => {
                 tell(radius_m, Rule::NotNegative);
                 match surface {
                     Surface::Line { through_m, direction_deg } => {
                         through_m.iter().for_each(|x| tell(*x, Rule::Finite));
                         tell(direction_deg, Rule::Angle);
                     }
-                    Surface::Arc { centre_m, radius_m: arc, .. } => {
+                    Surface::Arc { centre_m, radius_m: arc, inside } => {
                         centre_m.iter().for_each(|x| tell(*x, Rule::Finite));
                         tell(arc, Rule::Positive);
+                        // A hoop may hang on a smaller cylinder, as may what the bank tells no shape of.
+                        match (inside, is_solid(&scene.bodies[at.body])) {
+                            (false, _) => {}
+                            (true, true) => tell(radius_m, Rule::Inside(arc)),
+                            (true, false) => tell(radius_m, Rule::Unlike(arc)),
+                        }
                     }
                 }
             }
@@ -225,6 +245,15 @@ fn joint_rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
                 tell(direction_deg, Rule::Angle);
             }
         }
+    }
+}
+
+/// Is there nothing but solid shapes in a body, so that nothing can be inside it?
+fn is_solid(body: &Body) -> bool {
+    match &body.inertia {
+        Some(RotaryInertia::Shape(shape, _)) => *shape != Shape::Hoop,
+        Some(RotaryInertia::Parts(parts)) => parts.iter().all(|part| part.shape != Shape::Hoop),
+        Some(RotaryInertia::Gyration(_) | RotaryInertia::Moment(_)) | None => false,
     }
 }
 
@@ -266,10 +295,15 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
 pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
     let of = |n: Num| scene.value(n, data);
     let value = of(datum);
+    // A value that is not even finite has its own finding.
+    let beside = |other: Num, keeps: fn(f64, f64) -> bool| {
+        !value.is_finite() || !of(other).is_finite() || keeps(value, of(other))
+    };
     match rule {
         Rule::Stretch => fits(scene, &of, value),
-        // A value that is not even finite has its own finding.
-        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+        Rule::NotAbove(other) => beside(other, |own, other| own <= other),
+        Rule::Inside(other) => beside(other, |own, other| own < other),
+        Rule::Unlike(other) => beside(other, |own, other| own < other || own > other),
         _ => fits_rule(value, rule),
     }
 }
@@ -283,7 +317,7 @@ pub fn fits_rule(value: f64, rule: Rule) -> bool {
         Rule::NotNegative => value.is_finite() && value >= 0.0,
         Rule::Slope => (0.0..=90.0).contains(&value),
         Rule::Angle => (-360.0..=360.0).contains(&value),
-        Rule::Stretch | Rule::NotAbove(_) => true,
+        Rule::Stretch | Rule::NotAbove(_) | Rule::Inside(_) | Rule::Unlike(_) => true,
     }
 }
 

@@ -129,6 +129,8 @@ pub struct Formulas {
     pub taken: Vec<Taken>,
     /// What is found from a measurement.
     pub found: Option<Found>,
+    /// Does the end say that what slides stays where it comes to rest?
+    pub stays: bool,
 }
 
 impl Formulas {

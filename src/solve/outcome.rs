@@ -669,7 +669,7 @@ pub struct Course<P> {
 pub enum Held<P> {
     /// A body on a surface: index, normal force N.
     Pressed(usize, f64),
-    /// A rolling contact: index of the tie, the largest |F|, N, and `mu_s N`.
+    /// A rolling contact, or one that has stopped sliding: index of the tie, the largest |F|, N, and `mu_s N`.
     Rolling(usize, P, Option<P>),
     /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction, sense
     /// in which the centre sets off.

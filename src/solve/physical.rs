@@ -114,7 +114,7 @@ fn judge<P: Real>(
         available: 0.0,
         margin: 0.0,
     });
-    let mut slips = false;
+    let (mut slips, mut slips_on) = (false, false);
     let thrown = held.iter().find_map(|h| match h {
         Held::Thrown(t) => Some(*t),
         _ => None,
@@ -167,7 +167,9 @@ fn judge<P: Real>(
             }),
             Held::Rolling(tie, most, Some(available)) => {
                 let holds = most.status(*available) <= 0.0;
-                slips |= !holds;
+                let slides = matches!(scene.ties[*tie], Tie::Slide { .. });
+                slips |= !holds && !slides;
+                slips_on |= !holds && slides;
                 checks.push(Check {
                     kind: CheckKind::NoSlip,
                     of: *tie,
@@ -176,7 +178,9 @@ fn judge<P: Real>(
                     available: available.f64(),
                     margin: margin(*available, *most),
                 });
-                words.push((rolls(scene, *tie), if holds { Word::Yes } else { Word::No }));
+                if !slides {
+                    words.push((rolls(scene, *tie), if holds { Word::Yes } else { Word::No }));
+                }
             }
             Held::Rolling(_, _, None) => {}
             Held::Slipping(tie, friction, available, against, _) => {
@@ -235,9 +239,7 @@ fn judge<P: Real>(
     };
     if watched {
         // Where it sets off is no end of it.
-        let leaves = course.asked.is_some_and(|asked| asked.is_zero())
-            && scene.ends_at_a_place()
-            && !scene.starts_from_rest();
+        let leaves = course.asked.is_some_and(|asked| asked.is_zero());
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,
@@ -276,6 +278,8 @@ fn judge<P: Real>(
             (false, _, true) => Motion::RollsAtStart,
             (true, true, true) => Motion::RollsAfter,
         }
+    } else if slips_on {
+        Motion::SlipsThrough
     } else if let Some((tie, friction, available, sense)) = slipping {
         let line = match &scene.ties[tie] {
             Tie::Slip { body, .. } => scene.bodies[*body].line,

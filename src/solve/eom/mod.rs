@@ -19,7 +19,7 @@ use crate::num::{Lanes, lanes};
 use crate::scene::pose;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
-    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
+    Num, Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
@@ -243,6 +243,8 @@ struct Walk<'a, T: Real> {
     x_eq: Option<T>,
     /// For each contact that is said to slip: as if it rolled.
     rolled: Rolled<T>,
+    /// With all that slides held where it comes to rest, if the end says that it stays there.
+    holding: Option<Response<T>>,
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
     ratio_column: usize,
@@ -414,6 +416,10 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             setting.grip = Grip::Declared;
         }
+        let holding = scene.formulas.stays.then(|| {
+            let stays = smallvec![true; scene.ties.len()];
+            respond(scene, &n, &Setting { stays, ..setting.clone() }).ok()
+        });
         let v0 = velocity(&response, end).unwrap_or_else(T::zero);
         let mut ratio_column = if spring.is_some() {
             VARYING
@@ -464,6 +470,7 @@ impl<'a, T: Real> Walk<'a, T> {
             spring,
             x_eq,
             rolled,
+            holding: holding.flatten(),
             response,
             ratio_column,
             v0,
@@ -915,9 +922,22 @@ impl<'a, T: Real> Walk<'a, T> {
                         Held::Cord(t, force, walk.share_of_tension(t, c, least, at))
                     });
                 }
+                Tie::Slide { body, mu_s, mu_k } => self.stays(t, *body, mu_s.unwrap_or(*mu_k), tension1),
                 _ => {}
             }
         }
+    }
+
+    /// The friction that a body needs to stay where it came to rest by sliding.
+    fn stays(&mut self, tie: usize, body: usize, mu_s: Num, tension: T) {
+        let reached = self.road.course.is_some_and(|course| course.reached);
+        let Some(holding) = self.holding.as_ref().filter(|r| reached && !r.is_open(tie)) else { return };
+        let needed = self.at_tension(tension, |k| holding.reaction(tie, k)).abs();
+        let available = self.n.get(mu_s) * holding.normal(body);
+        self.hold(|walk| {
+            let force = |f: T| walk.n.publish(Quantity::Friction, f);
+            Held::Rolling(tie, force(needed), Some(force(available)))
+        });
     }
 
     /// Tension of a cord as a share of the other forces (or moments) on what it pulls, at this tension of the spring: near 0 the
