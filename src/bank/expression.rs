@@ -76,13 +76,7 @@ impl Expression {
         let powers = parser.sum()?;
         parser.blanks();
         if parser.at < chars.len() {
-            let rest = chars[parser.at];
-            let mut fault = parser.trouble(told!("`{rest}` is not expected here"));
-            if rest.is_alphabetic() || rest == '(' {
-                let hint = "factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has";
-                fault.hint = Some(hint.to_owned());
-            }
-            return Err(fault);
+            return Err(parser.unexpected(chars[parser.at]));
         }
         Ok(Self { formula: Formula::new(parser.steps), powers })
     }
@@ -186,6 +180,21 @@ struct Parser<'a> {
 impl Parser<'_> {
     fn trouble(&self, message: impl Into<String>) -> ExpressionFault {
         ExpressionFault { column: self.at + 1, message: message.into(), hint: None }
+    }
+    fn unexpected(&self, found: char) -> ExpressionFault {
+        let mut fault = self.trouble(told!("`{found}` is not expected here"));
+        if found.is_alphabetic() || found == '(' {
+            let hint = "factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has";
+            fault.hint = Some(hint.to_owned());
+        }
+        fault
+    }
+    /// A bracket is not closed where it should be: something else stands there, or nothing.
+    fn unclosed(&self) -> ExpressionFault {
+        match self.chars.get(self.at) {
+            Some(found) if found.is_alphabetic() || *found == '(' => self.unexpected(*found),
+            _ => self.trouble("`)` is missing"),
+        }
     }
     fn blanks(&mut self) {
         while self.chars.get(self.at).is_some_and(|c| c.is_whitespace()) {
@@ -293,7 +302,7 @@ impl Parser<'_> {
             self.at += 1;
             let powers = self.sum()?;
             if !self.take(')') {
-                return Err(self.trouble("`)` is missing"));
+                return Err(self.unclosed());
             }
             return Ok(powers);
         }
@@ -323,7 +332,7 @@ impl Parser<'_> {
                 self.at += 1;
                 let mut powers = self.sum()?;
                 if !self.take(')') {
-                    return Err(self.trouble("`)` is missing"));
+                    return Err(self.unclosed());
                 }
                 match name.as_str() {
                     "sqrt" => {

@@ -5,7 +5,6 @@ use crate::finding::Findings;
 use crate::folder::banks;
 use crate::inspect::{data, sentences, table};
 use crate::scene::Label;
-use crate::solve::outcome::Refusal;
 use crate::solve::{agree, ladder};
 
 pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
@@ -20,7 +19,7 @@ pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
         // Nothing is proved where the data leave open which way it goes: the bounds are then absent.
         let proved = agree::prove(scene, &data, &mut solved);
         if !proved && scene.formulas.found.is_some() {
-            return Err(data::refused(problem, scene, &Refusal::NotUnique));
+            return Err(data::refused(problem, scene, &agree::not_unique(scene, &data)));
         }
     }
     let holds = data::fits(problem, case, &solved);

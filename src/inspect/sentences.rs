@@ -7,7 +7,7 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::pose::{Choice, Layout};
-use crate::scene::{AsIf, Asked, Coordinate, Degree, End, Found, Numbers, Quantity, Scene, Span, Spot, Tie};
+use crate::scene::{AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Quantity, Scene, Span, Spot, Tie};
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome::{Check, CheckKind, Refusal, Regime, Unsupported};
@@ -59,6 +59,12 @@ fn moves(scene: &Scene, c: &Check) -> String {
         true if c.required == 0.0 => format!("the {body} moves as declared: nothing resists"),
         true => {
             format!("the {body} moves as declared: the driving force is {} times the resistance", ratio())
+        }
+        false if scene.heading.is_some() && !scene.starts_from_rest() => format!(
+            "the {body} does not move as declared: it starts the other way; what comes after a turning point is a motion of its own, `next`"
+        ),
+        false if c.available == 0.0 && c.required == 0.0 && scene.joints.iter().any(|j| j.kind.rubs().is_some()) => {
+            format!("the {body} does not move as declared: friction holds it at rest")
         }
         false => format!(
             "the {body} does not move as declared: the driving force is {} times the resistance, required more than 1",
@@ -278,13 +284,13 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => {
             format!("the end is not reached: {required} {unit} asked, the motion turns before")
         }
-        (false, _) if endless || (pinned && c.required < 0.0) => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
-        }
         (false, _) if c.required < 0.0 => {
-            format!(
-                "the end is not reached: {required} {unit} asked, the motion goes the other way and turns after {available} {unit}; {then}"
-            )
+            let way = figures(-c.required);
+            let on = if endless || pinned { String::new() } else { format!(" and turns after {available} {unit}; {then}") };
+            format!("the end is not reached: it lies {way} {unit} from the start, and the motion goes the other way{on}")
+        }
+        (false, _) if endless || c.required < c.available => {
+            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }
         (false, _) => {
             format!(
@@ -483,11 +489,12 @@ const fn unsupported(what: Unsupported) -> &'static str {
     }
 }
 
-/// A place of the plane.
-fn at_place([x, y]: [f64; 2]) -> String {
-    // What is nothing beside the other coordinate is 0.
-    let shown = |own: f64, other: f64| figures(if own.abs() <= 1e-9 * other.abs() { 0.0 } else { own });
-    format!("({} m, {} m)", shown(x, y), shown(y, x))
+/// A place of the plane, in a scene where another is `beside`.
+fn at_place(place: [f64; 2], beside: [f64; 2]) -> String {
+    // What is nothing beside the other coordinates is 0.
+    let size = place.iter().chain(&beside).fold(0.0, |size: f64, x| size.max(x.abs()));
+    let [x, y] = place.map(|x| figures(if x.abs() <= 1e-9 * size { 0.0 } else { x }));
+    format!("({x} m, {y} m)")
 }
 
 /// A point of a body, as banks name it.
@@ -504,8 +511,8 @@ pub fn sides(scene: &Scene, data: &[f64]) -> Vec<String> {
         format!(
             "`{body}`: `{}` lies at {}; `side: behind` puts it at {} (`side: ahead` says that it is meant so)",
             point(scene, at),
-            at_place(here),
-            at_place(there)
+            at_place(here, there),
+            at_place(there, here)
         )
     };
     choices.into_iter().flatten().map(told).collect()
@@ -527,6 +534,15 @@ pub fn hidden(scene: &Scene) -> Vec<String> {
     told.collect()
 }
 
+/// A value of the unknown, as the bank writes it.
+fn in_unit(problem: &Problem, scene: &Scene, value: f64) -> String {
+    let datum = scene.formulas.found.as_ref().and_then(|f| problem.data.get(f.unknown.datum));
+    datum.map_or_else(String::new, |datum| {
+        let own = if datum.degrees { value } else { datum.unit.from_si(value) };
+        datum.unit.text_with(&figures(own))
+    })
+}
+
 /// Why a scene with these data has no answer; a sentence each.
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
@@ -541,9 +557,11 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             faults.iter().map(told).collect()
         }
         Refusal::Singular { unknowns, rank } => {
-            one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}"))
+            let light = scene.bodies.iter().any(|b| b.planar.is_some() && b.mass == Mass::Kilograms(Num::Fixed(0.0)));
+            let why = if light { "; what has a mass of 0 needs a body with mass that moves with it" } else { "" };
+            one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}{why}"))
         }
-        Refusal::NotFound | Refusal::NotUnique => {
+        Refusal::NotFound | Refusal::NotUnique(_) => {
             let symbol = |of: fn(&Found) -> usize| {
                 let datum = scene.formulas.found.as_ref().and_then(|f| problem.data.get(of(f)));
                 datum.map_or_else(|| "a datum".to_owned(), |d| format!("`{}`", d.symbol))
@@ -551,6 +569,10 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
             one(match refusal {
                 Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
+                Refusal::NotUnique(Some(value)) => format!(
+                    "in a part of the range of {unknown} there is no {measured} to measure: with {}, say, the motion does not get there; narrow `unknown:` to the values with which it does",
+                    in_unit(problem, scene, *value)
+                ),
                 _ => format!(
                     "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place and not where it turns"
                 ),
@@ -572,9 +594,9 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
              `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
             point(scene, *at),
-            at_place(*here),
+            at_place(*here, *there),
             scene.bodies.get(at.body).map_or("?", |b| &b.name),
-            at_place(*there)
+            at_place(*there, *here)
         )),
         Refusal::Parted { joint, off_m, at_start } => {
             let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());

@@ -36,8 +36,8 @@ pub struct Unsatisfiable {
     pub tries: u32,
     /// Rules and how often each refused, most first.
     pub table: Vec<(String, u32)>,
-    /// What to do about it.
-    pub hint: String,
+    /// What to do about it, where the table does not say it.
+    pub hint: Option<String>,
     /// The two roads disagreed, which stops everything: the quantity and both values, in words.
     pub disagreement: Option<String>,
     /// The last draw of admissible data that could not be solved, if there was one.
@@ -88,6 +88,8 @@ pub struct Maker<'p> {
     watching: bool,
     /// What is the same for all draws of a case, of each that was drawn.
     plans: Vec<OnceLock<DrawPlan<'p>>>,
+    /// What came of the one draw of a case whose data are constants.
+    constants: Vec<OnceLock<Result<Variant, Box<Unsatisfiable>>>>,
     /// With constant data and a contact that rolls or slips: the case that happens, for each case.
     happening: Vec<OnceLock<usize>>,
     /// What all keys have in common.
@@ -101,6 +103,12 @@ struct DrawPlan<'p> {
     /// What the rules ask of the first road.
     asked: Scope,
 }
+
+/// A student's words, the case, and room for the data.
+type Begun = (DrawWords, usize, Vec<Option<Decimal>>, Vec<f64>);
+
+/// Hears of each rule that a draw breaks. Errors: it is enough, the draw is refused.
+type Hears<'h> = &'h mut dyn FnMut(Refused) -> Result<(), Refused>;
 
 /// A right answer, and how near to it a wrong method may not come; NaN where there is no number.
 type Right = (f64, f64);
@@ -117,6 +125,7 @@ impl<'p> Maker<'p> {
             max_tries: MAX_TRIES,
             watching: false,
             plans: problem.cases.iter().map(|_| OnceLock::new()).collect(),
+            constants: problem.cases.iter().map(|_| OnceLock::new()).collect(),
             happening: problem.cases.iter().map(|_| OnceLock::new()).collect(),
             frame: OnceLock::new(),
         }
@@ -125,6 +134,12 @@ impl<'p> Maker<'p> {
     #[must_use]
     pub fn watching(mut self) -> Self {
         self.watching = true;
+        self
+    }
+    /// The same for the draws of another seed: what does not hang on it is kept.
+    #[must_use]
+    pub fn with_seed(mut self, seed: u64, set: &str) -> Self {
+        self.source = Source::new(seed, set, &self.problem.id);
         self
     }
     /// Gives up after this many tries instead of [`MAX_TRIES`].
@@ -141,10 +156,22 @@ impl<'p> Maker<'p> {
     ///
     /// Errors: none of the tries held them; the table says which rule refused how often.
     pub fn variant(&self, student: &str) -> Result<Variant, Box<Unsatisfiable>> {
-        let (mut words, index, mut values, mut data) = self.begin(student);
+        let begun = self.begin(student);
+        let case = begun.1;
+        // Constants are the same in every draw.
+        if self.problem.cases[case].is_constant() {
+            return self.constants[case].get_or_init(|| self.first_within(begun)).clone();
+        }
+        self.first_within(begun)
+    }
+
+    /// The first draw that holds all rules of its case.
+    fn first_within(
+        &self,
+        (mut words, index, mut values, mut data): Begun,
+    ) -> Result<Variant, Box<Unsatisfiable>> {
         let case = &self.problem.cases[index];
         let mut refusals = Refusals::default();
-        // Constants are the same in every draw.
         let constant = case.is_constant();
         let most = if constant { 1 } else { self.max_tries };
         for tries in 1..=most {
@@ -177,7 +204,7 @@ impl<'p> Maker<'p> {
     }
 
     /// A student's words, the case by share, and room for the data.
-    fn begin(&self, student: &str) -> (DrawWords, usize, Vec<Option<Decimal>>, Vec<f64>) {
+    fn begin(&self, student: &str) -> Begun {
         let mut words = self.source.student(student);
         let index = self.happening(sample::case(&mut words, &self.problem.cases));
         let n = self.problem.data.len();
@@ -275,8 +302,13 @@ impl<'p> Maker<'p> {
     /// Draws that are refused, the first of each rule, among so many.
     pub fn refused(&self, tries: u32) -> Vec<RefusedDraw> {
         let mut found: Vec<(DrawRule, RefusedDraw)> = Vec::new();
+        let mut seen = vec![false; self.problem.cases.len()];
         for n in 1..=tries {
             let (index, values, data) = self.drawn(&format!("refused {n}"), n);
+            // Constants are the same in every draw.
+            if std::mem::replace(&mut seen[index], true) && self.problem.cases[index].is_constant() {
+                continue;
+            }
             let mut refusals = Refusals::default();
             let asked = self.plan(index).asked;
             let Err(refused) = self.solve_within_rules(index, &data, asked, &mut refusals) else { continue };
@@ -322,7 +354,7 @@ impl<'p> Maker<'p> {
         }
     }
 
-    /// Solves, the first road of what is asked at first, or says which rule refuses.
+    /// Solves, or says which rule refuses: of data that may be drawn anew the first one, of constants each that they break.
     fn solve_within_rules(
         &self,
         index: usize,
@@ -330,46 +362,77 @@ impl<'p> Maker<'p> {
         asked: Scope,
         refusals: &mut Refusals,
     ) -> Result<(Solved, Vec<Wrong>), Refused> {
+        if !self.problem.cases[index].is_constant() {
+            return self.solve_within(index, data, asked, refusals, &mut Err);
+        }
+        let mut broken = Vec::new();
+        let mut hear = |refused: Refused| {
+            if broken.iter().all(|known: &Refused| known.rule != refused.rule) {
+                broken.push(refused);
+            }
+            Ok(())
+        };
+        let solved = self.solve_within(index, data, asked, refusals, &mut hear);
+        if broken.is_empty() {
+            return solved;
+        }
+        // That what does not happen cannot be proved tells nothing more.
+        refusals.unsolved = None;
+        // The caller counts the last one.
+        let Some(last) = broken.pop() else { return solved };
+        broken.into_iter().for_each(|refused| refusals.add(refused));
+        Err(last)
+    }
+
+    /// Solves, the first road of what is asked at first.
+    fn solve_within(
+        &self,
+        index: usize,
+        data: &[f64],
+        asked: Scope,
+        refusals: &mut Refusals,
+        hear: Hears,
+    ) -> Result<(Solved, Vec<Wrong>), Refused> {
         let case = &self.problem.cases[index];
         // Bounds on the data alone cost nothing: they go first.
-        bounds(case, false, data, &|_| f64::NAN)?;
+        bounds(case, false, data, &|_| f64::NAN, hear)?;
         // A draw that breaks a rule on the first road needs no second one.
         let methods = &self.plan(index).methods;
         let first = agree::first(&case.scene, data, asked);
         let mut half = first.map_err(|refusal| unsolved(refusals, refusal))?;
-        self.rules(case, half.preview(), data)?;
-        self.energies(case, half.preview(), data)?;
+        self.rules(case, half.preview(), data, hear)?;
+        self.energies(case, half.preview(), data, hear)?;
         // Wrong methods refuse more draws than all rules below, so they come first. A maker that is watching counts which methods
         // would refuse a draw that holds every other rule: it asks them last.
-        let wrong = if self.watching { None } else { Some(self.far(methods, data, half.preview())?) };
+        let wrong = if self.watching { None } else { Some(self.far(methods, data, half.preview(), hear)?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
         self.weigh(index, data, &mut half);
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
-        self.conditioned(half.preview())?;
+        self.conditioned(half.preview(), hear)?;
         let right = self.right(half.preview(), false);
-        let mut near = wrong.iter().flatten().filter(|w| self.refuses(w, &right));
-        if let Some(wrong) = near.next() {
-            return Err(DrawRule::Mistake(wrong.mistake).into());
+        let near = wrong.iter().flatten().filter(|w| self.refuses(w, &right));
+        for wrong in near {
+            hear(DrawRule::Mistake(wrong.mistake).into())?;
         }
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
-        self.moves(case, &solved)?;
+        self.moves(case, &solved, hear)?;
         if !agree::prove(&case.scene, data, &mut solved) {
             if case.scene.formulas.found.is_some() {
-                return Err(unsolved(refusals, Refusal::NotUnique).into());
+                return Err(unsolved(refusals, agree::not_unique(&case.scene, data)).into());
             }
             return Err(DrawRule::Certain.into());
         }
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {
-            return Err(DrawRule::Proved(question).found(share));
+            hear(DrawRule::Proved(question).found(share))?;
         }
         if let Some(question) = broken_relation(self.problem, data, &solved) {
-            return Err(DrawRule::Follows(question).into());
+            hear(DrawRule::Follows(question).into())?;
         }
         let wrong = match wrong {
             Some(wrong) => wrong,
-            None => self.told_apart(methods, data, &solved, refusals)?,
+            None => self.told_apart(methods, data, &solved, refusals, hear)?,
         };
         Ok((solved, wrong))
     }
@@ -434,7 +497,13 @@ impl<'p> Maker<'p> {
     }
 
     /// Where the wrong methods come to, if none comes near a right answer whatever its tolerance.
-    fn far(&self, methods: &Methods, data: &[f64], solved: &Solved) -> Result<Vec<Wrong>, Refused> {
+    fn far(
+        &self,
+        methods: &Methods,
+        data: &[f64],
+        solved: &Solved,
+        hear: Hears,
+    ) -> Result<Vec<Wrong>, Refused> {
         let (mut near, right) = (None, self.right(solved, true));
         let all = methods.values_while(data, solved, &mut |wrong| {
             if near.is_none() && self.refuses(wrong, &right) {
@@ -442,7 +511,8 @@ impl<'p> Maker<'p> {
             }
             near.is_none()
         });
-        near.map_or(Ok(all), |mistake| Err(DrawRule::Mistake(mistake).into()))
+        near.map_or(Ok(()), |mistake| hear(DrawRule::Mistake(mistake).into()))?;
+        Ok(all)
     }
 
     /// Where the wrong methods come to, if none comes near a right answer; counts how often each does.
@@ -452,6 +522,7 @@ impl<'p> Maker<'p> {
         data: &[f64],
         solved: &Solved,
         refusals: &mut Refusals,
+        hear: Hears,
     ) -> Result<Vec<Wrong>, Refused> {
         if self.problem.mistakes.is_empty() {
             return Ok(Vec::new());
@@ -469,14 +540,14 @@ impl<'p> Maker<'p> {
         for (count, any) in refusals.near.iter_mut().zip(&near) {
             *count += u32::from(*any);
         }
-        match all.iter().find(|w| self.refuses(w, &right)) {
-            Some(wrong) => Err(DrawRule::Mistake(wrong.mistake).into()),
-            None => Ok(all),
+        for wrong in all.iter().filter(|w| self.refuses(w, &right)) {
+            hear(DrawRule::Mistake(wrong.mistake).into())?;
         }
+        Ok(all)
     }
 
     /// Is the kinetic energy not what two much larger energies leave?
-    fn energies(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
+    fn energies(&self, case: &Case, solved: &Solved, data: &[f64], hear: Hears) -> Result<(), Refused> {
         let kinetic = Label { quantity: Quantity::KineticEnergy, of: Owner::Scene };
         // At a turning point there is none, nor at rest, and at an instant no work is done.
         if solved.regime.stays_as(&case.regimes) || case.scene.is_still() {
@@ -486,56 +557,58 @@ impl<'p> Maker<'p> {
             && let Some(input) = input_energy(&case.scene, data, solved)
         {
             let within = input <= self.problem.energy_limit * kinetic.value();
-            return if within { Ok(()) } else { Err(DrawRule::Input.found(input / kinetic.value())) };
+            return if within { Ok(()) } else { hear(DrawRule::Input.found(input / kinetic.value())) };
         }
         Ok(())
     }
 
     /// Is every answer determined well enough by the printed data?
-    fn conditioned(&self, solved: &Solved) -> Result<(), Refused> {
-        let above = |q: &Question| !cond(solved, q.label).le(&q.cond_limit);
-        match self.problem.questions.iter().position(above) {
-            Some(i) => Err(DrawRule::Cond(i).found(cond(solved, self.problem.questions[i].label))),
-            None => Ok(()),
+    fn conditioned(&self, solved: &Solved, hear: Hears) -> Result<(), Refused> {
+        for (i, question) in self.problem.questions.iter().enumerate() {
+            let cond = cond(solved, question.label);
+            if !cond.le(&question.cond_limit) {
+                hear(DrawRule::Cond(i).found(cond))?;
+            }
         }
+        Ok(())
     }
 
     /// Do these checks hold, with their margins?
-    fn checks(&self, solved: &Solved, of: impl Fn(&Check) -> bool) -> Result<(), Refused> {
+    fn checks(&self, solved: &Solved, of: impl Fn(&Check) -> bool, hear: Hears) -> Result<(), Refused> {
         for check in solved.checks.iter().filter(|c| of(c)) {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
             if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
                 // A condition may fail for more than its margin says: then no number tells why.
                 let told = check.ok || check.margin < 0.0;
-                return Err(DrawRule::Check(check.kind).found(if told { check.margin } else { f64::NAN }));
+                hear(DrawRule::Check(check.kind).found(if told { check.margin } else { f64::NAN }))?;
             }
         }
         Ok(())
     }
 
     /// Does it move with the margin, or stay with the same margin where it is declared to stay?
-    fn moves(&self, case: &Case, solved: &Solved) -> Result<(), Refused> {
+    fn moves(&self, case: &Case, solved: &Solved, hear: Hears) -> Result<(), Refused> {
         if !solved.regime.stays_as(&case.regimes) {
-            return self.checks(solved, |c| c.kind == CheckKind::Moves);
+            return self.checks(solved, |c| c.kind == CheckKind::Moves, hear);
         }
         let kind = CheckKind::ALL.iter().position(|k| *k == CheckKind::Moves).unwrap_or(0);
         for check in solved.checks.iter().filter(|c| c.kind == CheckKind::Moves) {
             // What nothing drives needs no margin.
             let driven = check.available > 0.0 || check.available.is_nan();
             if driven && (check.margin.is_nan() || -check.margin < self.margins[kind]) {
-                return Err(DrawRule::Check(check.kind).found(check.margin));
+                hear(DrawRule::Check(check.kind).found(check.margin))?;
             }
         }
         Ok(())
     }
 
     /// The rules that need a solution, on the first road; which one refuses.
-    fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
+    fn rules(&self, case: &Case, solved: &Solved, data: &[f64], hear: Hears) -> Result<(), Refused> {
         // What is declared to stay needs no cord that pulls.
         let stays = solved.regime.stays_as(&case.regimes);
-        self.checks(solved, |c| c.kind != CheckKind::Moves && !(stays && c.idles()))?;
+        self.checks(solved, |c| c.kind != CheckKind::Moves && !(stays && c.idles()), hear)?;
         if !solved.regime.is_one_of(&case.regimes, &case.scene) {
-            return Err(DrawRule::Regime(solved.regime).into());
+            hear(DrawRule::Regime(solved.regime).into())?;
         }
         for (i, question) in self.problem.questions.iter().enumerate() {
             let answered = if question.label.quantity.is_word() {
@@ -544,10 +617,10 @@ impl<'p> Maker<'p> {
                 solved.get(question.label).is_some_and(|e| e.value().is_finite())
             };
             if !answered {
-                return Err(DrawRule::Answered(i).into());
+                hear(DrawRule::Answered(i).into())?;
             }
         }
-        bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value))
+        bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value), hear)
     }
 }
 
@@ -596,6 +669,7 @@ fn bounds(
     of_solution: bool,
     data: &[f64],
     quantity: &dyn Fn(Label) -> f64,
+    hear: Hears,
 ) -> Result<(), Refused> {
     for (i, bound) in case.bounds.iter().enumerate() {
         if bound.expression.needs_solution() != of_solution {
@@ -604,7 +678,7 @@ fn bounds(
         let value = bound.expression.eval(data, quantity);
         let within = bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m);
         if value.is_nan() || !within {
-            return Err(DrawRule::Bound(i).found(value));
+            hear(DrawRule::Bound(i).found(value))?;
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 use crate::bank::{Bound, Problem, measure};
 use crate::num::shown;
 use crate::scene::admissible::Inadmissible;
-use crate::scene::{Num, Scene, admissible};
+use crate::scene::{Num, Scene, Tie, admissible};
 use crate::solve::outcome::{CheckKind, Refusal, Regime};
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -164,40 +164,60 @@ impl Refusals {
         sorted(rows.chain((all > 0).then_some((regime, all))))
     }
 
-    /// What to do about draws that are all refused.
-    pub fn hint(&self, problem: &Problem, constant: bool) -> String {
+    /// What to do about draws that are all refused; nothing where the refusal itself says it.
+    pub fn hint(&self, problem: &Problem, constant: bool) -> Option<String> {
         if !constant {
-            return "widen the ranges, or loosen the rule that refuses most".to_owned();
+            return Some("widen the ranges, or loosen the rule that refuses most".to_owned());
         }
-        let cond = |(rule, tally): (&DrawRule, &RuleTally)| match rule {
-            DrawRule::Cond(question) => Some((problem.questions.get(*question)?, tally.most)),
-            _ => None,
+        let told = |rule: &DrawRule| {
+            use DrawRule::{Admissible, Agree, Certain, Solvable, Start};
+            matches!(rule, Admissible | Solvable | Start | Agree | Certain)
         };
-        match self.tallies.iter().find_map(cond) {
-            Some((question, found)) if found.is_infinite() => format!(
-                "with just these numbers nothing says how well `{}` is determined (it is 0, or they lie at a kink or a limit): change a \
-                 number a little, or the question",
-                question.id
-            ),
-            Some((question, found)) => format!(
-                "these numbers determine it less well than most: write `cond limit: {}` beside `{}`, or in the problem",
-                (1.1 * found).ceil(),
-                question.id
-            ),
-            None if self.tallies.iter().all(|(rule, tally)| {
-                matches!(rule, DrawRule::Check(kind) if kind.is_share())
-                    && tally.least > 0.0
-                    && tally.least.is_finite()
-            }) =>
-            {
-                "with these numbers it happens, but within a margin: write the `margins:` that is named above smaller, or change a number"
-                    .to_owned()
-            }
-            None if self.tallies.iter().any(|(rule, _)| matches!(rule, DrawRule::Regime(r) if r.word() == "instant")) => {
-                "of an instant no regime is told: leave `regimes` out, and ask for what holds then".to_owned()
-            }
-            None => "with these numbers it does not happen, whatever the margins: change a number, the ties or the end".to_owned(),
+        if self.tallies.keys().any(told) {
+            return None;
         }
+        let conds = self.tallies.iter().filter_map(|(rule, tally)| match rule {
+            DrawRule::Cond(question) => Some((problem.questions.get(*question)?.id.as_str(), tally.most)),
+            _ => None,
+        });
+        let (ill, open): (Vec<_>, Vec<_>) = conds.partition(|(_, found)| found.is_finite());
+        let listed = |all: &[(&str, f64)], one: &dyn Fn(&str, f64) -> String| {
+            all.iter().map(|(id, found)| one(id, *found)).collect::<Vec<_>>().join(", ")
+        };
+        let of_cond = |rule: &DrawRule| matches!(rule, DrawRule::Cond(_));
+        let mut others = self.tallies.iter().filter(|(rule, _)| !of_cond(rule)).peekable();
+        let mut hints = Vec::new();
+        if others.peek().is_some() {
+            let near = |(rule, tally): (&DrawRule, &RuleTally)| {
+                let share = matches!(rule, DrawRule::Check(kind) if kind.is_share());
+                share && tally.least > 0.0 && tally.least.is_finite()
+            };
+            let instant = |rule: &DrawRule| matches!(rule, DrawRule::Regime(r) if r.word() == "instant");
+            hints.push(
+                if self.tallies.keys().any(instant) {
+                    "of an instant no regime is told: leave `regimes` out, and ask for what holds then"
+                } else if others.all(near) {
+                    "with these numbers it happens, but within a margin: write the `margins:` that is named above smaller, or change a number"
+                } else {
+                    "with these numbers it does not happen, whatever the margins: change a number, the ties or the end"
+                }
+                .to_owned(),
+            );
+        }
+        if !open.is_empty() {
+            hints.push(format!(
+                "with just these numbers nothing says how well {} is determined (it is 0, or they lie at a kink or a limit): change a \
+                 number a little, or the question",
+                listed(&open, &|id, _| format!("`{id}`"))
+            ));
+        }
+        if !ill.is_empty() {
+            hints.push(format!(
+                "these numbers determine it less well than most: write {}, or in the problem",
+                listed(&ill, &|id, found| format!("`cond limit: {}` beside `{id}`", (1.1 * found).ceil()))
+            ));
+        }
+        Some(hints.join("; "))
     }
 
     /// What a rule refused, with the numbers.
@@ -313,28 +333,35 @@ fn symbol(problem: &Problem, scene: &Scene, num: Num) -> String {
 /// What is wrong with a number of the scene.
 pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> String {
     use admissible::Rule as R;
-    let name = symbol(problem, scene, fault.datum);
-    let value = fault.value;
+    let (name, value) = (symbol(problem, scene, fault.datum), fault.value);
+    // A constant tells its value itself.
+    let told = if matches!(fault.datum, Num::Fixed(_)) { name.clone() } else { format!("{name} = {value}") };
     match fault.rule {
-        R::Finite => format!("{name} = {value}: must be a finite number"),
-        R::Positive => format!("{name} = {value}: must be above 0"),
-        R::NotNegative => format!("{name} = {value}: must not be below 0"),
+        R::Finite => format!("{told}: must be a finite number"),
+        R::Positive => format!("{told}: must be above 0"),
+        R::NotNegative => format!("{told}: must not be below 0"),
         R::Range => format!(
             "{name} = {value:e}: must be 0 or from {:e} to {:e} in SI units; beyond, products leave the doubles",
             admissible::LEAST,
             admissible::MOST
         ),
-        R::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
-        R::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
-        R::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
+        R::Angle => format!("{told}: an angle is from -360 to 360 degrees"),
+        R::Stretch => format!("{told}: must not be above the length of the spring at the start"),
+        R::Slope => format!("{told}: a slope is from 0 to 90 degrees"),
         R::NotAbove(other) => {
-            format!("{name} = {value}: must not be above {}", symbol(problem, scene, other))
+            let frictions = scene.ties.iter().any(|tie| match *tie {
+                Tie::Slip { mu_s, mu_k, .. } => (mu_k, Some(mu_s)) == (fault.datum, Some(other)),
+                Tie::Slide { mu_s, mu_k, .. } => (mu_k, mu_s) == (fault.datum, Some(other)),
+                Tie::Roll { .. } | Tie::Cord(_) => false,
+            });
+            let [own, its] = if frictions { ["mu_k, ", "mu_s, "] } else { [""; 2] };
+            format!("{own}{told}: must not be above {its}{}", symbol(problem, scene, other))
         }
         R::Inside(other) => {
-            format!("{name} = {value}: must be below {}, for the body moves inside it", symbol(problem, scene, other))
+            format!("{told}: must be below {}, for the body moves inside it", symbol(problem, scene, other))
         }
         R::Unlike(other) => format!(
-            "{name} = {value}: must not be {}: the body would touch all around and could not roll or slide",
+            "{told}: must not be {}: the body would touch all around and could not roll or slide",
             symbol(problem, scene, other)
         ),
     }

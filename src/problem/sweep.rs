@@ -287,8 +287,10 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str, made: &dyn Fn
     let mut out = Sweep::empty(problem);
     let mut words = Source::new(first, set, "honest rounding").student(&problem.id);
     let mut attempt = 0;
+    let mut maker = Maker::new(problem, first, set).watching();
     for seed in (first..).take(seeds as usize) {
-        let variant = match Maker::new(problem, seed, set).watching().variant("lint") {
+        maker = maker.with_seed(seed, set);
+        let variant = match maker.variant("lint") {
             Ok(variant) => variant,
             Err(none) => {
                 // One such table is enough, and each costs thousands of tries.

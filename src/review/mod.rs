@@ -295,7 +295,8 @@ pub fn faults(
             if none.constant.is_none() {
                 fault.message = format!("seed {seed}: {}", fault.message);
             }
-            findings.push(fault.in_file(file).hint(&none.hint));
+            fault.hint.clone_from(&none.hint);
+            findings.push(fault.in_file(file));
         } else if let Some(refusal) = &sweep.unsolved {
             for text in sentences::refusal(problem, &problem.cases[0].scene, refusal) {
                 let what = format!("a draw cannot be solved: {text}");

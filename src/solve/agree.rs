@@ -17,6 +17,9 @@ const NO_DIGITS: f64 = 1e-2;
 /// Share of an answer within which a narrow enclosure lies, far above what the data leave open of a common answer.
 const NARROW: f64 = 1e-9;
 
+/// Places of the range of a datum that is found at which it is tried whether there is something to measure.
+const PLACES: u32 = 16;
+
 /// Products of ten numbers up to this magnitude, or of their inverses, do not reach the ends of the doubles.
 const ORDINARY: f64 = (1u128 << 100) as f64;
 
@@ -398,6 +401,22 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
         }
     }
     true
+}
+
+/// Why it is not proved that the datum that is found is the only one: with some values of its range nothing is measured, or it may be
+/// another that gives the measurement.
+pub fn not_unique(scene: &Scene, data: &[f64]) -> Refusal {
+    let Some(found) = &scene.formulas.found else { return Refusal::NotUnique(None) };
+    let (mut direct, mut data) = (scene.clone(), data.to_vec());
+    direct.formulas.found = None;
+    let [low, high] = found.range;
+    let mut nowhere = |at: &f64| {
+        data[found.unknown.datum] = *at;
+        let told = first(&direct, &data, Scope::ALL);
+        !told.is_ok_and(|half| half.preview().all_hold() && half.preview().get(found.label).is_some())
+    };
+    let places = (0..=PLACES).map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES));
+    Refusal::NotUnique(places.into_iter().find(|at| nowhere(at)))
 }
 
 /// Is it a cord that holds bodies together, or one to the ground?

@@ -166,12 +166,12 @@ fn enclosed<T: Real>(
         while let Some((from, to)) = open.pop() {
             spent += 1;
             if spent > MOST {
-                return Err(Refusal::NotUnique);
+                return Err(Refusal::NotUnique(None));
             }
             if sign(from, to).is_none() {
                 let middle = f64::midpoint(from, to);
                 if middle <= from || middle >= to {
-                    return Err(Refusal::NotUnique);
+                    return Err(Refusal::NotUnique(None));
                 }
                 open.extend([(from, middle), (middle, to)]);
             }

@@ -401,8 +401,8 @@ pub enum Refusal {
     },
     /// No value of its range gives the measurement from which a datum is found.
     NotFound,
-    /// That it is the only one in its range cannot be shown.
-    NotUnique,
+    /// That it is the only one in its range cannot be shown; and a value, SI or degrees, with which nothing is measured, if one was met.
+    NotUnique(Option<f64>),
     /// The ties leave this many freedoms; the program solves one, or two with slip.
     Freedoms(usize),
     /// No way is known to place this body by its joints.

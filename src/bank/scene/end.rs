@@ -23,6 +23,17 @@ const fn along(body: usize) -> Coordinate {
     Coordinate { body, degree: Degree::Along }
 }
 
+/// How the motion of a body ends that is pinned or moves in the plane.
+fn in_plane(body: &Body) -> String {
+    match body.turns {
+        false => told!(
+            "a body that only slides leads no motion: end at the angle of one that turns (hinge it to a light rod, of `mass: 0 kg`), or \
+             let it move `vertically` or `along` a surface"
+        ),
+        true => told!("write `angle: {{of: {}, reaches: phi1}}`", body.name),
+    }
+}
+
 #[rustfmt::skip] // a table
 const ENDS: [(&str, EndForm); 13] = [
     ("travel", EndForm::Value("by", "d", Need::LENGTH, Need::TURN, End::Travel)),
@@ -53,6 +64,10 @@ impl SceneReader<'_> {
         let by = fields.need("by", "h");
         fields.close();
         let (body, by) = (body?, by?);
+        if bodies[body].planar.is_some() {
+            let hint = in_plane(&bodies[body]);
+            return self.faults.refuse_with(value, told!("`{}` moves in the plane: it ends at an angle", bodies[body].name), hint);
+        }
         let (way, line) = match bodies[body].line.map(|line| (line.slope, line)) {
             Some((Slope::Vertical, line)) => (self.number(by, Need::LENGTH), line),
             Some((Slope::Degrees(slope), line)) => {
@@ -191,17 +206,8 @@ impl SceneReader<'_> {
         let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
         let name = &bodies[body].name;
         if pinned && ["travel", "turn", "position"].contains(&word) {
-            let planar = bodies[body].planar.is_some();
-            let slides = planar && !bodies[body].turns;
-            let held = if planar { "moves in the plane" } else { "is pinned" };
-            let hint = if slides {
-                told!(
-                    "end it at the angle of a body that turns; what only slides along a line moves `vertically` or `along` a surface"
-                )
-            } else {
-                told!("write `angle: {{of: {name}, reaches: phi1}}`")
-            };
-            f.hint(key, told!("`{name}` {held}: it ends at an angle"), hint);
+            let held = if bodies[body].planar.is_some() { "moves in the plane" } else { "is pinned" };
+            f.hint(key, told!("`{name}` {held}: it ends at an angle"), in_plane(&bodies[body]));
         }
         if !pinned && word == "angle" {
             f.hint(key, told!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");

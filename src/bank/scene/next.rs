@@ -78,9 +78,12 @@ impl SceneReader<'_> {
             take_over(first, &mut next, gravity + 1);
             return Some(next);
         }
-        if touches > 0 || any > 0 || self.touches.borrow().len() + self.any.borrow().len() > 0 {
-            let hint = "write `rolls` or `slips`, and a mass or a radius";
-            return f.refuse_with(changes, "a motion that follows needs a scene that says everything", hint);
+        let open = [
+            (touches + self.touches.borrow().len() > 0, "`touches` does not say whether it rolls", "write `rolls` or `slips`"),
+            (any + self.any.borrow().len() > 0, "`any` gives no value", "write a value or a datum in its place"),
+        ];
+        if let Some((_, what, hint)) = open.into_iter().find(|(is, ..)| *is) {
+            return f.refuse_with(changes, told!("a motion that follows needs a scene that says everything: {what}"), hint);
         }
         if let Some((what, hint)) = apart(first, &next) {
             return f.refuse_with(changes, what, hint);

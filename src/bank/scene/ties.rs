@@ -443,6 +443,13 @@ impl SceneReader<'_> {
                     &[("centre", ()), ("center", ()), ("its centre", ()), ("mass centre", ())],
                 )?;
                 let Some(line) = body.line else {
+                    if body.planar.is_some() {
+                        let message = told!("`{}` moves in the plane, where `ties` hold nothing", body.name);
+                        let hint = told!(
+                            "write a joint such as `cord: {{cord: A, to: [0 m, 2 m]}}`, or a force; a weight on a cord over a pulley is not solved there"
+                        );
+                        return f.refuse_with(node, message, hint);
+                    }
                     let message = told!("the centre of `{}` does not move", body.name);
                     return f.refuse_with(node, message, "write `wound on: ...`");
                 };
