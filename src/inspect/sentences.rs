@@ -7,7 +7,9 @@ use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
 use crate::scene::pose::{Choice, Layout};
-use crate::scene::{AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Quantity, Scene, Span, Spot, Tie};
+use crate::scene::{
+    AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Quantity, Scene, Span, Spot, Tie,
+};
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome::{Check, CheckKind, Refusal, Regime, Unsupported};
@@ -63,7 +65,11 @@ fn moves(scene: &Scene, c: &Check) -> String {
         false if scene.heading.is_some() && !scene.starts_from_rest() => format!(
             "the {body} does not move as declared: it starts the other way; what comes after a turning point is a motion of its own, `next`"
         ),
-        false if c.available == 0.0 && c.required == 0.0 && scene.joints.iter().any(|j| j.kind.rubs().is_some()) => {
+        false
+            if c.available == 0.0
+                && c.required == 0.0
+                && scene.joints.iter().any(|j| j.kind.rubs().is_some()) =>
+        {
             format!("the {body} does not move as declared: friction holds it at rest")
         }
         false => format!(
@@ -286,8 +292,14 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         }
         (false, _) if c.required < 0.0 => {
             let way = figures(-c.required);
-            let on = if endless || pinned { String::new() } else { format!(" and turns after {available} {unit}; {then}") };
-            format!("the end is not reached: it lies {way} {unit} from the start, and the motion goes the other way{on}")
+            let on = if endless || pinned {
+                String::new()
+            } else {
+                format!(" and turns after {available} {unit}; {then}")
+            };
+            format!(
+                "the end is not reached: it lies {way} {unit} from the start, and the motion goes the other way{on}"
+            )
         }
         (false, _) if endless || c.required < c.available => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")

@@ -1,8 +1,8 @@
 //! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
 use crate::num::{Dd, Real, trig};
 use crate::scene::{
-    Arm, Attach, Body, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Shape, Slope, Start,
-    StrutEnd, Surface, Tie, Zero,
+    Arm, Attach, Body, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Shape, Slope,
+    Start, StrutEnd, Surface, Tie, Zero,
 };
 
 /// What a datum must satisfy to be part of a scene.

@@ -1,7 +1,9 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
-use crate::scene::{AsIf, Coordinate, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
+use crate::scene::{
+    AsIf, Coordinate, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible,
+};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
     Check, CheckKind, Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
@@ -410,13 +412,18 @@ pub fn not_unique(scene: &Scene, data: &[f64]) -> Refusal {
     let (mut direct, mut data) = (scene.clone(), data.to_vec());
     direct.formulas.found = None;
     let [low, high] = found.range;
-    let mut nowhere = |at: &f64| {
-        data[found.unknown.datum] = *at;
-        let told = first(&direct, &data, Scope::ALL);
-        !told.is_ok_and(|half| half.preview().all_hold() && half.preview().get(found.label).is_some())
-    };
-    let places = (0..=PLACES).map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES));
-    Refusal::NotUnique(places.into_iter().find(|at| nowhere(at)))
+    let printed: f64 = found.measured.value(&data);
+    let (mut nowhere, mut above, mut passes) = (None, None, 0);
+    for i in 0..=PLACES {
+        let at = low + (high - low) * f64::from(i) / f64::from(PLACES);
+        data[found.unknown.datum] = at;
+        let told = first(&direct, &data, Scope::ALL).ok().filter(|half| half.preview().all_hold());
+        match told.and_then(|half| Some(half.preview().get(found.label)?.value() > printed)) {
+            None => nowhere = nowhere.or(Some(at)),
+            Some(now) => passes += u32::from(above.replace(now).is_some_and(|last| last != now)),
+        }
+    }
+    Refusal::NotUnique(nowhere.filter(|_| passes < 2))
 }
 
 /// Is it a cord that holds bodies together, or one to the ground?

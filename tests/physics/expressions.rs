@@ -439,7 +439,7 @@ problems:
             .map(|v| v.solved.entries.len())
     };
     let two = drawn("0.05 to 2 step 0.05").expect_err("two distances");
-    assert_eq!(two.unsolved, Some(slipstick::solve::outcome::Refusal::NotUnique));
+    assert_eq!(two.unsolved, Some(slipstick::solve::outcome::Refusal::NotUnique(None)));
     let none = drawn("0.31 to 0.4 step 0.01").expect_err("no distance");
     assert_eq!(none.unsolved, Some(slipstick::solve::outcome::Refusal::NotFound));
     assert!(drawn("0.31 to 2 step 0.01").is_ok(), "one distance");

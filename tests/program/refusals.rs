@@ -692,3 +692,126 @@ fn bars_on_a_terminal_do_not_stop_the_program() {
     child.kill().unwrap();
     panic!("it has not ended after a minute");
 }
+
+/// A scene with constants, as a bank.
+fn constant(data: &str, scene: &str, question: &str) -> String {
+    let lines: String = scene.lines().map(|line| format!("      {line}\n")).collect();
+    format!(
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{x: {{name: x, unit: {data}}}}}\n    scene:\n{lines}    \
+         questions: {{q: {question}}}\n    statement: '{{{{ x }}}} {{{{ g }}}}'\n"
+    )
+}
+
+/// Draws that are no motion at all were dealt: no test had a body larger than its bowl, a slope on which nothing stays, or an end
+/// where the motion starts.
+#[test]
+fn what_cannot_be_is_refused_by_name() {
+    let room = Room::new();
+    let says = |bank: &str| {
+        fs::write(room.path("bank.yaml"), bank).unwrap();
+        let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert_ne!(ran.exit, Exit::Fine, "{}", ran.out);
+        let lint = room.lint(bank);
+        assert!(lint.contains("they break the rules; refused by"), "{lint}");
+        ran.out + &ran.err + &lint
+    };
+    let bowl = |shape: &str, radius: &str| {
+        let scene = format!(
+            "bodies: {{c: {{mass: 2 kg, shape: {{{shape}: x}}, moves: in the plane, angle: from hanging}}}}\n\
+             joints: {{bowl: {{rolls: c, radius: x, inside: 0.5 m}}}}\nstart: {{c: {{angle: 40 deg}}}}\n\
+             end: {{angle: {{of: c, reaches: 0 deg}}}}"
+        );
+        constant(&format!("m, draw: always {radius}"), &scene, "{quantity: omega, ask: it, unit: rad/s}")
+    };
+    for (shape, radius) in [("cylinder", "0.5"), ("disc", "0.6"), ("sphere", "2")] {
+        let told = says(&bowl(shape, radius));
+        let text = format!("x = {radius}: must be below the constant 0.5, for the body moves inside it");
+        assert_eq!(told.matches(&text).count(), 2, "{told}");
+    }
+    let all_around =
+        "x = 0.5: must not be the constant 0.5: the body would touch all around and could not roll or slide";
+    assert_eq!(says(&bowl("hoop", "0.5")).matches(all_around).count(), 2);
+    fs::write(room.path("bank.yaml"), bowl("hoop", "2")).unwrap();
+    let peg = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+    assert_eq!(peg.exit, Exit::Fine, "{}{}", peg.out, peg.err);
+
+    let slope = |end: &str, mu: &str| {
+        let scene = format!(
+            "surfaces: {{s: {{slope: 25 deg}}}}\nbodies: {{b: {{mass: 8 kg, moves: along s}}}}\n\
+             ties: [slides: {{body: b, mu_s: {mu}, mu_k: 0.4}}]\nstart: {{b: {{speed: x}}}}\nend: {end}"
+        );
+        constant("m/s, draw: always 2", &scene, "{quantity: a, ask: it, unit: m/s^2}")
+    };
+    let told = says(&slope("{stops slipping: b}", "0.4"));
+    let text = "FAILS  no_slip: static friction cannot hold the body b where its slip ends, and it slips on: that needs 33.167 N, mu_s N = 28.451 N";
+    assert!(told.contains(text) && told.contains("regime: slips_through"), "{told}");
+    assert!(told.contains("          1  no_slip: margin -14.22 % (`margins`: 5 %)"), "{told}");
+    for fine in [slope("{stops slipping: b}", "0.6"), slope("{turning point: b}", "0.4")] {
+        fs::write(room.path("bank.yaml"), fine).unwrap();
+        let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert_eq!(ran.exit, Exit::Fine, "{}{}", ran.out, ran.err);
+    }
+
+    let starts =
+        "the end lies where the motion starts, and it leaves there; write an end that comes after the start";
+    for end in ["travel: {of: b, by: 0 m}", "time: {of: b, is: 0 s}", "speed: {of: b, reaches: 2 m/s}"] {
+        let told = says(&slope(&format!("{{{end}}}"), "0.4"));
+        assert!(
+            told.contains(starts) && told.contains("  1  reaches: margin -100 % (`margins`: 5 %)"),
+            "{told}"
+        );
+    }
+    let bar = constant(
+        "m, draw: always 1",
+        "bodies: {bar: {mass: 2 kg, shape: {rod: x}, moves: in the plane, angle: from right}}\njoints: {A: {pins: bar.A}}\n\
+         start: {bar: {angle: 0 deg}}\nend: {angle: {of: bar, reaches: 0 deg}}",
+        "{quantity: alpha, ask: it, unit: rad/s^2}",
+    );
+    assert!(says(&bar).contains(starts));
+    let beyond = says(&bar.replace("reaches: 0 deg", "reaches: 360 deg"));
+    let text =
+        "the end is not reached: it lies 360.00 degrees from the start, and the motion goes the other way";
+    assert!(beyond.contains(text), "{beyond}");
+    // Of draws that may end where they start, others are drawn.
+    let drawn = slope("{travel: {of: b, by: d}}", "0.4")
+        .replace("data: {x:", "data: {d: {name: way, unit: m, draw: 0 to 0.1 step 0.05}, x:");
+    let bank = load::scenes_only(&drawn, "bank.yaml").unwrap();
+    let maker = Maker::new(&bank.problems[0], 1, "x");
+    let dealt = (0..20).map(|student| maker.variant(&student.to_string()).unwrap());
+    assert!(dealt.into_iter().all(|variant| variant.data.iter().all(|x| *x > 0.0)));
+}
+
+/// One fault after the other was told of constants, where all of them are known.
+#[test]
+fn constants_tell_every_rule_that_they_break() {
+    let room = Room::new();
+    let nearly = ROLLS
+        .replace("2 to 9 step 0.5", "always 3")
+        .replace("150 to 400 step 10", "always 200")
+        .replace("8 to 30 step 1", "always 15")
+        .replace("1.0 to 4.0 step 0.1", "always 2.0")
+        .replace("'one of 0.4, 0.5'", "always 0.09")
+        .replace("    regimes:", "    cond limit: 0.1\n    bounds: {v: {max: 1 m/s}}\n    regimes:");
+    let told = room.lint(&nearly);
+    for rule in ["no_slip: margin", "cond of v above 0.1", "cond of friction above 0.1", "bound v: 2.6"] {
+        assert!(told.contains(&format!("          1  {rule}")), "{rule}: {told}");
+    }
+    assert!(told.contains("write `cond limit: 1` beside `v`, `cond limit: "), "{told}");
+}
+
+/// A range of which a part does not reach the end was told to have two values that fit.
+#[test]
+fn what_is_found_in_a_part_of_its_range_is_told_so() {
+    let room = Room::new();
+    let spring = constant(
+        "m/s, draw: always 1.1, measured: v}, k: {name: k, unit: N/m, unknown: 1 to 200 step 0.1",
+        "surfaces: {incline: {slope: 20 deg}}\nbodies: {wheel: {mass: 12 kg, shape: {disc: 0.2 m}, moves: along incline, positive: down}}\n\
+         ties:\n  - rolls: {body: wheel, on its: rim, mu_s: 0.5}\n  - cord: {from: {body: wheel, tied at: centre, leaves: up}, spring: {stiffness: k, stretch: 0 m, attached: rigidly}}\n\
+         start: at rest\nend: {travel: {of: wheel, by: 0.8 m}}",
+        "{value: k, ask: the stiffness, unit: N/m}",
+    );
+    let told = room.lint(&spring);
+    let text = "in a part of the range of `k` there is no `x` to measure: with 112.94 N/m, say, the motion does not get there; narrow \
+                `unknown:` to the values with which it does";
+    assert!(told.contains(text) && !told.contains("hint:"), "{told}");
+}

@@ -66,7 +66,11 @@ impl SceneReader<'_> {
         let (body, by) = (body?, by?);
         if bodies[body].planar.is_some() {
             let hint = in_plane(&bodies[body]);
-            return self.faults.refuse_with(value, told!("`{}` moves in the plane: it ends at an angle", bodies[body].name), hint);
+            return self.faults.refuse_with(
+                value,
+                told!("`{}` moves in the plane: it ends at an angle", bodies[body].name),
+                hint,
+            );
         }
         let (way, line) = match bodies[body].line.map(|line| (line.slope, line)) {
             Some((Slope::Vertical, line)) => (self.number(by, Need::LENGTH), line),

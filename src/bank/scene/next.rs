@@ -79,11 +79,23 @@ impl SceneReader<'_> {
             return Some(next);
         }
         let open = [
-            (touches + self.touches.borrow().len() > 0, "`touches` does not say whether it rolls", "write `rolls` or `slips`"),
-            (any + self.any.borrow().len() > 0, "`any` gives no value", "write a value or a datum in its place"),
+            (
+                touches + self.touches.borrow().len() > 0,
+                "`touches` does not say whether it rolls",
+                "write `rolls` or `slips`",
+            ),
+            (
+                any + self.any.borrow().len() > 0,
+                "`any` gives no value",
+                "write a value or a datum in its place",
+            ),
         ];
         if let Some((_, what, hint)) = open.into_iter().find(|(is, ..)| *is) {
-            return f.refuse_with(changes, told!("a motion that follows needs a scene that says everything: {what}"), hint);
+            return f.refuse_with(
+                changes,
+                told!("a motion that follows needs a scene that says everything: {what}"),
+                hint,
+            );
         }
         if let Some((what, hint)) = apart(first, &next) {
             return f.refuse_with(changes, what, hint);

@@ -18,8 +18,8 @@ use crate::num::{Fast, Real, trig};
 use crate::num::{Lanes, lanes};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
-    Num, Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made, Num,
+    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
