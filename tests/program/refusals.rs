@@ -815,3 +815,65 @@ fn what_is_found_in_a_part_of_its_range_is_told_so() {
                 `unknown:` to the values with which it does";
     assert!(told.contains(text) && !told.contains("hint:"), "{told}");
 }
+
+/// What was told of these scenes was no help, or was wrong: a drive of 0 times what holds, an angle with the other sign, a constant that
+/// is itself, a bracket that is there.
+#[test]
+fn what_is_told_says_what_to_do() {
+    let room = Room::new();
+    let says = |bank: &str| {
+        fs::write(room.path("bank.yaml"), bank).unwrap();
+        let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert_ne!(ran.exit, Exit::Fine, "{}", ran.out);
+        ran.out + &ran.err
+    };
+    let slope =
+        "surfaces: {s: {slope: 30 deg}}\nbodies: {a: {mass: 3 kg, moves: along s}}\nstart: {a: {speed: x}}\n";
+    let rod = "bodies: {a: {mass: 10 kg, shape: {rod: 3 m}, moves: in the plane, angle: from horizontal}}\n";
+    let guides = "joints:\n  floor: {guides: a.A, along: horizontal, pushes: up, mu_k: 0.5}\n  wall: {guides: a.B, along: vertical, pushes: left, mu_k: 0.5}\n";
+    let collar = "bodies: {a: {mass: 1 kg, moves: in the plane, placed: [1 m, 0 m]}}\njoints: {rod: {guides: a, along: vertical}}\nstart: at rest\n";
+    let cases = [
+        (
+            format!("{slope}end: {{travel: {{of: a, by: 0.3 m, heading: down}}}}"),
+            "moves: the body a does not move as declared: it starts the other way; what comes after a turning point is a motion of its own, `next`",
+        ),
+        (
+            format!("{slope}end: {{travel: {{of: a, by: 0.3 m, heading: down}}}}"),
+            "reaches: the end is not reached: 0.30000 m asked, the motion goes the other way",
+        ),
+        (
+            format!("{slope}ties: [slides: {{body: a, mu_s: 0.3, mu_k: 0.4}}]\nend: {{turning point: a}}"),
+            "p: mu_k, the constant 0.4: must not be above mu_s, the constant 0.3",
+        ),
+        (
+            format!("{rod}{guides}start: {{a: {{angle: 75 deg}}}}\nend: at once"),
+            "moves: the body a does not move as declared: friction holds it at rest",
+        ),
+        (
+            format!(
+                "{}joints: {{A: {{pins: a.A}}}}\nstart: {{a: {{angle: 0 deg}}}}\nend: {{angle: {{of: a, reaches: 90 deg}}}}",
+                rod.replace("10 kg", "0 kg")
+            ),
+            "rank 4; what has a mass of 0 needs a body with mass that moves with it",
+        ),
+        (
+            format!("{collar}end: {{descent: {{of: a, by: 1 m}}}}"),
+            "`a` moves in the plane: it ends at an angle\n    hint: a body that only slides leads no motion: end at the angle of one that turns (hinge it to a light rod, of `mass: 0 kg`), or let it move `vertically` or `along` a surface",
+        ),
+        (
+            format!(
+                "{}end: {{turning point: a}}\nnext: {{end: {{travel: {{of: a, by: 1 m}}}}}}",
+                slope.replace("3 kg", "any")
+            ),
+            "a motion that follows needs a scene that says everything: `any` gives no value\n    hint: write a value or a datum in its place",
+        ),
+        (
+            format!("{slope}end: {{travel: {{of: a, by: 3*(1 m)}}}}"),
+            "`3*(1 m)`, character 6: `m` is not expected here\n    hint: factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has",
+        ),
+    ];
+    for (scene, text) in cases {
+        let told = says(&constant("m/s, draw: always 3", &scene, "{quantity: a.v, ask: it, unit: m/s}"));
+        assert!(told.contains(text), "{text}\n{told}");
+    }
+}
