@@ -968,11 +968,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let rest = t.find(&names, "1", rest);
         let mut b = t.symbols.value(rest);
         t.tell_new();
-        let mut pairs = Vec::new();
+        let (mut pairs, mut alike) = (Vec::new(), false);
         for _ in 0..40 {
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| t.digits(x, FIGURES));
+            let printed = [a, b].map(|x| t.digits(x, FIGURES));
+            if pairs.len() < 3 && !alike {
+                let [a, b] = &printed;
+                alike = a == b;
                 pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
             }
             if (a - b).abs() <= 1e-15 * a {
