@@ -791,12 +791,15 @@ fn constants_tell_every_rule_that_they_break() {
         .replace("8 to 30 step 1", "always 15")
         .replace("1.0 to 4.0 step 0.1", "always 2.0")
         .replace("'one of 0.4, 0.5'", "always 0.09")
-        .replace("    regimes:", "    cond limit: 0.1\n    bounds: {v: {max: 1 m/s}}\n    regimes:");
+        .replace("    regimes: [moves_down]", "    bounds: {v: {max: 1 m/s}}\n    regimes: [moves_up]");
     let told = room.lint(&nearly);
-    for rule in ["no_slip: margin", "cond of v above 0.1", "cond of friction above 0.1", "bound v: 2.6"] {
+    for rule in [
+        "no_slip: margin",
+        "regime: 1 of 1 move down (`regimes`: moves_up)",
+        "bound v: 2.602 m/s (wanted: at most 1 m/s)",
+    ] {
         assert!(told.contains(&format!("          1  {rule}")), "{rule}: {told}");
     }
-    assert!(told.contains("write `cond limit: 1` beside `v`, `cond limit: "), "{told}");
 }
 
 /// A range of which a part does not reach the end was told to have two values that fit.
