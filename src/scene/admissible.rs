@@ -303,7 +303,7 @@ pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
         Rule::Stretch => fits(scene, &of, value),
         Rule::NotAbove(other) => beside(other, |own, other| own <= other),
         Rule::Inside(other) => beside(other, |own, other| own < other),
-        Rule::Unlike(other) => beside(other, |own, other| own < other || own > other),
+        Rule::Unlike(other) => beside(other, |own, other| own.total_cmp(&other).is_ne()),
         _ => fits_rule(value, rule),
     }
 }
