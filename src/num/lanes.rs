@@ -134,6 +134,18 @@ impl Real for Lanes {
         let all = self.0.map(f);
         (Self::from(|lane| all[lane].0), Self::from(|lane| all[lane].1))
     }
+    fn pairwise(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        self.with(other, f)
+    }
+    fn leading<R>(decide: impl FnOnce() -> R) -> R {
+        let astray = ASTRAY.get();
+        let decided = decide();
+        ASTRAY.set(astray);
+        decided
+    }
+    fn or(self, other: Self) -> Self {
+        self.with(other, Real::or)
+    }
     fn is_zero(self) -> bool {
         Self::decided(|lane| self.0[lane] == 0.0)
     }

@@ -297,7 +297,7 @@ impl<T: Real> Factors<T> {
     }
     /// Adds to a cell.
     pub fn add(&mut self, row: usize, col: usize, value: T) {
-        if !value.is_zero() {
+        if !value.is_nothing() {
             add(&mut self.cells[row * self.size + col], value);
             self.filled[row] |= 1 << (col % 64);
         }
@@ -341,7 +341,7 @@ impl<T: Real> Factors<T> {
             cells[pivot + col] = inverse;
             for row in order[col + 1..].iter().copied() {
                 let start = row * size;
-                if filled[row] >> col & 1 == 0 || cells[start + col].is_zero() {
+                if filled[row] >> col & 1 == 0 || cells[start + col].is_nothing() {
                     continue;
                 }
                 let factor = cells[start + col] * inverse;
@@ -349,7 +349,7 @@ impl<T: Real> Factors<T> {
                 filled[row] |= bits;
                 for c in places(bits) {
                     let above = cells[pivot + c];
-                    if !above.is_zero() {
+                    if !above.is_nothing() {
                         cells[start + c] = cells[start + c] - factor * above;
                     }
                 }
@@ -375,14 +375,14 @@ impl<T: Real> Factors<T> {
         for (r, row) in order.iter().copied().enumerate() {
             x[r] = (right[row], right[row].size());
             x[r] = less(x, r, row, some);
-            some |= u64::from(!x[r].0.is_zero()) << r;
+            some |= u64::from(!x[r].0.is_nothing()) << r;
         }
         some = 0;
         for (r, row) in order.iter().copied().enumerate().rev() {
             let (sum, size) = less(x, r, row, some);
             right[r] = sum.cleared(size) * self.cells[row * self.size + r];
             x[r].0 = right[r];
-            some |= u64::from(!right[r].is_zero()) << r;
+            some |= u64::from(!right[r].is_nothing()) << r;
         }
     }
 }

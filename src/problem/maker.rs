@@ -393,8 +393,8 @@ impl<'p> Maker<'p> {
             let scene = &self.problem.cases[index].scene;
             let all = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
             let asked = match (all, scene.lead()) {
-                (false, None) => Scope { held: true, ..asked },
-                // Of joined bodies the rest follows at once.
+                (false, None) if scene.pinned().is_some() => Scope { held: true, ..asked },
+                // Of other scenes the rest follows at once.
                 (false, Some(_)) if !asked.quantities.has(Quantity::T) => Scope::TIMELESS,
                 _ => Scope::ALL,
             };
