@@ -169,7 +169,7 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
         return slope.widened(|| slope.f64().abs() * STEP);
     }
     let rough = atan2(y, x);
-    if !rough.is_finite() {
+    if T::is_double() || !rough.is_finite() {
         return rough;
     }
     // What is left after turning back is so small that it is its own tangent.
