@@ -64,34 +64,20 @@ impl Lanes {
     }
 }
 
-impl Add for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, o: Self) -> Self {
-        self.with(o, |a, b| a + b)
-    }
+/// Operations on the numbers of each lane.
+macro_rules! lane_by_lane {
+    ($($operation:ident $function:ident),*) => {$(
+        impl $operation for Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $function(self, o: Self) -> Self {
+                self.with(o, $operation::$function)
+            }
+        }
+    )*};
 }
-impl Sub for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, o: Self) -> Self {
-        self.with(o, |a, b| a - b)
-    }
-}
-impl Mul for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, o: Self) -> Self {
-        self.with(o, |a, b| a * b)
-    }
-}
-impl Div for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, o: Self) -> Self {
-        self.with(o, |a, b| a / b)
-    }
-}
+lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
+
 impl Neg for Lanes {
     type Output = Self;
     #[inline(always)]

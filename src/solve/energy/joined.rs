@@ -83,8 +83,6 @@ struct Seen<T> {
     way: T,
     poses: Poses<T>,
     half_square: T,
-    /// Second derivative of the leading angle, once it is worked out.
-    rate: Cell<Option<T>>,
 }
 
 /// A part of the way on which the balance has been solved by collocation.
@@ -740,20 +738,14 @@ impl<'a, T: Real> Account<'a, T> {
             true => self.collocated(way, from.1)?,
             false => self.half_square_at(&poses, way, from)?,
         };
-        let seen = Rc::new(Seen { way, poses, half_square, rate: Cell::new(None) });
+        let seen = Rc::new(Seen { way, poses, half_square });
         self.seen.borrow_mut().push(Rc::clone(&seen));
         Ok(seen)
     }
-    /// The first force of a joint there: its normal force; `None` where the joints leave it open.
-    fn presses_there(&self, joint: usize, way: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+    /// [`Self::normal`] there.
+    fn normal_there(&self, joint: usize, way: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
         let seen = self.there(way, from)?;
-        let square = seen.half_square.scale2(1);
-        let rate = match seen.rate.get() {
-            Some(rate) => rate,
-            None => self.acceleration(&seen.poses, square)?.0,
-        };
-        seen.rate.set(Some(rate));
-        Ok(self.pressing(&seen.poses, (rate, square), joint))
+        self.normal(&seen.poses, seen.half_square.scale2(1), joint)
     }
 
     /// The same where guides rub: the balance of virtual motions, `dy/dq = (force - 2 bend y) / inertia`, by collocation.
@@ -969,7 +961,7 @@ impl<'a, T: Real> Account<'a, T> {
             }
             let side = if pushes { 1.0 } else { self.rubs[j] * self.slides[j] };
             let force = |way: T| {
-                let force = self.presses_there(j, way, from)?;
+                let force = self.normal_there(j, way, from)?;
                 Ok(force.map_or_else(|| T::of(1.0), |force| force.signed(side)))
             };
             if self.first(far, false, &force)?.is_some() {
@@ -1060,7 +1052,7 @@ impl<'a, T: Real> Account<'a, T> {
                 before_rest(self.first(far, from.1.below(level), &|way| Ok(half_square(way)? - level))?)?
             }
             End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
-                Ok(self.presses_there(joint, way, from)?.unwrap_or_else(T::zero))
+                Ok(self.normal_there(joint, way, from)?.unwrap_or_else(T::zero))
             })?)?,
             End::Time(_, t) => {
                 let t = self.n.get(t);
@@ -1156,12 +1148,9 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// The first force of a joint at this square of the rate: its normal force; `None` where the joints leave it open.
     fn normal(&self, poses: &Poses<T>, square: T, joint: usize) -> Result<Option<T>, Refusal> {
-        Ok(self.pressing(poses, (self.acceleration(poses, square)?.0, square), joint))
-    }
-    /// The same with this second derivative of the leading angle.
-    fn pressing(&self, poses: &Poses<T>, (rate, square): (T, T), joint: usize) -> Option<T> {
+        let (rate, _) = self.acceleration(poses, square)?;
         let moves = |b: usize, along: T| self.accelerates(poses, b, along, rate, square);
-        Some(self.reaction(poses, joint, &moves, false)?[0].0)
+        Ok(self.reaction(poses, joint, &moves, false).map(|force| force[0].0))
     }
 
     /// Acceleration of a point at a distance along the axis of a body.
