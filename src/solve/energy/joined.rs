@@ -840,6 +840,9 @@ impl<'a, T: Real> Account<'a, T> {
     ) -> Vec<Option<Forces<T>>> {
         let columns = 3 * self.scene.bodies.len();
         let rights = self.scene.joints[joints.clone()].iter().map(|j| j.kind.forces().len()).sum();
+        if rights == 0 {
+            return joints.map(|_| Some(Forces::new())).collect();
+        }
         let (mut rows, of_joint) = self.conditions(poses, true, rights);
         for (right, row) in of_joint[joints.clone()].iter().flatten().enumerate() {
             rows.right_of(*row)[columns + right] = T::of(1.0);
