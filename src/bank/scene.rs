@@ -848,19 +848,10 @@ struct Forces {
     struts: Vec<Strut>,
 }
 
+#[rustfmt::skip] // a table
 const SHAPES: &[&str] = &[
-    "disc",
-    "disk",
-    "cylinder",
-    "solid cylinder",
-    "hoop",
-    "ring",
-    "hollow cylinder",
-    "sphere",
-    "ball",
-    "shell",
-    "hollow sphere",
-    "rod",
+    "disc", "disk", "cylinder", "solid cylinder", "hoop", "ring", "hollow cylinder", "sphere", "ball",
+    "shell", "hollow sphere", "rod",
 ];
 
 fn shape_of(word: &str) -> Option<Shape> {

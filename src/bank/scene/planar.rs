@@ -32,25 +32,17 @@ const JOINTS: [(&str, &str); 9] = [
 const LINES: [(&str, f64); 2] = [("horizontal", 0.0), ("vertical", -90.0)];
 
 /// From where angles count, and whether clockwise.
+#[rustfmt::skip] // a table
 const ANGLES: [(&str, (Ray, bool)); 18] = [
-    ("from horizontal", (Ray::Right, false)),
-    ("from vertical", (Ray::Up, true)),
-    ("from upright", (Ray::Up, true)),
-    ("from hanging", (Ray::Down, false)),
-    ("from right", (Ray::Right, false)),
-    ("from right counter-clockwise", (Ray::Right, false)),
-    ("from right clockwise", (Ray::Right, true)),
-    ("from up clockwise", (Ray::Up, true)),
-    ("from up counter-clockwise", (Ray::Up, false)),
-    ("from left clockwise", (Ray::Left, true)),
-    ("from left counter-clockwise", (Ray::Left, false)),
-    ("from down clockwise", (Ray::Down, true)),
-    ("from down counter-clockwise", (Ray::Down, false)),
-    ("from horizontal clockwise", (Ray::Right, true)),
-    ("from vertical clockwise", (Ray::Up, true)),
-    ("from vertical counter-clockwise", (Ray::Up, false)),
-    ("from hanging clockwise", (Ray::Down, true)),
-    ("from hanging counter-clockwise", (Ray::Down, false)),
+    ("from horizontal", (Ray::Right, false)), ("from vertical", (Ray::Up, true)),
+    ("from upright", (Ray::Up, true)), ("from hanging", (Ray::Down, false)),
+    ("from right", (Ray::Right, false)), ("from right counter-clockwise", (Ray::Right, false)),
+    ("from right clockwise", (Ray::Right, true)), ("from up clockwise", (Ray::Up, true)),
+    ("from up counter-clockwise", (Ray::Up, false)), ("from left clockwise", (Ray::Left, true)),
+    ("from left counter-clockwise", (Ray::Left, false)), ("from down clockwise", (Ray::Down, true)),
+    ("from down counter-clockwise", (Ray::Down, false)), ("from horizontal clockwise", (Ray::Right, true)),
+    ("from vertical clockwise", (Ray::Up, true)), ("from vertical counter-clockwise", (Ray::Up, false)),
+    ("from hanging clockwise", (Ray::Down, true)), ("from hanging counter-clockwise", (Ray::Down, false)),
 ];
 
 impl SceneReader<'_> {
