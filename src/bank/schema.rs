@@ -94,7 +94,6 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let grading = Policy::default();
     let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
-    fields.close();
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
     let common = BankWide {
         gravity: gravity.or_else(default_gravity)?,
@@ -143,7 +142,6 @@ fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     let mut policy = base.clone();
     if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
         fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
-        fields.close();
     }
     policy
 }
@@ -239,7 +237,6 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
     let least = fields.need("least", "1 %").and_then(sound);
     let per_cond = fields.need("per cond", "0.3 %").and_then(sound);
     let most = fields.need("most", "5 %").and_then(sound);
-    fields.close();
     let (least, per_cond, most) = (least?, per_cond?, most?);
     if least > most {
         return faults.refuse(node, "the least tolerance is above the most");
@@ -266,7 +263,6 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
             Err(message) => faults.refuse_with(n, message, told!("for example `0.5 {}`", unit.ascii())),
         }
     });
-    fields.close();
     (relative, absolute)
 }
 
@@ -297,7 +293,8 @@ fn problem(
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
     let [asks_node, mistakes_node, follows_node] = fields.each(["asks", "mistakes", "follows"]);
     let statement_node = fields.get("statement");
-    fields.close();
+    // What is unknown is a finding before they are counted.
+    drop(fields);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
     let common = &BankWide {
         gravity: common.gravity.clone(),
@@ -534,7 +531,6 @@ impl<'n> ProblemRead<'n> {
         case.scene_node = own.or(self.scene_node);
         fields.set("regimes", &mut case.regimes, |n, f| Some(regimes(n, f)));
         case.bounds = fields.get("bounds");
-        fields.close();
         if case.scene_node.is_none() {
             faults.hint(node, "this case has no scene", "give the problem or the case a `scene`");
         }
@@ -750,7 +746,6 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
             }
             measured = fields.get("measured");
             draw_wrong |= given.is_some() && !absent && own.is_none();
-            fields.close();
         }
         list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong, measured });
     }
@@ -865,10 +860,6 @@ fn question(
     let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
     fields.each(["value", "if", "motion"]);
-    let name = match quantity_node {
-        Some(n) => text(n, "a quantity", faults)?,
-        None => id.to_owned(),
-    };
     let [unit_node, tolerance_node, cond_node] = fields.each(["unit", "tolerance", "cond limit"]);
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
     let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
@@ -876,7 +867,10 @@ fn question(
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
-    fields.close();
+    let name = match quantity_node {
+        Some(n) => text(n, "a quantity", faults)?,
+        None => id.to_owned(),
+    };
     let label = match asked::is_formula(node) {
         // What is wrong with it is told where it is put into the scenes.
         true => scenes.iter().find_map(|(_, scene)| asked::label(scene, id))?,
@@ -1022,7 +1016,6 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             continue;
         };
         let (low, high) = (fields.get("min"), fields.get("max"));
-        fields.close();
         if low.is_none() && high.is_none() {
             faults.hint(value, "this bound bounds nothing", "give `min`, `max` or both");
         }

@@ -210,7 +210,6 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     let commas = fields.read("decimal commas", part).unwrap_or(0.0);
     let spreadsheet = fields.get("spreadsheet").is_some_and(|n| yes(n, faults));
     let times = fields.get("handed in").and_then(|n| times(n, faults));
-    fields.close();
     // A field that is there and cannot be read is a finding already.
     Some(Habits {
         absent,
@@ -330,7 +329,6 @@ fn copying(node: &Node, faults: &Faults) -> Option<Copying> {
     let size = whole(fields.get("size"), 2, 2);
     let part = fields.need("share", "60 %").map_or(0.0, |n| share(n, faults));
     let disguise = fields.get("disguise").map_or(0.0, |n| share(n, faults));
-    fields.close();
     Some(Copying { groups, size, share: part, disguise })
 }
 
@@ -356,7 +354,6 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
         }
         text.to_owned()
     });
-    fields.close();
     let (opens, due) = (opens?, due?);
     if let Some(node) = due_node
         && due <= opens

@@ -153,7 +153,6 @@ impl SceneReader<'_> {
                     f.refuse_with(value, told!("`{name}` has to say what it holds"), words)
                 }
             };
-            fields.close();
             list.extend(kind.map(|kind| Joint { name: name.to_owned(), kind }));
         }
         list
@@ -312,7 +311,6 @@ impl SceneReader<'_> {
         };
         let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let name = own_name(&mut fields, symbol, count);
-        fields.close();
         let turns = turning.is_some();
         Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, toward_m, blow })
     }
@@ -333,7 +331,6 @@ impl SceneReader<'_> {
             }
         };
         let name = own_name(&mut fields, "spring", count);
-        fields.close();
         let (to, acts) = (StrutEnd::Twist, Acts::Both);
         let at = at.filter(|spot| {
             let turns = bodies[spot.body].turns;
@@ -360,7 +357,6 @@ impl SceneReader<'_> {
                 let mut fields = Fields::open(n, "a guide (along, through)", f)?;
                 let through = self.ground(fields.get("through"));
                 let along = fields.need("along", "horizontal").and_then(|n| self.direction(n, &LINES));
-                fields.close();
                 through
                     .zip(along)
                     .map(|(through_m, direction_deg)| StrutEnd::Guide { through_m, direction_deg })
@@ -373,7 +369,6 @@ impl SceneReader<'_> {
         let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
         let acts = acts.unwrap_or_default();
         let name = own_name(&mut fields, "spring", count);
-        fields.close();
         Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
 
