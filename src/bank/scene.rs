@@ -52,7 +52,6 @@ impl Touching {
 pub struct DatumUse {
     /// Index of the datum.
     pub datum: usize,
-    /// What for.
     pub need: Need,
 }
 

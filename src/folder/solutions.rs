@@ -42,7 +42,6 @@ pub struct SolutionsJob<'j> {
 
 pub struct SolutionsMade {
     pub students: usize,
-    /// Problems of each.
     pub problems: usize,
     /// That a solution is a short page, and for how many students.
     pub short: BTreeMap<String, usize>,

@@ -80,7 +80,6 @@ pub fn questions(keys: &[SheetKey]) -> Vec<ProvedQuestion> {
     rows
 }
 
-/// A row for each question.
 pub fn table(rows: &[ProvedQuestion]) -> String {
     let header = [
         "question",

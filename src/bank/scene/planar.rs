@@ -158,7 +158,6 @@ impl SceneReader<'_> {
         list
     }
 
-    /// A joint of the kind of this word.
     fn joint(&self, word: &str, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
         match word {
             "pins" => {
