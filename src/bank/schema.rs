@@ -62,6 +62,22 @@ struct BankWide {
     figure: FigureLabels,
 }
 
+impl BankWide {
+    /// The same with what a problem says otherwise.
+    fn of_problem(&self, fields: &mut Fields) -> Self {
+        let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
+        let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
+        let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
+        Self {
+            gravity: self.gravity.clone(),
+            figure: figure.unwrap_or(self.figure),
+            cond_limit: cond_limit.or(self.cond_limit),
+            energy_limit: energy_limit.unwrap_or(self.energy_limit),
+            ..*self
+        }
+    }
+}
+
 /// A datum with its own draw.
 struct DatumRead<'n> {
     node: &'n Node,
@@ -286,9 +302,7 @@ fn problem(
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
     let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
-    let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
-    let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
-    let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
+    let common = &common.of_problem(&mut fields);
     let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
     let [asks_node, mistakes_node, follows_node] = fields.each(["asks", "mistakes", "follows"]);
@@ -296,17 +310,8 @@ fn problem(
     // What is unknown is a finding before they are counted.
     drop(fields);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
-    let common = &BankWide {
-        gravity: common.gravity.clone(),
-        figure: figure.unwrap_or(common.figure),
-        cond_limit: cond_limit.or(common.cond_limit),
-        energy_limit: energy_limit.unwrap_or(common.energy_limit),
-        ..*common
-    };
-    let cases = read.cases(cases_node);
+    let mut cases = read.cases(cases_node);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
-
-    let mut cases = cases;
     let measured: Vec<(usize, &Node)> =
         read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
     let measured = inverse::only(node, &measured, &data, faults);
@@ -325,14 +330,7 @@ fn problem(
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
-    let read_cases: Vec<mistake::CaseContext> = cases
-        .iter()
-        .filter_map(|c| {
-            let scene = c.read.as_ref()?.scene.as_ref()?;
-            let (name, node, touching) = (c.name.as_str(), c.scene_node?, c.touching());
-            Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
-        })
-        .collect();
+    let read_cases: Vec<mistake::CaseContext> = cases.iter().filter_map(CaseRead::context).collect();
     let context = mistake::Context {
         data: &data,
         gravity: data.len() - 1,
@@ -351,12 +349,12 @@ fn problem(
     }
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
+    let next = |scene: &Scene| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next);
+    if variables.is_some() && statement_node.is_none() && scenes.iter().any(|(_, scene)| next(scene)) {
+        let hint = "write `statement:`, which tells both motions";
+        faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
+    }
     if let Some(variables) = variables {
-        let next = |scene: &Scene| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next);
-        if statement_node.is_none() && scenes.iter().any(|(_, scene)| next(scene)) {
-            let hint = "write `statement:`, which tells both motions";
-            faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
-        }
         let names = data.iter().filter(|d| d.unknown.is_none());
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
         soundness::templates(statement_node, questions_node, &names, variables, faults);
@@ -655,6 +653,13 @@ impl CaseRead<'_> {
     fn touching(&self) -> Touching {
         let read = self.read.as_ref().and_then(|r| Some(Touching::of(&r.touches, r.scene.as_ref()?)));
         read.unwrap_or_default()
+    }
+
+    /// What readers of wrong methods know of it; `None` where its scene could not be read.
+    fn context(&self) -> Option<mistake::CaseContext<'_>> {
+        let scene = self.read.as_ref()?.scene.as_ref()?;
+        let (name, node, touching) = (self.name.as_str(), self.scene_node?, self.touching());
+        Some(mistake::CaseContext { name, scene, node, symbols: &self.symbols, touching })
     }
 
     /// The case, with the bounds of the problem and its own; `None` where its scene could not be read.

@@ -254,7 +254,7 @@ impl Takers {
 const MOODLE_NAMES: &str = "Full name";
 
 /// Of a student and a part, the variants in the order in which they were answered: students of the set whose they are.
-type Asked = HashMap<StudentPart, Vec<usize>>;
+type AskedVariants = HashMap<StudentPart, Vec<usize>>;
 /// A student, a problem and a part.
 pub type StudentPart = (String, usize, usize);
 /// An attempt, whose variant it answered, and whether it did.
@@ -268,7 +268,7 @@ pub struct MatchedQuiz {
     pub told: String,
     /// Students and names.
     students: Vec<StoredStudent>,
-    asked: Asked,
+    asked: AskedVariants,
     /// The problems that were asked: indices of the set.
     problems: Vec<usize>,
     pub canvas: BTreeMap<String, [String; 3]>,
@@ -425,7 +425,7 @@ fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
 }
 
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
-fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Asked {
+fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> AskedVariants {
     let time = |attempt: usize| {
         let QuizAttempt { began, submitted, .. } = &quiz.attempts[attempt];
         let text = if submitted.is_empty() { began } else { submitted };
