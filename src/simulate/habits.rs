@@ -76,7 +76,7 @@ pub struct HandInTimes {
     pub late: f64,
     /// By at most this many minutes, > 0.
     pub by: i64,
-    /// UnitHabit behind each time, such as `+01:00`; may be empty.
+    /// Written behind each time, such as `+01:00`; may be empty.
     pub zone: String,
 }
 
@@ -111,7 +111,7 @@ pub struct Habits {
     pub words: f64,
     /// Share of the students who write a decimal comma.
     pub commas: f64,
-    /// UnitHabit as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
+    /// Written as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
     pub spreadsheet: bool,
     /// When; `None`: no such column.
     pub times: Option<HandInTimes>,
