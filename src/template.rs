@@ -142,6 +142,11 @@ pub fn finished(text: &str) -> Value {
 }
 
 /// A map of finished texts.
+pub fn texts<'a, const N: usize>(pairs: [(&'a str, &str); N]) -> Value {
+    map(pairs.map(|(name, text)| (name, finished(text))))
+}
+
+/// A map of finished values.
 pub fn map<'a>(pairs: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
     Value::from(pairs.into_iter().map(|(name, value)| (name.to_owned().into(), value)).collect::<Map>())
 }
