@@ -166,7 +166,7 @@ impl StudySheet<'_> {
     }
 
     fn head(&self) -> Vec<String> {
-        let mut head: Vec<String> = ["", "method", "setting", "evaluations"].map(str::to_owned).to_vec();
+        let mut head = terminal::head(" | method | setting | evaluations");
         if self.timed {
             head.push("time".to_owned());
         }
@@ -240,10 +240,8 @@ impl StudySheet<'_> {
     /// Every row as CSV.
     pub fn csv(&self) -> String {
         let mut out = Vec::new();
-        let mut head: Vec<String> =
-            ["problem", "method", "setting", "step_s", "rtol", "points", "evaluations", "steps"]
-                .map(str::to_owned)
-                .to_vec();
+        let mut head =
+            terminal::head("problem | method | setting | step_s | rtol | points | evaluations | steps");
         if self.timed {
             head.push("seconds".to_owned());
         }
