@@ -520,7 +520,7 @@ fn escape_tex(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
             '|' => r"\textbar{}",
             '"' => r"\textquotedbl{}",
             '`' => r"\textasciigrave{}",
-            // Two of them would become one sign.
+            // LaTeX would make one sign of two.
             '-' if before == '-' => "{}-",
             '\'' if before == '\'' => "{}'",
             '\u{a0}' => "~",

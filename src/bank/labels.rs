@@ -51,27 +51,23 @@ pub fn named(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     }
 }
 
+/// What only particles or a pinned body have, at rest or not.
+#[rustfmt::skip] // a table
+const OF_PARTICLES_AND_PINS: [Quantity; 13] = {
+    use Quantity as Q;
+    [
+        Q::XG, Q::YG, Q::IG, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce, Q::PinX, Q::PinY, Q::PinAngle,
+        Q::SpringForce, Q::OmegaMax, Q::Period,
+    ]
+};
+
 /// Why a scene has not this quantity, for hints.
 pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     use Quantity as Q;
-    let of_particles = matches!(quantity, Q::XG | Q::YG | Q::IG);
-    let of_pins = matches!(
-        quantity,
-        Q::IO
-            | Q::PinRadial
-            | Q::PinTangential
-            | Q::PinForce
-            | Q::PinX
-            | Q::PinY
-            | Q::PinAngle
-            | Q::SpringForce
-            | Q::OmegaMax
-            | Q::Period
-    );
     if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
         return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
     }
-    if !scene.is_still() || of_particles || of_pins {
+    if !scene.is_still() || OF_PARTICLES_AND_PINS.contains(&quantity) {
         return why(quantity).to_owned();
     }
     let names = || of(scene).into_iter().map(|l| scene.name_of(l));

@@ -42,7 +42,7 @@ const MARGINS: [(CheckKind, f64); 13] = [
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
-    // A small share of large forces still has its sign.
+    // The sign of a tension is certain although it is a small share of large forces.
     (CheckKind::Taut, 0.01),
     (CheckKind::Slack, 0.05),
     (CheckKind::SlipEnds, 0.05),

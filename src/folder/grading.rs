@@ -406,7 +406,7 @@ fn answers(
     let size = first.map_or(0, |(size, _)| size);
     let mut before = 0;
     let mut progress = |read: u64| {
-        // Less is graded in a moment.
+        // A smaller file is graded before a bar would be seen.
         if size > 20_000_000 {
             order.progress.advance("grading", read.saturating_sub(before), size * rules.reads());
         }

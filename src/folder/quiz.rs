@@ -142,7 +142,7 @@ impl Variants {
                 ..placed(p, &parts[part], answer)
             }));
         }
-        // An attempt that was never begun is one at nothing.
+        // An attempt that was never begun has no answers.
         if rows.len() == before {
             for (p, parts) in self.parts.iter().enumerate() {
                 rows.extend(parts.iter().map(|part| placed(p, part, "")));
@@ -556,7 +556,7 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
 fn submissions(quiz: &Quiz, rows: &[QuizRow], takers: &Takers) -> Vec<u8> {
     let [line, code] = QUIZ_COLUMNS;
     let mut out = csv::Writer::from_writer(Vec::new());
-    // To a vector nothing fails.
+    // Writing to a vector does not fail.
     let mut put = |record: [&str; 7]| out.write_record(record).unwrap_or_default();
     put([line, "student", "problem", "part", "answer", "submitted_at", code]);
     for row in rows {

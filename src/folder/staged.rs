@@ -78,7 +78,7 @@ impl Staged {
         }
         if let Err(error) = fs::rename(&new, &place) {
             if replaces && fs::rename(&old, &place).is_err() {
-                // Better a hidden folder than a set that is gone.
+                // It could not be put back: the set is kept in the hidden folder.
                 let _ = folder.keep();
             }
             return Err(fault(error));
@@ -112,7 +112,7 @@ fn sweep(folder: &Path) {
         }
         let (old, place) = (left.join(OLD), folder.join(place));
         if old.exists() && (place.exists() || fs::rename(&old, &place).is_ok()) || !old.exists() {
-            // What cannot be removed now stays for the next run.
+            // If it cannot be removed now, the next run removes it.
             let _ = fs::remove_dir_all(&left);
         }
     }

@@ -55,7 +55,7 @@ fn moves(scene: &Scene, c: &Check) -> String {
         true if !scene.start.is_empty() && c.available <= c.required => {
             format!("the {body} moves as declared: it starts with a speed of its own")
         }
-        // Only the ratio of drive and resistance means anything.
+        // Drive and resistance are given by their ratio, which needs a resistance.
         true if c.required == 0.0 => format!("the {body} moves as declared: nothing resists"),
         true => {
             format!("the {body} moves as declared: the driving force is {} times the resistance", ratio())

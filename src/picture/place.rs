@@ -65,7 +65,7 @@ impl LabelPlaces {
                 self.consider(&mut best, wish.tie, base, (point, towards, wish.gap + gap), half);
             }
         }
-        // Room is always found farther out.
+        // Farther out there is always room.
         let size = self.whole.high - self.whole.low;
         let mut far = size.x + size.y;
         while best.is_none() {
@@ -75,7 +75,7 @@ impl LabelPlaces {
             }
             far *= 1.3;
             if !far.is_finite() || far > 1e9 {
-                // Even leaders may cross there.
+                // Beyond all that is drawn, where leaders may cross.
                 let y = self.taken.iter().map(|t| t.high.y).fold(self.whole.high.y, f64::max) + 8.0;
                 let low = vec2(point.x, y);
                 best = Some((0.0, Frame { low, high: low + half * 2.0 }, None));
@@ -257,7 +257,7 @@ impl Obstacles {
     fn crossings(&self, a: Vec2, b: Vec2) -> f64 {
         let mut cost = 0.0;
         let along = b - a;
-        // Its own end may touch what it points at.
+        // The last 3 pixels may touch what it points at.
         let end = a + along.unit() * (along.norm() - 3.0).max(0.0);
         let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).perp(&(r - p));
         for (c, d, _, weight) in &self.segments {

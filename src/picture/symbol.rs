@@ -177,7 +177,7 @@ impl SymbolReader<'_> {
         let Some(c) = self.chars.get(self.at).copied() else { return };
         self.at += 1;
         match c {
-            // Deeper than anybody writes: braces are passed over.
+            // Below 16 levels braces are passed over.
             '{' if deep < 16 => self.group(level, upright, deep + 1),
             '{' | '}' | '$' => {}
             '_' if level != Level::High => self.item(Level::Low, upright, deep),

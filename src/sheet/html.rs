@@ -152,7 +152,7 @@ impl<'w> Converter<'w> {
             Event::Html(text) | Event::InlineHtml(text) if is_break(&text) => {
                 out.push(html("<br>\n".to_owned()));
             }
-            // Nobody's HTML reaches a page.
+            // HTML in a text is left out of the page.
             Event::Html(_) | Event::InlineHtml(_) => {}
             Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                 let level = lowered(level, place.lower);

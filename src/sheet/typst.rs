@@ -443,7 +443,7 @@ impl FormulaRow {
             all.typst.push_str(&typst);
             all.alt.push_str(&alt);
         }
-        // One space is enough for those who listen.
+        // Of several spaces one is read aloud.
         all.alt = all.alt.split_whitespace().collect::<Vec<_>>().join(" ");
         all
     }

@@ -35,7 +35,7 @@ impl<T: Copy> Mix<T> {
             }
             left -= weight;
         }
-        // Rounding may leave a crumb: it belongs to the last one that is met at all.
+        // Rounding may leave a small rest: it belongs to the last thing whose weight is above 0.
         let last = self.0.iter().rev().find(|(_, w)| *w > 0.0);
         last.or(self.0.last()).map(|(t, _)| *t).expect("a mix has something in it")
     }
