@@ -63,8 +63,8 @@ struct BankWide {
 }
 
 impl BankWide {
-    /// The same with what a problem says otherwise.
-    fn of_problem(&self, fields: &mut Fields) -> Self {
+    /// The same with what a bank or a problem says otherwise.
+    fn with(&self, fields: &mut Fields) -> Self {
         let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
         let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
         let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
@@ -104,21 +104,19 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let reveal = fields.read("reveal", |n, f| choice(n, &on_off, f)).unwrap_or(false);
     let (relative, _) = fields.get("tolerance").map_or((None, None), |n| tolerance(n, None, faults));
     let unit_required = fields.read("units", |n, f| choice(n, &UNITS, f)).unwrap_or(false);
-    let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
-    let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
-    let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
-    let grading = Policy::default();
-    let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
-    let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
-    let common = BankWide {
+    let usual = BankWide {
         gravity: gravity.or_else(default_gravity)?,
         relative: relative.unwrap_or(Relative::Fixed(RELATIVE)),
         unit_required,
-        cond_limit,
-        energy_limit: energy_limit.unwrap_or(ENERGY_LIMIT),
-        figure: figure.unwrap_or(FigureLabels::Values),
+        cond_limit: None,
+        energy_limit: ENERGY_LIMIT,
+        figure: FigureLabels::Values,
     };
+    let common = usual.with(&mut fields);
+    let grading = Policy::default();
+    let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
+    let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
         let list = named(n, "problems by id", faults);
@@ -302,7 +300,7 @@ fn problem(
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
     let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
-    let common = &common.of_problem(&mut fields);
+    let common = &common.with(&mut fields);
     let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
     let [asks_node, mistakes_node, follows_node] = fields.each(["asks", "mistakes", "follows"]);

@@ -163,6 +163,7 @@ fn weight(role: Role) -> f64 {
 }
 
 /// What labels should not cover.
+#[derive(Default)]
 struct Obstacles {
     segments: Vec<(Vec2, Vec2, Frame, f64)>,
     circles: Vec<(Vec2, f64, f64)>,
@@ -173,11 +174,8 @@ struct Obstacles {
 
 impl Obstacles {
     fn new(elements: &[Element]) -> Self {
-        let mut all =
-            Self { segments: Vec::new(), circles: Vec::new(), dots: Vec::new(), leaders: Vec::new() };
-        for element in elements {
-            all.add(element);
-        }
+        let mut all = Self::default();
+        elements.iter().for_each(|element| all.add(element));
         all
     }
     /// A leader that is drawn from now on.
@@ -193,39 +191,29 @@ impl Obstacles {
         if weight <= 0.0 {
             return;
         }
-        let mut segment = |a: Vec2, b: Vec2| {
-            self.segments.push((a, b, Frame { low: a.inf(&b), high: a.sup(&b) }, weight));
-        };
-        match &element.outline {
-            Outline::Lines { points, closed } => {
-                for pair in points.windows(2) {
-                    segment(pair[0], pair[1]);
-                }
-                if let (true, Some(first), Some(last)) = (*closed, points.first(), points.last()) {
-                    segment(*last, *first);
-                }
-            }
+        let (mut points, closed) = match &element.outline {
+            Outline::Lines { points, closed } => (points.clone(), *closed),
             Outline::Circle { centre, radius } => {
                 self.circles.push((*centre, *radius, weight));
                 if element.role == Role::Dot {
                     self.dots.push((*centre, *radius));
                 }
+                return;
             }
             Outline::Arc { centre, radius, from, to } => {
-                let points: Vec<Vec2> = Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect();
-                for pair in points.windows(2) {
-                    segment(pair[0], pair[1]);
-                }
+                (Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect(), false)
             }
             Outline::Arcs(arcs) => {
                 let on = |(c, r, from, to): &(Vec2, f64, f64, f64)| Vec2::on_arc(*c, *r, (*from, *to), 12);
-                let mut points: Vec<Vec2> = arcs.iter().flat_map(on).collect();
-                points.extend(points.first().copied());
-                for pair in points.windows(2) {
-                    segment(pair[0], pair[1]);
-                }
+                (arcs.iter().flat_map(on).collect(), true)
             }
-        }
+        };
+        points.extend(points.first().copied().filter(|_| closed));
+        let segment = |pair: &[Vec2]| {
+            let frame = Frame { low: pair[0].inf(&pair[1]), high: pair[0].sup(&pair[1]) };
+            (pair[0], pair[1], frame, weight)
+        };
+        self.segments.extend(points.windows(2).map(segment));
     }
     /// What a label in this box would cover; `None` once it is too much.
     fn cost(&self, frame: Frame, too_much: impl Fn(f64) -> bool) -> Option<f64> {
