@@ -310,9 +310,8 @@ fn problem(
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
     let mut cases = read.cases(cases_node);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
-    let measured: Vec<(usize, &Node)> =
-        read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
-    let measured = inverse::only(node, &measured, &data, faults);
+    let measured = read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?)));
+    let measured = inverse::only(node, &measured.collect::<Vec<_>>(), &data, faults);
     for case in &mut cases {
         let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
         uses.extend(inverse::put(node, measured, scene, &data, faults));
@@ -347,14 +346,14 @@ fn problem(
     }
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
-    let next = |scene: &Scene| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next);
-    if variables.is_some() && statement_node.is_none() && scenes.iter().any(|(_, scene)| next(scene)) {
-        let hint = "write `statement:`, which tells both motions";
-        faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
-    }
     if let Some(variables) = variables {
-        let names = data.iter().filter(|d| d.unknown.is_none());
-        let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
+        let next = |scene: &Scene| scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next);
+        if statement_node.is_none() && scenes.iter().any(|(_, scene)| next(scene)) {
+            let hint = "write `statement:`, which tells both motions";
+            faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
+        }
+        let names = data.iter().filter(|d| d.unknown.is_none()).map(|d| d.symbol.as_str());
+        let names: Vec<&str> = names.collect();
         soundness::templates(statement_node, questions_node, &names, variables, faults);
     }
     let span = span(&asked, &scenes);
@@ -362,10 +361,8 @@ fn problem(
         scene.look(span);
         scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
     }
-    let cases: Vec<Case> = cases
-        .into_iter()
-        .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
-        .collect();
+    let finished = |case: CaseRead| case.finished(bounds_node, &data, common.gravity.0, span, faults);
+    let cases: Vec<Case> = cases.into_iter().filter_map(finished).collect();
     let title = title?;
     (faults.count() == before && !cases.is_empty()).then(|| Problem {
         id: name.to_owned(),

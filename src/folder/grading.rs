@@ -234,22 +234,15 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
     let on_demand = if whole { None } else { Some(WrongOnDemand::new(&bank, &set)?) };
     let options = Options { wrong: on_demand.as_ref().map(|all| all as &dyn FindWrong), ..options };
     let table = table(&set, keys, &policy);
-    let settings = courses
-        .last()
-        .map_or_else(|| order.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
+    let in_bank = || order.set.join(&set.bank.file).display().to_string();
+    let settings = courses.last().map_or_else(in_bank, |(file, _)| file.clone());
     let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
     let staged = Staged::new(order.out)?;
     let graded = answers(order, path, &table, &rules, &options, &staged)?;
     let put = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     put(names::GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
-    let basis = order.out.join(names::BASIS);
-    fs::create_dir(staged.path().join(names::BASIS)).map_err(files::trouble(&basis, "cannot be written"))?;
-    let kept =
-        [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)].into_iter();
-    let kept = kept.map(|(name, text)| (name.to_owned(), text));
-    for (name, text) in kept.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
-        put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
-    }
+    let kept = [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)];
+    keep_basis(&staged, order.out, kept, &courses)?;
     if let Some(handed_in) = &handed_in {
         put(grading::JOINED, &handed_in.kept)?;
     }
@@ -300,6 +293,22 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
         reports: order.reports,
         told,
     })
+}
+
+/// Keeps beside the grades what was graded by: these files, and the settings of the courses.
+fn keep_basis(
+    staged: &Staged,
+    out: &Path,
+    files: [(&str, &String); 3],
+    courses: &[(String, String)],
+) -> Result<(), Findings> {
+    let basis = out.join(names::BASIS);
+    fs::create_dir(staged.path().join(names::BASIS)).map_err(files::trouble(&basis, "cannot be written"))?;
+    let files = files.into_iter().map(|(name, text)| (name.to_owned(), text));
+    for (name, text) in files.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
+        staged.write(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
+    }
+    Ok(())
 }
 
 /// The keys with the names of the students and the points of the course.
