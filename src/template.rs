@@ -142,7 +142,7 @@ pub fn finished(text: &str) -> Value {
 }
 
 /// A map of finished texts.
-pub fn texts<'a, const N: usize>(pairs: [(&'a str, &str); N]) -> Value {
+pub fn texts<const N: usize>(pairs: [(&str, &str); N]) -> Value {
     map(pairs.map(|(name, text)| (name, finished(text))))
 }
 
