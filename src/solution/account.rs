@@ -1637,7 +1637,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.get(rate_of(self.lead()))?;
         Ok(if self.value(&a.into()) == 0.0 {
             &self.s / &self.v0
-        } else if self.v0 == ZERO {
+        } else if self.v0 == ZERO && self.short != Short::Motion {
             number(2) * self.distance() / &self.v
         } else {
             (in_sense(self.v.clone(), self.sense) - &self.v0) / a
