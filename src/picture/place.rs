@@ -6,6 +6,7 @@ use crate::picture::board::{LabelTie, LabelWish};
 use crate::picture::frame::Frame;
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Element, Outline, Role};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Least distance between a label and what is not its own.
@@ -191,8 +192,8 @@ impl Obstacles {
         if weight <= 0.0 {
             return;
         }
-        let (mut points, closed) = match &element.outline {
-            Outline::Lines { points, closed } => (points.clone(), *closed),
+        let (points, closed): (Cow<[Vec2]>, bool) = match &element.outline {
+            Outline::Lines { points, closed } => (Cow::Borrowed(points), *closed),
             Outline::Circle { centre, radius } => {
                 self.circles.push((*centre, *radius, weight));
                 if element.role == Role::Dot {
@@ -208,12 +209,11 @@ impl Obstacles {
                 (arcs.iter().flat_map(on).collect(), true)
             }
         };
-        points.extend(points.first().copied().filter(|_| closed));
-        let segment = |pair: &[Vec2]| {
-            let frame = Frame { low: pair[0].inf(&pair[1]), high: pair[0].sup(&pair[1]) };
-            (pair[0], pair[1], frame, weight)
-        };
-        self.segments.extend(points.windows(2).map(segment));
+        let segment = |a: Vec2, b: Vec2| (a, b, Frame { low: a.inf(&b), high: a.sup(&b) }, weight);
+        self.segments.extend(points.windows(2).map(|pair| segment(pair[0], pair[1])));
+        if let (true, Some(first), Some(last)) = (closed, points.first(), points.last()) {
+            self.segments.push(segment(*last, *first));
+        }
     }
     /// What a label in this box would cover; `None` once it is too much.
     fn cost(&self, frame: Frame, too_much: impl Fn(f64) -> bool) -> Option<f64> {
