@@ -1346,6 +1346,10 @@ impl<'d, 'a> Account<'d, 'a> {
         if upright {
             terms.push(self.m.parts[body].mass.expr() * &self.m.g);
         }
+        if let Some(carrier) = &self.m.carrier {
+            let way = &carrier.acceleration * &carrier.direction[usize::from(upright)];
+            terms.push(self.m.parts[body].mass.expr() * way);
+        }
         for (tie, aim) in pulls {
             let share = self.m.component(self.page.draft, aim, upright);
             if share.is_zero() {
