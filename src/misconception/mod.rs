@@ -63,12 +63,12 @@ pub fn value(
 pub struct Methods<'p> {
     problem: &'p Problem,
     /// Those that need no other solution first: they cost least. Then those that are solved together.
-    methods: Vec<Method<'p>>,
+    methods: Vec<PreparedMethod<'p>>,
 }
 
 /// One wrong method in one case.
 #[derive(Debug)]
-struct Method<'p> {
+struct PreparedMethod<'p> {
     /// Its index in the problem.
     index: usize,
     mistake: &'p Mistake,
@@ -135,9 +135,10 @@ impl<'p> Methods<'p> {
             let asked = Scope::only(spoils.iter().flat_map(needed).map(|label| label.quantity));
             let joins =
                 solves.is_some() && mistake.scenes.is_empty() && right.is_some_and(agree::side_by_side);
-            Method { index, mistake, solves, asked, joins, spoils, before: 0 }
+            PreparedMethod { index, mistake, solves, asked, joins, spoils, before: 0 }
         };
-        let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
+        let mut methods: Vec<PreparedMethod> =
+            mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
         let mut before = 0;
         for method in &mut methods {
             method.before = before;
@@ -187,7 +188,7 @@ impl<'p> Methods<'p> {
     }
 
     /// The solutions of the scenes that these methods take for the right one.
-    fn roads(&self, methods: &[Method], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
+    fn roads(&self, methods: &[PreparedMethod], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
         let Some(quick) = &methods[0].solves else { return Vec::new() };
         let changed: Vec<Option<Set>> =
             methods.iter().map(|m| m.changed(self.problem, data, solved)).collect();
@@ -217,7 +218,7 @@ fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Ite
     own.into_iter().chain(expression.into_iter().flat_map(|e| e.quantities()))
 }
 
-impl Method<'_> {
+impl PreparedMethod<'_> {
     /// What it comes to, with the solution of the scene that it takes for the right one.
     fn values(&self, changed: Option<&Told>, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
         let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);

@@ -125,7 +125,7 @@ impl Svg {
             let _ = write!(self.text, "class=\"{class}\" ");
         }
         let _ = write!(self.text, "x=\"{x}\" y=\"{y}\" font-size=\"{letters}\"{more}>");
-        // What the last run has lowered, the next one raises again.
+        // Each shift counts from the run before: what was lowered is raised again.
         let mut low = 0.0;
         for TextRun { text, style } in runs {
             let (small, italic, want) = match style {

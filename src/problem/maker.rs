@@ -103,7 +103,7 @@ struct DrawPlan<'p> {
 }
 
 /// A right answer, and how near to it a wrong method may not come; NaN where there is no number.
-type Right = (f64, f64);
+type Accepted = (f64, f64);
 
 impl<'p> Maker<'p> {
     /// A maker for a problem of the set `set`, drawn with `seed`.
@@ -404,7 +404,7 @@ impl<'p> Maker<'p> {
 
     /// For each question what a wrong method must keep away from: by its tolerance, or by the least that it may have, which needs
     /// no condition number.
-    fn right(&self, solved: &Solved, least: bool) -> Vec<Right> {
+    fn right(&self, solved: &Solved, least: bool) -> Vec<Accepted> {
         let right = |q: &Question| match solved.get(q.label) {
             Some(e) => {
                 let cond = if least { 0.0 } else { e.cond };
@@ -416,7 +416,7 @@ impl<'p> Maker<'p> {
     }
 
     /// Does a wrong method come near the right answer of its question?
-    fn near(&self, wrong: &Wrong, right: &[Right]) -> bool {
+    fn near(&self, wrong: &Wrong, right: &[Accepted]) -> bool {
         let (value, reach) = right[wrong.asked];
         let off = |comes_to: f64| (comes_to - value).abs() < reach;
         // Where a magnitude is asked, a sign is no answer.
@@ -425,7 +425,7 @@ impl<'p> Maker<'p> {
     }
 
     /// Does a wrong method refuse a draw?
-    fn refuses(&self, wrong: &Wrong, right: &[Right]) -> bool {
+    fn refuses(&self, wrong: &Wrong, right: &[Accepted]) -> bool {
         let mistake = &self.problem.mistakes[wrong.mistake];
         let unguarded = &self.problem.questions[wrong.asked].unguarded;
         mistake.unguarded.is_none()

@@ -51,7 +51,6 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(value, "the body and the height", self.faults)?;
         let body = self.need_body(&mut fields, "of", bodies);
         let by = fields.need("by", "h");
-        fields.close();
         let (body, by) = (body?, by?);
         let (way, line) = match bodies[body].line.map(|line| (line.slope, line)) {
             Some((Slope::Vertical, line)) => (self.number(by, Need::LENGTH), line),
@@ -76,7 +75,6 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(value, "the cord and the length", self.faults)?;
         let cord = fields.need("cord", "cord");
         let by = fields.need("by", "L");
-        fields.close();
         let (cord, by) = (cord?, by?);
         let wound = |c: &Cord| {
             let far = match &c.to {
@@ -183,7 +181,6 @@ impl SceneReader<'_> {
             }
             self.word(n, "the direction of motion", &words).map(Some)
         });
-        fields.close();
         let body = body?;
         if word == "turn" && !bodies[body].turns {
             return f.refuse(value, told!("`{}` does not turn", bodies[body].name));
