@@ -84,6 +84,9 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     for run in &plan.cords {
         parts::cord(board, view, plan, run);
     }
+    if let Some(spring) = &plan.awaited {
+        parts::awaited(board, view, spring);
+    }
     for b in 0..view.scene.bodies.len() {
         if let Some(p) = placed(b) {
             body_labels(board, view, plan, b, p);
@@ -98,7 +101,13 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 
 /// What carries the scene: its speed at the start and its acceleration as arrows below, and in words.
 fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
-    let (Some(carrier), Some(frame)) = (view.scene.carried, board.frame()) else { return };
+    let Some(carrier) = view.scene.carried else { return };
+    if let (true, Slope::Level, Some(frame)) = (view.scene.lead().is_some(), carrier.slope, board.frame()) {
+        // Joined bodies stand and hang on a truck.
+        let at = |x: f64| vec2(x, frame.low.y);
+        parts::moving_surface(board, at(frame.low.x - 24.0), at(frame.high.x + 24.0), Vec2::DOWN, false);
+    }
+    let Some(frame) = board.frame() else { return };
     let up = Vec2::at_degrees(view.degrees(carrier.slope));
     let numbers = [(carrier.speed_m_s, "m/s"), (carrier.acceleration_m_s2, "m/s<sup>2</sup>")];
     let moving = numbers.into_iter().filter(|(n, _)| view.of(*n) != 0.0);
@@ -369,8 +378,7 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     let hanging = p.on.is_none();
     // To scale where it fits, else cut short, with a break.
     let real = view.of(num) * plan.scale;
-    let reach = p.reach(towards);
-    let most = if hanging { reach + 70.0 } else { reach + 96.0 };
+    let (reach, most) = (p.reach(towards), layout::most_travel(p, towards));
     // Beside what hangs, on the side where nothing else is.
     let crowded = plan.bodies.iter().flatten().any(|q| (1.0..160.0).contains(&(q.centre.x - p.centre.x)));
     let beside = if crowded { Vec2::LEFT } else { Vec2::RIGHT };
