@@ -159,7 +159,7 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
 fn joined_bodies(view: &SceneView) -> Option<Energies> {
     let scene = view.scene;
     let plane = PlaneLayout::new(view)?;
-    let laid = plane.at_end(view)?;
+    let laid = plane.at_end(view)?.swap_remove(0);
     if (0..scene.bodies.len()).any(|b| view.started(b).next().is_some())
         || scene.pushes.iter().any(|p| p.turns || p.blow)
     {

@@ -203,7 +203,16 @@ fn asked_alone(scene: &Scene) -> Option<usize> {
 fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
-        _ if this.planar.is_some() => in_the_plane(view, body),
+        _ if this.planar.is_some() => {
+            let plane = joined::PlaneLayout::new(view)?;
+            let ends = plane.at_end(view).unwrap_or_else(|| vec![plane.start.clone()]).into_iter();
+            let diagrams = ends.filter_map(|laid| in_the_plane(view, &plane, laid, body));
+            // Of the positions on either side it is the one at which the forces turn the body as it turns.
+            let missed = |d: &Diagram| {
+                sums(d).map_or(f64::INFINITY, |(acting, made)| (acting.moment - made.moment).abs())
+            };
+            diagrams.min_by(|one, other| missed(one).total_cmp(&missed(other)))
+        }
         Some(pin) => Some(swinging(view, body, pin)),
         None => moving(view, body),
     }
@@ -498,7 +507,10 @@ fn contact(
         friction = -friction;
     }
     let name = names::of_body(view, body, &["N", "N_s"], |b| b.line.is_some_and(|l| l.surface));
-    forces.push(ForceArrow { push: true, ..ForceArrow::new(at, p.top, normal, symbol::symbol(&name)) });
+    // On a level it lies in the line of the weight, beside which it stands where there is no room between.
+    let aside = if p.top.y > 0.97 && p.contact <= 40.0 { p.forward * BESIDE } else { Vec2::ZERO };
+    let normal_force = ForceArrow::new(at, p.top, normal, symbol::symbol(&name));
+    forces.push(ForceArrow { push: true, aside, ..normal_force });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
     let arm = tie.and_then(|t| view.scene.ties[t].actions().find_map(|a| a.arm));
@@ -628,9 +640,12 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 }
 
 /// The diagrams of a body in the plane, at the position that is asked.
-fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
-    let plane = joined::PlaneLayout::new(view)?;
-    let mut laid = plane.at_end(view).unwrap_or_else(|| plane.start.clone());
+fn in_the_plane<'a>(
+    view: &'a SceneView<'a>,
+    plane: &joined::PlaneLayout,
+    mut laid: Vec<joined::Laid>,
+    body: usize,
+) -> Option<Diagram<'a>> {
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let g = plane.centre(view, &laid, body);
@@ -708,7 +723,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     for push in view.scene.pushes.iter().filter(|p| p.at.body == body && !p.blow) {
         let given = view.symbol(push.force_n);
         let label = if given.is_empty() { symbol::symbol("P") } else { given };
-        let towards = joined::towards(view, &plane, &laid, push);
+        let towards = joined::towards(view, plane, &laid, push);
         forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
     }
     let planar = this.planar.as_ref()?;
@@ -975,7 +990,7 @@ fn arrows(board: &mut Board, forces: &[ForceArrow], pixels: Option<f64>) -> bool
         let first = usize::from(f.role == Role::Friction) * 2;
         let mut spots = beside.to_vec();
         spots.insert(first, (end, out));
-        board.label(vec![f.label.clone()], f.role, (LabelTie::Near, 4.0), spots);
+        board.label(vec![f.label.clone()], f.role, (LabelTie::Clear, 4.0), spots);
     }
     any
 }

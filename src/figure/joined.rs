@@ -21,6 +21,8 @@ const THICK: f64 = 5.0;
 /// Half the width of a slot in which the end of a rod slides, and of a guide of what only slides.
 const SLOT: f64 = 9.0;
 const GUIDE: f64 = 11.0;
+/// Pixels by which two places of a mass centre differ that count as one.
+const SAME: f64 = 1e-3;
 /// Half the gap of a line round a dot.
 const APART: f64 = 7.0;
 /// Least radius of a disc, and of the end of a link that is no bar.
@@ -119,10 +121,11 @@ impl PlaneLayout {
         let scale = if size > 0.0 { pixels / size } else { self.scale };
         Self { scale, ..self.clone() }
     }
-    /// The bodies at the end, also where only the solver knows where that is; `None` where nothing moves.
-    pub fn at_end(&self, view: &SceneView) -> Option<Vec<Laid>> {
-        if self.end.is_some() {
-            return self.end.clone();
+    /// The bodies at the end, also where only the solver knows where that is: twice where it says no more than how far to either side.
+    /// `None` where nothing moves.
+    pub fn at_end(&self, view: &SceneView) -> Option<Vec<Vec<Laid>>> {
+        if let Some(end) = &self.end {
+            return Some(vec![end.clone()]);
         }
         let lead = view.scene.lead()?;
         let start = view.of(view.scene.planar(lead)?.start_deg?);
@@ -134,10 +137,13 @@ impl PlaneLayout {
         let tried = [1.0, -1.0].into_iter().filter_map(|sense| {
             let mut laid = lay(view, &numbers, &Half::of_degrees(start + sense * turned), false)?;
             laid.iter_mut().for_each(|l| l.origin *= self.scale);
-            let off = (self.centre(view, &laid, lead).y - before) / self.scale - rise;
+            let off = self.centre(view, &laid, lead).y - before - rise * self.scale;
             Some((off.abs(), laid))
         });
-        tried.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, laid)| laid)
+        let tried: Vec<(f64, Vec<Laid>)> = tried.collect();
+        let least = tried.iter().map(|(off, _)| *off).fold(f64::INFINITY, f64::min);
+        let near = tried.into_iter().filter(|(off, _)| *off <= least + SAME);
+        Some(near.map(|(_, laid)| laid).collect()).filter(|all: &Vec<_>| !all.is_empty())
     }
     /// Both ends of a spring, where the bodies lie so.
     pub fn ends(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> (Vec2, Vec2) {
@@ -371,6 +377,15 @@ fn fixed_places(scene: &Scene) -> impl Iterator<Item = [Num; 2]> {
         _ => None,
     });
     held.chain(scene.pushes.iter().filter_map(|push| push.toward_m))
+}
+
+/// Do the bodies hang from all that holds them?
+pub fn hangs(view: &SceneView) -> bool {
+    let Some(plane) = PlaneLayout::new(view) else { return false };
+    let low = fixed_places(view.scene).map(|p| view.of(p[1]) * plane.scale).fold(f64::INFINITY, f64::min);
+    let held = |j: &Joint| !matches!(j.kind, JointKind::Guide { .. } | JointKind::Contact { .. });
+    let below = |b: usize| plane.centre(view, &plane.start, b).y < low;
+    low.is_finite() && view.scene.joints.iter().all(held) && (0..plane.start.len()).all(below)
 }
 
 /// Draws the bodies with their joints, forces and sizes.

@@ -14,6 +14,9 @@ use crate::scene::{
 use crate::solve::outcome::Word;
 use crate::words::Words;
 
+/// How far the bed of a truck is below what hangs over it.
+const TRUCK: f64 = 26.0;
+
 /// The scene of a variant at its start.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
     drawn(problem, variant, words, labels, false)
@@ -104,7 +107,8 @@ fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
     let Some(carrier) = view.scene.carried else { return };
     if let (true, Slope::Level, Some(frame)) = (view.scene.lead().is_some(), carrier.slope, board.frame()) {
         // Joined bodies stand and hang on a truck.
-        let at = |x: f64| vec2(x, frame.low.y);
+        let gap = if linkage::hangs(view) { TRUCK } else { 0.0 };
+        let at = |x: f64| vec2(x, frame.low.y - gap);
         parts::moving_surface(board, at(frame.low.x - 24.0), at(frame.high.x + 24.0), Vec2::DOWN, false);
     }
     let Some(frame) = board.frame() else { return };
@@ -382,17 +386,23 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     // Beside what hangs, on the side where nothing else is.
     let crowded = plan.bodies.iter().flatten().any(|q| (1.0..160.0).contains(&(q.centre.x - p.centre.x)));
     let beside = if crowded { Vec2::LEFT } else { Vec2::RIGHT };
+    // Where something pulls along it, it would lie on that.
+    let pulled = plan.cords.iter().filter(|r| matches!(r.stop, CordStop::Pull(..) | CordStop::Spring(..)));
+    let mut pulled = pulled.filter(|r| r.at.iter().any(|(b, _)| *b == body));
+    let covered =
+        pulled.any(|r| (r.leaves.0 - p.centre).dot(&p.top).abs() < 8.0 && r.leaves.1.dot(&towards) > 0.99);
+    let low = !hanging && (real < reach || covered);
     let way = if hanging {
         let from = p.centre + beside * (p.reach(Vec2::RIGHT) + 36.0);
         Displacement { from, towards, real, most, hidden: 0.0, across: beside }
-    } else if real < reach {
-        // A short one would be lost within the body: below the surface, from the contact.
+    } else if low {
+        // A short one would be lost within the body too: below the surface, from the contact.
         let from = p.centre - p.top * (p.contact + 24.0);
         Displacement { from, towards, real, most, hidden: 0.0, across: -p.top }
     } else {
         Displacement { from: p.centre, towards, real, most, hidden: reach, across: p.top }
     };
-    way.draw(board, view.label(num, "m"), hanging || real < reach);
+    way.draw(board, view.label(num, "m"), hanging || low);
     if view.worked {
         unwound(board, view, plan, (body, sense, num));
     }
