@@ -158,7 +158,7 @@ fn gained(view: &SceneView) -> f64 {
 fn joined_bodies(view: &SceneView) -> Option<Energies> {
     let scene = view.scene;
     let plane = PlaneLayout::new(view)?;
-    let laid = plane.at_end(view)?;
+    let laid = plane.at_end(view)?.swap_remove(0);
     if (0..scene.bodies.len()).any(|b| view.started(b).next().is_some())
         || scene.pushes.iter().any(|p| p.turns || p.blow)
     {
