@@ -142,6 +142,11 @@ pub fn finished(text: &str) -> Value {
 }
 
 /// A map of finished texts.
+pub fn texts<const N: usize>(pairs: [(&str, &str); N]) -> Value {
+    map(pairs.map(|(name, text)| (name, finished(text))))
+}
+
+/// A map of finished values.
 pub fn map<'a>(pairs: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
     Value::from(pairs.into_iter().map(|(name, value)| (name.to_owned().into(), value)).collect::<Map>())
 }
@@ -515,7 +520,7 @@ fn escape_tex(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
             '|' => r"\textbar{}",
             '"' => r"\textquotedbl{}",
             '`' => r"\textasciigrave{}",
-            // Two of them would become one sign.
+            // LaTeX would make one sign of two.
             '-' if before == '-' => "{}-",
             '\'' if before == '\'' => "{}'",
             '\u{a0}' => "~",

@@ -209,7 +209,7 @@ impl<'t> Exact<'t> {
         let exponent = behind
             .strip_prefix(['e', 'E'])
             .is_some_and(|t| t.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit()));
-        // A mark at the very end belongs to nobody.
+        // A mark at the very end is no part of the number.
         if exponent || (power && !matches!(behind, "." | "," | "'")) {
             return None;
         }

@@ -31,15 +31,10 @@ worded! {
 
 impl AnswerWord {
     /// Those that tell a direction.
+    #[rustfmt::skip] // a table
     pub const DIRECTIONS: [AnswerWord; 8] = [
-        AnswerWord::Up,
-        AnswerWord::Down,
-        AnswerWord::Forward,
-        AnswerWord::Back,
-        AnswerWord::Right,
-        AnswerWord::Left,
-        AnswerWord::Clockwise,
-        AnswerWord::CounterClockwise,
+        AnswerWord::Up, AnswerWord::Down, AnswerWord::Forward, AnswerWord::Back, AnswerWord::Right,
+        AnswerWord::Left, AnswerWord::Clockwise, AnswerWord::CounterClockwise,
     ];
     /// Does it tell a sense of turning?
     pub const fn turns(self) -> bool {
@@ -87,38 +82,20 @@ const WORDS: [(AnswerWord, &str); 11] = [
 const NO_MOTION: [&str; 5] =
     ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"];
 /// What is read as `yes` where it is asked whether a body rolls; with a comma behind `no` the same says that it slips.
+#[rustfmt::skip] // a table
 const ROLLS: [&str; 7] = [
-    "no slipping",
-    "no slip",
-    "without slipping",
-    "kein schlupf",
-    "kein rutschen",
-    "ohne rutschen",
+    "no slipping", "no slip", "without slipping", "kein schlupf", "kein rutschen", "ohne rutschen",
     "ohne schlupf",
 ];
 
 /// What people write of a direction in more than one word, as far as [`phrase`] reads it.
 #[cfg(feature = "program")]
+#[rustfmt::skip] // a table
 const DIRECTIONS: [&str; 19] = [
-    "up the incline",
-    "down the incline",
-    "up the slope",
-    "down the slope",
-    "up the track",
-    "down the track",
-    "to the right",
-    "to the left",
-    "nach oben",
-    "nach unten",
-    "nach vorn",
-    "nach vorne",
-    "nach hinten",
-    "nach rechts",
-    "nach links",
-    "die Ebene hinauf",
-    "die Ebene hinab",
-    "die schiefe Ebene hinauf",
-    "die schiefe Ebene hinab",
+    "up the incline", "down the incline", "up the slope", "down the slope", "up the track",
+    "down the track", "to the right", "to the left", "nach oben", "nach unten", "nach vorn", "nach vorne",
+    "nach hinten", "nach rechts", "nach links", "die Ebene hinauf", "die Ebene hinab",
+    "die schiefe Ebene hinauf", "die schiefe Ebene hinab",
 ];
 
 /// All that is read as this word of a key where nothing stands beside it.

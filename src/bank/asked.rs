@@ -1,5 +1,5 @@
 //! Questions that no quantity answers as it stands: an expression (`value:`), or a quantity as if contacts were others (`if:`).
-use crate::bank::expression::{Expression, Name};
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::node::{Faults, Node, WHOLE, choice, named, shorten, text};
 use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, labels, measure, need::Need, soundness};
@@ -72,14 +72,7 @@ fn read(
     let other = match (as_if, motion) {
         (None, None) => None,
         (Some(n), None) => Some(other(n, scene, faults)?),
-        (None, Some(n)) => {
-            choice(n, &MOTION, faults)?;
-            let hint = "write what happens then under `next` in the scene, such as `next: {end: ...}`";
-            let Some(at) = next(scene) else {
-                return faults.refuse_with(n, "no motion follows in this scene", hint);
-            };
-            Some(at)
-        }
+        (None, Some(n)) => Some(following(n, scene, faults)?),
         (Some(_), Some(n)) => return faults.refuse(n, "`if` and `motion` do not go together"),
     };
     let target = other.map_or(&*scene, |at| &scene.formulas.others[at].1);
@@ -152,19 +145,8 @@ fn read(
             return None;
         }
     };
+    unit_fits(id, node, (unit, &written_text), expression.powers, faults)?;
     let powers = expression.powers.map(|p| p / 4);
-    let dimension = measure::powers_text(expression.powers);
-    let Some(unit) = unit else {
-        let hint = told!("write its unit; the expression has the dimension {dimension}");
-        return faults.refuse_with(node, told!("`{id}` asks for an expression, and `unit` is missing"), hint);
-    };
-    // A unit that is none is told where questions are read.
-    let read = Unit::parse(unit.text().unwrap_or("").trim()).ok()?;
-    if measure::powers(&read) != expression.powers {
-        let found = measure::powers_text(measure::powers(&read));
-        let message = told!("`{}` has the dimension {dimension}, its unit {found}", shorten(&written_text));
-        return faults.refuse_with(unit, message, told!("a unit such as {dimension}"));
-    }
     let formula = expression.formula().map(&mut |name| match name {
         Name::Datum(datum, degrees) => {
             let powers = context.data.get(datum).map_or([0; 3], |d| measure::powers(&d.unit).map(|p| p / 4));
@@ -176,6 +158,36 @@ fn read(
     let quantity = Quantity::Value;
     let (id, text) = (id.to_owned(), format!("{written_text}{condition}"));
     Some(Asked { id, text, formula, quantity, of: Owner::Scene, unit: measure::si(powers), powers })
+}
+
+/// Has the unit that is written the dimension of the expression? `None`: it has not, or there is none.
+fn unit_fits(
+    id: &str,
+    node: &Node,
+    (unit, written): (Option<&Node>, &str),
+    powers: Exponents,
+    faults: &Faults,
+) -> Option<()> {
+    let dimension = measure::powers_text(powers);
+    let Some(unit) = unit else {
+        let hint = told!("write its unit; the expression has the dimension {dimension}");
+        return faults.refuse_with(node, told!("`{id}` asks for an expression, and `unit` is missing"), hint);
+    };
+    // A unit that is none is told where questions are read.
+    let found = measure::powers(&Unit::parse(unit.text().unwrap_or("").trim()).ok()?);
+    if found == powers {
+        return Some(());
+    }
+    let found = measure::powers_text(found);
+    let message = told!("`{}` has the dimension {dimension}, its unit {found}", shorten(written));
+    faults.refuse_with(unit, message, told!("a unit such as {dimension}"))
+}
+
+/// The motion that follows, as `motion:` names it.
+fn following(node: &Node, scene: &Scene, faults: &Faults) -> Option<usize> {
+    choice(node, &MOTION, faults)?;
+    let hint = "write what happens then under `next` in the scene, such as `next: {end: ...}`";
+    next(scene).or_else(|| faults.refuse_with(node, "no motion follows in this scene", hint))
 }
 
 /// The motion that follows: its index.

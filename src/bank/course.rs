@@ -65,7 +65,6 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
         let at = node.field("late").or_else(|| node.field("due")).unwrap_or(node);
         faults.hint(at, "`closes` is before `due`", "a time after it");
     }
-    fields.close();
     policy
 }
 
@@ -106,7 +105,6 @@ fn attempts(node: &Node, policy: &mut Policy, faults: &Faults) {
     fields.set("at most", &mut attempts.at_most, |n, f| whole(n, 1, 100, f).map(Some));
     fields.set("penalty", &mut attempts.penalty, share);
     fields.set("least", &mut attempts.least, share);
-    fields.close();
 }
 
 fn late(node: &Node, policy: &mut Policy, dates: &Dates, faults: &Faults) {
@@ -126,7 +124,6 @@ fn late(node: &Node, policy: &mut Policy, dates: &Dates, faults: &Faults) {
     {
         faults.hint(n, "a late penalty, and nothing is due", "for example `due: 2026-03-09 23:59`");
     }
-    fields.close();
 }
 
 fn credit(node: &Node, policy: &mut Policy, faults: &Faults) {
@@ -160,7 +157,6 @@ fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
     let mut fields = Fields::open(node, "a step such as 0.5, or fields (to, way)", faults)?;
     let to = fields.need("to", "0.5").and_then(step);
     let way = fields.read("way", |n, f| choice(n, RoundingWay::WORDS, f)).unwrap_or(RoundingWay::Nearest);
-    fields.close();
     Some(Rounding { to: to?, way })
 }
 
@@ -178,7 +174,6 @@ fn correction(node: &Node, faults: &Faults) -> Option<Correction> {
     let give = fields.get("give");
     let to = fields.read("to", |n, f| choice(n, For::WORDS, f));
     let why = fields.need("why", "part 2 was ambiguous").and_then(|n| text(n, "a reason", faults));
-    fields.close();
     let share = match give {
         None => Some(1.0),
         Some(n) if n.text().is_some_and(|t| t.trim() == "full") => Some(1.0),

@@ -48,7 +48,6 @@ pub struct ExpressionFault {
 }
 
 impl ExpressionFault {
-    /// Tells it of the text at a node.
     pub fn tell(self, node: &Node, text: &str, faults: &Faults) {
         let message = told!("`{}`, character {}: {}", shorten(text), self.column, self.message);
         faults.maybe(node, message, self.hint);

@@ -51,27 +51,23 @@ pub fn named(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     }
 }
 
+/// What only particles or a pinned body have, at rest or not.
+#[rustfmt::skip] // a table
+const OF_PARTICLES_AND_PINS: [Quantity; 13] = {
+    use Quantity as Q;
+    [
+        Q::XG, Q::YG, Q::IG, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce, Q::PinX, Q::PinY, Q::PinAngle,
+        Q::SpringForce, Q::OmegaMax, Q::Period,
+    ]
+};
+
 /// Why a scene has not this quantity, for hints.
 pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     use Quantity as Q;
-    let of_particles = matches!(quantity, Q::XG | Q::YG | Q::IG);
-    let of_pins = matches!(
-        quantity,
-        Q::IO
-            | Q::PinRadial
-            | Q::PinTangential
-            | Q::PinForce
-            | Q::PinX
-            | Q::PinY
-            | Q::PinAngle
-            | Q::SpringForce
-            | Q::OmegaMax
-            | Q::Period
-    );
     if scene.carried.is_some() && matches!(quantity, Q::Distance | Q::Rise | Q::WorkPull) {
         return "where a belt, a truck or a lift carries the scene it is not told".to_owned();
     }
-    if !scene.is_still() || of_particles || of_pins {
+    if !scene.is_still() || OF_PARTICLES_AND_PINS.contains(&quantity) {
         return why(quantity).to_owned();
     }
     let names = || of(scene).into_iter().map(|l| scene.name_of(l));
@@ -83,13 +79,12 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
 }
 
 /// What a quantity needs, for hints.
+#[rustfmt::skip] // a table
 const fn why(quantity: Quantity) -> &'static str {
     use Quantity as Q;
     match quantity {
         Q::Omega | Q::Alpha | Q::Phi | Q::AngularMomentum => "nothing turns here",
-        Q::V | Q::A | Q::Displacement | Q::Distance | Q::Rise | Q::Impulse => {
-            "nothing moves along a line here"
-        }
+        Q::V | Q::A | Q::Displacement | Q::Distance | Q::Rise | Q::Impulse => "nothing moves along a line here",
         Q::Friction | Q::Normal => "nothing touches a surface here",
         Q::MuRequired => "nothing rolls or slips here",
         Q::SlipDistance | Q::FrictionIfRolled => "it needs a tie `slips`",
@@ -103,28 +98,18 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`",
         Q::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Q::XEq => "it needs a spring",
-        Q::VMax | Q::DAtVMax | Q::DTurn => {
-            "it needs an end of a body on a line, and a spring or a speed at the start"
-        }
+        Q::VMax | Q::DAtVMax | Q::DTurn => "it needs an end of a body on a line, and a spring or a speed at the start",
         Q::XG | Q::YG | Q::IG => "it needs a body of particles",
-        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => {
-            "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told"
-        }
+        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => "it needs a pinned body, or one about a fixed axle whose mass and whose cords' directions are told",
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period => "it needs a pinned body that swings under its weight alone",
-        Q::PeriodSmall | Q::OmegaSmall => {
-            "it needs a pinned body that swings under its weight alone, a spring and no friction of sliding, or, of bodies in the plane, `end: equilibrium`"
-        }
+        Q::PeriodSmall | Q::OmegaSmall => "it needs a pinned body that swings under its weight alone, a spring and no friction of sliding, or, of bodies in the plane, `end: equilibrium`",
         Q::Moment => "it needs a weld or a torsion spring",
-        Q::Drive => {
-            "it needs a driven body: `start: {crank: {angle: phi, spin: w, alpha: 0 rad/s^2}}` and `end: at once`"
-        }
+        Q::Drive => "it needs a driven body: `start: {crank: {angle: phi, spin: w, alpha: 0 rad/s^2}}` and `end: at once`",
         Q::ImpulseX | Q::ImpulseY => "it needs a pin or a hinge, and an impulse under `forces`",
         Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
         Q::VX | Q::VY | Q::AX | Q::AY => "it needs a body that moves in the plane",
-        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => {
-            "it needs a motion, the time one without a force that grows with place"
-        }
+        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion, the time one without a force that grows with place",
         Q::Value => "it needs a question with `value:`",
     }
 }

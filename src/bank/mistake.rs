@@ -52,7 +52,6 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
     let (values_node, of_node) = (fields.get("values"), fields.get("of"));
     let cases_node = fields.get("cases");
     let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
-    fields.close();
     if WHOLE && data_node.is_none() && scene_node.is_none() && values_node.is_none() {
         let hint = "`data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`";
         faults.hint(node, "this wrong method changes nothing", hint);

@@ -172,7 +172,7 @@ impl Faults {
 /// bank that was looked through.
 pub const WHOLE: bool = cfg!(feature = "program");
 
-/// The fields of a map, taken by name; what is left over is a finding.
+/// The fields of a map, taken by name; what is left over where they go out of scope is a finding.
 pub struct Fields<'n> {
     /// The map.
     pub node: &'n Node,
@@ -235,8 +235,11 @@ impl<'n> Fields<'n> {
             *to = value;
         }
     }
+}
+
+impl Drop for Fields<'_> {
     /// Whatever was not asked for is unknown.
-    pub fn close(self) {
+    fn drop(&mut self) {
         if !WHOLE {
             return;
         }

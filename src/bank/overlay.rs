@@ -21,7 +21,6 @@ pub fn put_over(
     let faults = Faults::default();
     if let Some(mut fields) = Fields::open(&tree, "texts of a bank (title, problems)", &faults) {
         let (title, problems) = (fields.get("title"), fields.get("problems"));
-        fields.close();
         if let Some(title) = title.and_then(|n| words(n, &faults))
             && reference.is_none_or(|r| r.title == bank.title)
         {
@@ -57,7 +56,6 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
     };
     let (title, data) = (fields.get("title"), fields.get("data"));
     let (ask, statement) = (fields.get("ask"), fields.get("statement"));
-    fields.close();
     let symbols: Vec<String> = this.data.iter().map(|d| d.symbol.clone()).collect();
     let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
     if let Some(title) = title.and_then(|n| words(n, faults))

@@ -52,7 +52,6 @@ impl Touching {
 pub struct DatumUse {
     /// Index of the datum.
     pub datum: usize,
-    /// What for.
     pub need: Need,
 }
 
@@ -217,7 +216,6 @@ impl SceneReader<'_> {
         let end = end_node.and_then(|n| self.end(n, &bodies, &ties, &joints));
         let stays = end_node.is_some_and(|n| n.field("stops slipping").is_some());
         let next_node = fields.get("next");
-        fields.close();
         let (end, heading) = end?;
         if WHOLE
             && let Some(body) = bodies.iter().find(|b| b.pin.is_some())
@@ -307,7 +305,6 @@ impl SceneReader<'_> {
             let slope = match &value.value {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
                     let slope = fields.need("slope", "theta");
-                    fields.close();
                     // One that cannot be read is some incline, along which bodies move up and down.
                     let degrees = |n| Slope::Degrees(self.number(n, Need::SLOPE).unwrap_or(Num::Fixed(1.0)));
                     slope.filter(|n| !self.absent(n)).map(degrees)
@@ -330,7 +327,6 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(node, "what carries the scene (along, speed, acceleration)", f)?;
         let along = fields.need("along", "horizontal");
         let [speed, acceleration] = fields.each(["speed", "acceleration"]);
-        fields.close();
         if WHOLE && speed.is_none() && acceleration.is_none() {
             f.hint(node, "neither a speed nor an acceleration is given", "write `acceleration: a`");
         }
@@ -391,7 +387,6 @@ impl SceneReader<'_> {
         if let Some(particles) = fields.get("particles") {
             body.turns = true;
             body.particles = self.particles(particles);
-            fields.close();
             return body;
         }
         let [mass, weight] = fields.each(["mass", "weight"]);
@@ -403,7 +398,6 @@ impl SceneReader<'_> {
             body.turns = inertia.iter().flatten().next().is_some();
             body.mass = self.mass(node, mass, weight);
             body.planar = Some(self.planar(&mut fields, &body, moves == planar::PLANES[1]));
-            fields.close();
             return body;
         }
         let [pinned, angle, moves, positive] = fields.each(["pinned", "angle", "moves", "positive"]);
@@ -437,7 +431,6 @@ impl SceneReader<'_> {
             body.turns = true;
             body.pin = Some(self.pin(pinned, swings, angle, &body));
             fields.get("radii");
-            fields.close();
             return body;
         }
         body.line = match moves.map(|n| self.line(n, positive, surfaces)) {
@@ -457,7 +450,6 @@ impl SceneReader<'_> {
         {
             body.radii_m.push(("rim".to_owned(), radius));
         }
-        fields.close();
         body
     }
 
@@ -543,7 +535,6 @@ impl SceneReader<'_> {
         let arm = pinned.and_then(|node| match &node.value {
             Value::Map(_) => Fields::open(node, "where it is pinned", f).and_then(|mut fields| {
                 let distance = self.need_number(&mut fields, "distance", "h", Need::ARM);
-                fields.close();
                 distance.map(Arm::Distance)
             }),
             _ => match (
@@ -621,14 +612,13 @@ impl SceneReader<'_> {
         let mut list = Vec::new();
         let mut left_out = 0;
         for (name, _, value) in named(node, "particles by name", f) {
-            let Some(mut fields) = Fields::open(value, "a particle (mass, at)", f) else { continue };
-            if self.all_absent(value) {
+            if matches!(value.value, Value::Map(_)) && self.all_absent(value) {
                 left_out += 1;
                 continue;
             }
+            let Some(mut fields) = Fields::open(value, "a particle (mass, at)", f) else { continue };
             let mass = self.need_number(&mut fields, "mass", "m_A", Need::MASS);
             let at = fields.need("at", "[x_A, y_A]").and_then(|n| self.place(n));
-            fields.close();
             if let Some((mass_kg, (x_m, y_m))) = mass.zip(at) {
                 list.push(Particle { name: name.to_owned(), mass_kg, x_m, y_m });
             }
@@ -665,7 +655,6 @@ impl SceneReader<'_> {
             }
             let mass = self.given_mass(mass, weight);
             let radius = self.need_number(&mut fields, "radius", "R", Need::RADIUS);
-            fields.close();
             if let (Some(mass), Some(shape), Some(radius_m)) = (mass, shape, radius) {
                 list.push(Part { mass, shape, radius_m });
             }
@@ -722,7 +711,6 @@ impl SceneReader<'_> {
                 self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
             });
             self.grows(fields.get("growing by"), GivenForce::Couple(list.couples.len()));
-            fields.close();
             if let Some(b) = body
                 && !bodies[b].turns
             {
@@ -748,7 +736,6 @@ impl SceneReader<'_> {
         let anchor = fields.need("anchor", "[x_A, y_A]").and_then(|n| self.place(n));
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
         let rest = self.natural(node, &mut fields, Need::LENGTH);
-        fields.close();
         let Some(body) = body else { return };
         let name = bodies[body].name.clone();
         let Some(pin) = &mut bodies[body].pin else {
@@ -791,7 +778,6 @@ impl SceneReader<'_> {
                 let speed = fields.get("speed");
                 let spin = fields.get("spin");
                 let driven = if bodies[body].turns && angled { fields.get("alpha") } else { None };
-                fields.close();
                 if let (Some(n), Some(planar)) = (driven, &mut bodies[body].planar) {
                     planar.driven = self.number(n, Need::ANGULAR_ACCELERATION);
                 }
@@ -831,7 +817,6 @@ impl SceneReader<'_> {
             let vx = self.need_number(&mut fields, "x", "vx", Need::VELOCITY);
             let vy = self.need_number(&mut fields, "y", "vy", Need::VELOCITY);
             let spin = self.need_number(&mut fields, "spin", "omega", Need::SPIN);
-            fields.close();
             if let (Some(particle), Some(vx_m_s), Some(vy_m_s), Some(spin_rad_s)) = (particle, vx, vy, spin) {
                 list.push(Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s });
             }
@@ -848,19 +833,10 @@ struct Forces {
     struts: Vec<Strut>,
 }
 
+#[rustfmt::skip] // a table
 const SHAPES: &[&str] = &[
-    "disc",
-    "disk",
-    "cylinder",
-    "solid cylinder",
-    "hoop",
-    "ring",
-    "hollow cylinder",
-    "sphere",
-    "ball",
-    "shell",
-    "hollow sphere",
-    "rod",
+    "disc", "disk", "cylinder", "solid cylinder", "hoop", "ring", "hollow cylinder", "sphere", "ball",
+    "shell", "hollow sphere", "rod",
 ];
 
 fn shape_of(word: &str) -> Option<Shape> {

@@ -42,7 +42,7 @@ const MARGINS: [(CheckKind, f64); 13] = [
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
-    // A small share of large forces still has its sign.
+    // The sign of a tension is certain although it is a small share of large forces.
     (CheckKind::Taut, 0.01),
     (CheckKind::Slack, 0.05),
     (CheckKind::SlipEnds, 0.05),
@@ -60,6 +60,22 @@ struct BankWide {
     cond_limit: Option<f64>,
     energy_limit: f64,
     figure: FigureLabels,
+}
+
+impl BankWide {
+    /// The same with what a bank or a problem says otherwise.
+    fn with(&self, fields: &mut Fields) -> Self {
+        let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
+        let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
+        let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
+        Self {
+            gravity: self.gravity.clone(),
+            figure: figure.unwrap_or(self.figure),
+            cond_limit: cond_limit.or(self.cond_limit),
+            energy_limit: energy_limit.unwrap_or(self.energy_limit),
+            ..*self
+        }
+    }
 }
 
 /// A datum with its own draw.
@@ -88,22 +104,19 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let reveal = fields.read("reveal", |n, f| choice(n, &on_off, f)).unwrap_or(false);
     let (relative, _) = fields.get("tolerance").map_or((None, None), |n| tolerance(n, None, faults));
     let unit_required = fields.read("units", |n, f| choice(n, &UNITS, f)).unwrap_or(false);
-    let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
-    let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
-    let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
-    let grading = Policy::default();
-    let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
-    let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
-    fields.close();
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
-    let common = BankWide {
+    let usual = BankWide {
         gravity: gravity.or_else(default_gravity)?,
         relative: relative.unwrap_or(Relative::Fixed(RELATIVE)),
         unit_required,
-        cond_limit,
-        energy_limit: energy_limit.unwrap_or(ENERGY_LIMIT),
-        figure: figure.unwrap_or(FigureLabels::Values),
+        cond_limit: None,
+        energy_limit: ENERGY_LIMIT,
+        figure: FigureLabels::Values,
     };
+    let common = usual.with(&mut fields);
+    let grading = Policy::default();
+    let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
+    let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
         let list = named(n, "problems by id", faults);
@@ -143,7 +156,6 @@ fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     let mut policy = base.clone();
     if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
         fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
-        fields.close();
     }
     policy
 }
@@ -239,7 +251,6 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
     let least = fields.need("least", "1 %").and_then(sound);
     let per_cond = fields.need("per cond", "0.3 %").and_then(sound);
     let most = fields.need("most", "5 %").and_then(sound);
-    fields.close();
     let (least, per_cond, most) = (least?, per_cond?, most?);
     if least > most {
         return faults.refuse(node, "the least tolerance is above the most");
@@ -266,7 +277,6 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
             Err(message) => faults.refuse_with(n, message, told!("for example `0.5 {}`", unit.ascii())),
         }
     });
-    fields.close();
     (relative, absolute)
 }
 
@@ -290,29 +300,18 @@ fn problem(
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
     let read = ProblemRead::new(node, data, scene_node, regimes, faults);
     let margins = margins(fields.get("margins").filter(|_| WHOLE), faults);
-    let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
-    let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
-    let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
+    let common = &common.with(&mut fields);
     let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
     let [asks_node, mistakes_node, follows_node] = fields.each(["asks", "mistakes", "follows"]);
     let statement_node = fields.get("statement");
-    fields.close();
+    // What is unknown is a finding before they are counted.
+    drop(fields);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
-    let common = &BankWide {
-        gravity: common.gravity.clone(),
-        figure: figure.unwrap_or(common.figure),
-        cond_limit: cond_limit.or(common.cond_limit),
-        energy_limit: energy_limit.unwrap_or(common.energy_limit),
-        ..*common
-    };
-    let cases = read.cases(cases_node);
+    let mut cases = read.cases(cases_node);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
-
-    let mut cases = cases;
-    let measured: Vec<(usize, &Node)> =
-        read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
-    let measured = inverse::only(node, &measured, &data, faults);
+    let measured = read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?)));
+    let measured = inverse::only(node, &measured.collect::<Vec<_>>(), &data, faults);
     for case in &mut cases {
         let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
         uses.extend(inverse::put(node, measured, scene, &data, faults));
@@ -328,14 +327,7 @@ fn problem(
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
-    let read_cases: Vec<mistake::CaseContext> = cases
-        .iter()
-        .filter_map(|c| {
-            let scene = c.read.as_ref()?.scene.as_ref()?;
-            let (name, node, touching) = (c.name.as_str(), c.scene_node?, c.touching());
-            Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
-        })
-        .collect();
+    let read_cases: Vec<mistake::CaseContext> = cases.iter().filter_map(CaseRead::context).collect();
     let context = mistake::Context {
         data: &data,
         gravity: data.len() - 1,
@@ -360,8 +352,8 @@ fn problem(
             let hint = "write `statement:`, which tells both motions";
             faults.hint(node, "a motion follows, and the problem has no statement of its own", hint);
         }
-        let names = data.iter().filter(|d| d.unknown.is_none());
-        let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
+        let names = data.iter().filter(|d| d.unknown.is_none()).map(|d| d.symbol.as_str());
+        let names: Vec<&str> = names.collect();
         soundness::templates(statement_node, questions_node, &names, variables, faults);
     }
     let span = span(&asked, &scenes);
@@ -369,10 +361,8 @@ fn problem(
         scene.look(span);
         scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
     }
-    let cases: Vec<Case> = cases
-        .into_iter()
-        .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
-        .collect();
+    let finished = |case: CaseRead| case.finished(bounds_node, &data, common.gravity.0, span, faults);
+    let cases: Vec<Case> = cases.into_iter().filter_map(finished).collect();
     let title = title?;
     (faults.count() == before && !cases.is_empty()).then(|| Problem {
         id: name.to_owned(),
@@ -534,7 +524,6 @@ impl<'n> ProblemRead<'n> {
         case.scene_node = own.or(self.scene_node);
         fields.set("regimes", &mut case.regimes, |n, f| Some(regimes(n, f)));
         case.bounds = fields.get("bounds");
-        fields.close();
         if case.scene_node.is_none() {
             faults.hint(node, "this case has no scene", "give the problem or the case a `scene`");
         }
@@ -661,6 +650,13 @@ impl CaseRead<'_> {
         read.unwrap_or_default()
     }
 
+    /// What readers of wrong methods know of it; `None` where its scene could not be read.
+    fn context(&self) -> Option<mistake::CaseContext<'_>> {
+        let scene = self.read.as_ref()?.scene.as_ref()?;
+        let (name, node, touching) = (self.name.as_str(), self.scene_node?, self.touching());
+        Some(mistake::CaseContext { name, scene, node, symbols: &self.symbols, touching })
+    }
+
     /// The case, with the bounds of the problem and its own; `None` where its scene could not be read.
     fn finished(
         self,
@@ -750,7 +746,6 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
             }
             measured = fields.get("measured");
             draw_wrong |= given.is_some() && !absent && own.is_none();
-            fields.close();
         }
         list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong, measured });
     }
@@ -865,10 +860,6 @@ fn question(
     let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
     fields.each(["value", "if", "motion"]);
-    let name = match quantity_node {
-        Some(n) => text(n, "a quantity", faults)?,
-        None => id.to_owned(),
-    };
     let [unit_node, tolerance_node, cond_node] = fields.each(["unit", "tolerance", "cond limit"]);
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
     let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
@@ -876,7 +867,10 @@ fn question(
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
-    fields.close();
+    let name = match quantity_node {
+        Some(n) => text(n, "a quantity", faults)?,
+        None => id.to_owned(),
+    };
     let label = match asked::is_formula(node) {
         // What is wrong with it is told where it is put into the scenes.
         true => scenes.iter().find_map(|(_, scene)| asked::label(scene, id))?,
@@ -1022,7 +1016,6 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             continue;
         };
         let (low, high) = (fields.get("min"), fields.get("max"));
-        fields.close();
         if low.is_none() && high.is_none() {
             faults.hint(value, "this bound bounds nothing", "give `min`, `max` or both");
         }

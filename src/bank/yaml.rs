@@ -39,7 +39,7 @@ fn syntax(error: &serde_yaml::Error) -> Finding {
         let (what, hint) = if breach.contains("Depth") {
             ("lists and maps are nested too deeply", "48 levels are read")
         } else {
-            // Whatever was counted: no bank comes near the limits but by aliases.
+            // Any other limit is reached by aliases alone.
             (
                 "the file holds too much, with what each alias stands for counted each time",
                 "aliases (`*name`) within aliases multiply: write out what is meant",

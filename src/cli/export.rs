@@ -124,7 +124,7 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<Pool, Findings
         bank: &loaded.bank,
         text: &loaded.text,
         texts: &texts,
-        // Nobody gets a sheet of a pool.
+        // Of a pool of questions no sheets are written.
         formats: &[],
         hosting: Hosting::Single,
         problems: &problems,

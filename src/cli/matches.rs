@@ -29,8 +29,8 @@ fn told(found: &ClassMatches) -> String {
     if found.pairs.is_empty() {
         return text;
     }
-    let head = ["look", "student", "key of", "parts", "answers", "chance", "by luck", "other explanation"];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let head = "look | student | key of | parts | answers | chance | by luck | other explanation";
+    let mut rows = vec![terminal::head(head)];
     for pair in found.pairs.iter().take(SHOWN) {
         rows.push(vec![
             if pair.flagged { "yes" } else { "" }.to_owned(),

@@ -44,7 +44,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     // A reader who went away (`| head`) is no error; a disk that is full is one.
     match told.fault {
         Some(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            let fault = files::trouble(Path::new("standard output"), "cannot be written", &error);
+            let fault = files::trouble(Path::new("standard output"), "cannot be written")(error);
             io.findings(&[fault])
         }
         _ => exit,

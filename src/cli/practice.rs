@@ -106,7 +106,7 @@ fn questions(
 ) -> Next {
     let commands = words.get("feedback.commands");
     for (part, (question, entry)) in problem.questions.iter().zip(&key.parts).enumerate() {
-        // Nothing is said twice to one question.
+        // Hints that were given to this question; none is given twice.
         let mut said: Vec<String> = Vec::new();
         loop {
             io.piece(&format!("{} = ", entry.part));

@@ -23,7 +23,7 @@ pub fn run(args: &args::RegradeArgs, io: &mut Io) -> Result<Exit, Findings> {
         io.note(&format!("warning: {note}"));
     }
     io.piece(&regraded.told);
-    // What was told is not yet written.
+    // So far the changes are only told.
     io.piece(&regraded.write()?);
     Ok(Exit::Fine)
 }

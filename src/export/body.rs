@@ -83,11 +83,11 @@ impl BodyWriter {
                     too_deep -= 1;
                     ready.push(event);
                 }
-                // What is left of a list may begin anywhere.
+                // The numbers of what is left of a list begin with 1.
                 Event::Start(Tag::List(Some(_))) => ready.push(Event::Start(Tag::List(Some(1)))),
                 Event::Start(Tag::Image { ref dest_url, .. }) => {
                     let name = dest_url.strip_suffix(".svg").unwrap_or_default();
-                    // A picture that is not there leaves its words.
+                    // Of a picture that is not there the description is kept.
                     if let Some(i) = walk.document.pictures.iter().position(|(n, _)| n == name) {
                         flush(&mut ready, &mut pieces);
                         pieces.push(Piece::Picture(i));

@@ -17,7 +17,6 @@ pub struct Dialect {
     pub namespace: &'static str,
     /// Namespace and address of its schema.
     pub schema_location: &'static str,
-    /// Namespace of the manifest.
     pub manifest_namespace: &'static str,
     /// Schema of the manifest and its version.
     pub schema: (&'static str, &'static str),

@@ -28,7 +28,6 @@ impl Xml {
         self.writer.write_event(event).expect("memory takes what is written");
     }
 
-    /// An element and what is in it.
     pub fn element(&mut self, name: &str, attributes: Attributes, inside: impl FnOnce(&mut Self)) {
         self.begin(name, attributes);
         inside(self);

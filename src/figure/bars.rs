@@ -75,15 +75,7 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     let share = view.solved(Quantity::RotationalFraction, Owner::Scene).unwrap_or(0.0);
     (end[0], end[1]) = (kinetic * (1.0 - share), kinetic * share);
     // Gravity, counted from the lower of both positions of all bodies together.
-    let gravity = view.of(scene.gravity_m_s2);
-    let gained: f64 = scene
-        .bodies
-        .iter()
-        .enumerate()
-        .map(|(i, b)| {
-            view.solved(Quantity::Rise, Owner::Body(i)).unwrap_or(0.0) * view.kilograms(b) * gravity
-        })
-        .sum();
+    let gained = gained(&view);
     (start[3], end[3]) = if gained > 0.0 { (0.0, gained) } else { (-gained, 0.0) };
     if let Some((tie, stiffness, stretch, _)) = scene.spring() {
         let (k, x) = (view.of(stiffness), view.of(stretch));
@@ -154,12 +146,19 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     tries.into_iter().find(Energies::holds)
 }
 
+/// What all bodies together gain of potential energy.
+fn gained(view: &SceneView) -> f64 {
+    let gravity = view.of(view.scene.gravity_m_s2);
+    let rise = |i: usize| view.solved(Quantity::Rise, Owner::Body(i)).unwrap_or(0.0);
+    view.scene.bodies.iter().enumerate().map(|(i, b)| rise(i) * view.kilograms(b) * gravity).sum()
+}
+
 /// Energies of bodies that are joined in the plane and start from rest: speeds from the solver, heights, stretches and paths of
 /// forces from where the bodies lie. Where a guide rubs, what is missing at the end has become heat.
 fn joined_bodies(view: &SceneView) -> Option<Energies> {
     let scene = view.scene;
     let plane = PlaneLayout::new(view)?;
-    let laid = plane.at_end(view)?;
+    let laid = plane.at_end(view)?.swap_remove(0);
     if (0..scene.bodies.len()).any(|b| view.started(b).next().is_some())
         || scene.pushes.iter().any(|p| p.turns || p.blow)
     {

@@ -8,14 +8,15 @@ use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
 use crate::figure::{joined, layout, names, parts, say};
+use crate::num::formula::Step;
 use crate::num::shown;
 use crate::picture::board::{Board, LabelTie, LabelWish, MIDDLE_FIRST, TEXT, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Couple, End, Far, GivenForce, JointKind, Made, Num, Owner, Pin, Quantity, Side, StrutEnd, Surface,
-    Tie, pose,
+    Arm, Attach, Cord, Couple, End, Far, GivenForce, JointKind, Made, Num, Numbers, Owner, Pin, Quantity,
+    Scene, Side, StrutEnd, Surface, Term, Tie, pose,
 };
 use crate::words::Words;
 
@@ -23,6 +24,8 @@ use crate::words::Words;
 const RADIUS: f64 = 66.0;
 /// The same where it touches the ground within its outline, so that the forces there have room.
 const ON_RAIL: f64 = 84.0;
+/// Half the length to which a load on wheels is drawn.
+const LONG_LOAD: f64 = 110.0;
 /// Length to which a body in the plane is drawn.
 const LONG_BODY: f64 = 150.0;
 /// Length of the longest arrow.
@@ -116,8 +119,9 @@ struct Kinetic {
 struct Diagram<'a> {
     forces: Vec<ForceArrow>,
     couples: Vec<Turning>,
-    /// What acts at the axle, the weight included, where it is not known: not drawn.
-    unknown: Option<ForceArrow>,
+    /// What is not known and so not drawn, and the name of its caption: what acts at an axle, the weight included, or what presses on
+    /// a wheel of several that bear a load.
+    unknown: Option<(ForceArrow, &'static str)>,
     kinetic: Kinetic,
     centre: Vec2,
     /// The point about which moments are taken.
@@ -150,8 +154,10 @@ pub fn resultants(
     words: &Words,
     body: usize,
 ) -> Option<(Resultant, Resultant)> {
-    let view = SceneView::new(problem, variant, words, FigureLabels::Symbols)?;
-    let diagram = diagram(&view, body)?;
+    settled(problem, variant, words, |view| sums(&diagram(view, body)?))
+}
+
+fn sums(diagram: &Diagram) -> Option<(Resultant, Resultant)> {
     let sum = |forces: &[ForceArrow], turns: &mut dyn Iterator<Item = &Turning>| {
         let mut all = Resultant { force: Vec2::ZERO, moment: 0.0, size: 0.0 };
         for f in forces {
@@ -165,16 +171,48 @@ pub fn resultants(
     };
     let kinetic = &diagram.kinetic;
     let mut left = sum(&diagram.forces, &mut diagram.couples.iter());
-    if let Some(f) = &diagram.unknown {
+    if let Some((f, _)) = &diagram.unknown {
         left.force += f.towards * f.value;
     }
     Some((left, sum(&kinetic.parts, &mut kinetic.turn.iter())))
 }
 
+/// Looks at a variant; where a datum has to be found first, with the value that was found. `None` where no question asks it.
+fn settled<R>(
+    problem: &Problem,
+    variant: &Variant,
+    words: &Words,
+    look: impl FnOnce(&SceneView) -> Option<R>,
+) -> Option<R> {
+    let view = SceneView::new(problem, variant, words, FigureLabels::Symbols)?;
+    let Some(found) = view.scene.formulas.found else { return look(&view) };
+    let (mut scene, mut variant) = (view.scene.clone(), variant.clone());
+    let value = view.solved(Quantity::Value, Owner::Asked(asked_alone(view.scene)?))?;
+    scene.formulas.found = None;
+    variant.data[found.unknown.datum] = if found.unknown.degrees { value.to_degrees() } else { value };
+    look(&SceneView { scene: &scene, variant: &variant, ..view })
+}
+
+/// What is asked by a formula that is the datum to be found and nothing else.
+fn asked_alone(scene: &Scene) -> Option<usize> {
+    let unknown = scene.formulas.found?.unknown.datum;
+    let alone = |steps: &[Step<Term>]| matches!(steps, [Step::Name(Term::Given(g))] if g.datum == unknown);
+    scene.formulas.asked.iter().position(|a| alone(a.formula.steps()))
+}
+
 fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
-        _ if this.planar.is_some() => in_the_plane(view, body),
+        _ if this.planar.is_some() => {
+            let plane = joined::PlaneLayout::new(view)?;
+            let ends = plane.at_end(view).unwrap_or_else(|| vec![plane.start.clone()]).into_iter();
+            let diagrams = ends.filter_map(|laid| in_the_plane(view, &plane, laid, body));
+            // Of the positions on either side it is the one at which the forces turn the body as it turns.
+            let missed = |d: &Diagram| {
+                sums(d).map_or(f64::INFINITY, |(acting, made)| (acting.moment - made.moment).abs())
+            };
+            diagrams.min_by(|one, other| missed(one).total_cmp(&missed(other)))
+        }
         Some(pin) => Some(swinging(view, body, pin)),
         None => moving(view, body),
     }
@@ -191,28 +229,24 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .iter()
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
-    // A datum that has to be found first is not there to draw with, how wheels share a load is not known, and what is carried
-    // accelerates across its line too.
-    scene.formulas.found.is_none()
-        && scene.carried.is_none()
-        && !(0..scene.bodies.len()).any(|b| scene.rests(b))
+    // In equilibrium there is no acceleration to be found.
+    let still = scene.end == End::Equilibrium && scene.planar(body).is_some();
+    (scene.formulas.found.is_none() || asked_alone(scene).is_some())
         && scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
-        && (found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
+        && (still || found(Quantity::A) || found(Quantity::Alpha) || found(Quantity::AX))
 }
 
 /// Free-body diagram and kinetic diagram of a body at the moment that is asked; of a body that is thrown with slip, while it
 /// slips.
 pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usize) -> Picture {
     let title = |name: &str| words.say("figure.forces.title", &[("body", name)]);
-    let view = SceneView::new(problem, variant, words, FigureLabels::Symbols);
-    let drawn = view.as_ref().and_then(|view| Some((view, diagram(view, body)?)));
-    let Some((view, diagram)) = drawn else {
-        return Board::new().finish(title(""), String::new());
-    };
-    let name = say::called(view, &view.scene.bodies[body]);
-    let mut desc = Vec::new();
-    let board = equation(view, &diagram, &mut desc);
-    board.finish(title(&name), desc.join(" "))
+    let drawn = settled(problem, variant, words, |view| {
+        let name = say::called(view, &view.scene.bodies[body]);
+        let mut desc = Vec::new();
+        let board = equation(view, &diagram(view, body)?, &mut desc);
+        Some(board.finish(title(&name), desc.join(" ")))
+    });
+    drawn.unwrap_or_else(|| Board::new().finish(title(""), String::new()))
 }
 
 /// The diagrams of a body on a line or an axle.
@@ -224,8 +258,11 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     p.centre = Vec2::ZERO;
     let ratio = match &p.look {
         BodyLook::Wheel { outer, .. } => radius / outer,
-        BodyLook::Block { .. } => 1.25,
+        BodyLook::Block { along, .. } => (LONG_LOAD / along).min(1.25),
     };
+    let bears = view.scene.ties.iter().enumerate().filter(|(_, t)| is_load(t));
+    let bears: Vec<(usize, &Tie)> = bears.filter(|(_, t)| t.actions().any(|a| a.body == body)).collect();
+    let rests = view.scene.rests(body);
     p.look = match p.look {
         BodyLook::Wheel { open, .. } => match layout::look(view, body, scale) {
             BodyLook::Wheel { outer, rings, .. } => BodyLook::Wheel { outer, rings, open },
@@ -234,11 +271,17 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         BodyLook::Block { along, across } => BodyLook::Block { along: along * ratio, across: across * ratio },
     };
     p.contact *= ratio;
+    if let (true, BodyLook::Block { across, .. }) = (rests, &p.look) {
+        p.contact = *across;
+    }
     let this = &view.scene.bodies[body];
-    let mass = view.kilograms(this);
+    let own = view.numbers(this);
+    let mass = own.mass;
     let weight = mass * view.of(view.scene.gravity_m_s2);
     let mut forces = vec![ForceArrow::new(p.centre, Vec2::DOWN, weight, names::weight(view, body))];
-    let (mut a, mut alpha) = (found(view, Quantity::A, body), found(view, Quantity::Alpha, body));
+    forces.extend(apparent(view, body, p.centre));
+    let with = own.carried.map_or(0.0, |[forward, _]| forward.acceleration);
+    let (mut a, mut alpha) = (found(view, Quantity::A, body) - with, found(view, Quantity::Alpha, body));
     if p.on.is_some() {
         if p.top.y > 0.97 && p.contact > 40.0 {
             // On a level the normal force comes from right below: the weight ends before it.
@@ -247,8 +290,22 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         contact(view, body, &p, weight, &mut forces, &mut a, &mut alpha);
     }
     cords(view, body, &p, &plan, ratio, &mut forces);
-    let couples = couples_on(view, body, p.clockwise);
+    // How wheels share the weight of their load is not known, nor so how the surface presses on each.
     let (mut unknown, mut held) = (None, None);
+    if !bears.is_empty() && !rests && p.on.is_some() {
+        let pressed = ForceArrow::new(p.centre, p.top, weight * own.level, Vec::new());
+        forces.retain(|f| !f.push);
+        unknown = Some((pressed, "shared"));
+    }
+    for (tie, at) in loaded(view, &plan, body, ratio, &bears) {
+        let Some(action) = view.scene.ties[tie].actions().find(|a| a.body == body) else { continue };
+        let label = symbol::symbol(&names::tension(view, tie));
+        let force = borne(view, tie) * action.along;
+        let arm = action.arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
+        let label = symbol::magnitude(label, borne(view, tie) < 0.0);
+        forces.push(ForceArrow { arm, ..ForceArrow::new(at, p.forward, force, label) });
+    }
+    let couples = couples_on(view, body, p.clockwise);
     // Of teeth and belts what turns the body is known, not how they press on its axle.
     let rim = |t: &Tie| {
         matches!(t, Tie::Cord(c) if matches!(c.made, Made::Teeth | Made::Belt))
@@ -268,7 +325,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
             symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
         );
         if loose {
-            unknown = Some(axle);
+            unknown = Some((axle, "axle"));
         } else {
             held = (axle.value > NOTHING * weight).then(|| axle.label.clone());
             forces.push(axle);
@@ -277,7 +334,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let mut parts = Vec::new();
     if this.line.is_some() {
         let mut label = names::mass(view, body);
-        let symbol = symbol::symbol(&names::of_body(view, body, &["a", "a_G"], |b| b.line.is_some()));
+        let symbol = symbol::symbol(&names::acceleration(view, body, ""));
         label.extend(symbol::magnitude(symbol, a < 0.0));
         parts.push(ForceArrow::new(p.centre, p.forward, a * mass, label).of(Role::Motion));
     }
@@ -290,7 +347,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let centre = p.centre;
     let rolls = view.scene.ties.iter().any(|t| matches!(t, Tie::Roll { body: b, .. } if *b == body));
     let draw = move |board: &mut Board| {
-        if p.on.is_some() {
+        if p.on.is_some() && !rests {
             // The surface, cut away, as a reference.
             let at = p.centre - p.top * p.contact;
             let long = p.reach(p.forward) + 22.0;
@@ -325,6 +382,68 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         held,
         body: Box::new(draw),
     })
+}
+
+/// Does a body rest on a wheel here?
+fn is_load(tie: &Tie) -> bool {
+    matches!(tie, Tie::Cord(c) if c.made == Made::Rests)
+}
+
+/// Where the forces between a load and its wheels act on a body: of each tie its point.
+fn loaded(
+    view: &SceneView,
+    plan: &layout::SceneLayout,
+    body: usize,
+    ratio: f64,
+    ties: &[(usize, &Tie)],
+) -> Vec<(usize, Vec2)> {
+    let place = |(tie, t): &(usize, &Tie)| {
+        let Tie::Cord(cord) = t else { return None };
+        let Far::Body(wheel) = &cord.to else { return None };
+        let [here, below] = [body, wheel.body].map(|b| plan.bodies.get(b).and_then(Option::as_ref));
+        let (here, below) = (here?, below?);
+        let rim = match wheel.attach {
+            Attach::Centre => 0.0,
+            Attach::Wound(radius, _) => view.of(radius) * plan.scale,
+        };
+        Some((*tie, (below.centre + below.top * rim - here.centre) * ratio))
+    };
+    ties.iter().filter_map(place).collect()
+}
+
+/// The force along the surface between a load and one of its wheels, positive as it acts on the load along its line: the solver tells the
+/// size, the motion of the wheel the sense.
+fn borne(view: &SceneView, tie: usize) -> f64 {
+    let size = view.solved(Quantity::RimForce, Owner::Tie(tie)).unwrap_or(0.0);
+    let Some(Tie::Cord(Cord { to: Far::Body(end), .. })) = view.scene.ties.get(tie) else { return 0.0 };
+    let (wheel, action) = (&view.scene.bodies[end.body], end.action());
+    let own = view.numbers(wheel);
+    let Some(line) = wheel.line else {
+        let turned = own.inertia * found(view, Quantity::Alpha, end.body);
+        return size.copysign(turned * action.arm.map_or(1.0, |(_, sense)| sense));
+    };
+    let contact = view.scene.ties.iter().position(|t| t.touching() == Some(end.body));
+    let friction = contact.and_then(|t| {
+        let by_tie = view.solved(Quantity::Friction, Owner::Tie(t));
+        view.solved(Quantity::Friction, Owner::Body(end.body)).or(by_tie)
+    });
+    let rubs = friction.unwrap_or(0.0) * if line.forward_up { 1.0 } else { -1.0 };
+    let weight = own.mass * view.of(view.scene.gravity_m_s2) * own.climb;
+    size.copysign((own.mass * found(view, Quantity::A, end.body) - rubs + weight) * action.along)
+}
+
+/// The apparent force at the mass centre of a body that is carried.
+fn apparent(view: &SceneView, body: usize, centre: Vec2) -> Option<ForceArrow> {
+    let carrier = view.scene.carried?;
+    let given = match carrier.acceleration_m_s2 {
+        datum @ Num::Datum(_) => view.symbol(datum),
+        _ => symbol::symbol(&names::free(view.problem, &["A".to_owned()])),
+    };
+    let acceleration = view.of(carrier.acceleration_m_s2);
+    let label = [names::mass(view, body), symbol::magnitude(given, acceleration < 0.0)].concat();
+    let against = -Vec2::at_degrees(view.degrees(carrier.slope));
+    let size = view.kilograms(&view.scene.bodies[body]) * acceleration;
+    Some(ForceArrow::new(centre, against, size, label))
 }
 
 /// What the solver found of a body; 0 where it found nothing.
@@ -377,16 +496,21 @@ fn contact(
     if let Some(thrown) = view.scene.thrown().filter(|t| t.body == body) {
         // While it slips: against the slip.
         let radius = view.of(thrown.radius_m);
-        let slip = view.of(thrown.speed_m_s) - radius * view.of(thrown.spin_rad_s);
+        let [speed, with] =
+            own.carried.map_or([0.0; 2], |[forward, _]| [forward.speed, forward.acceleration]);
+        let slip = view.of(thrown.speed_m_s) - speed - radius * view.of(thrown.spin_rad_s);
         friction = -slip.signum() * view.of(thrown.mu_k) * normal;
-        *a = if own.mass > 0.0 { (friction - weight * own.climb) / own.mass } else { 0.0 };
+        *a = if own.mass > 0.0 { (friction - weight * own.climb) / own.mass - with } else { 0.0 };
         *alpha = if own.inertia > 0.0 { -friction * radius / own.inertia } else { 0.0 };
     } else if this.line.is_some_and(|l| !l.forward_up) {
         // Found positive up the incline, drawn along the body's own forward direction.
         friction = -friction;
     }
     let name = names::of_body(view, body, &["N", "N_s"], |b| b.line.is_some_and(|l| l.surface));
-    forces.push(ForceArrow { push: true, ..ForceArrow::new(at, p.top, normal, symbol::symbol(&name)) });
+    // On a level it lies in the line of the weight, beside which it stands where there is no room between.
+    let aside = if p.top.y > 0.97 && p.contact <= 40.0 { p.forward * BESIDE } else { Vec2::ZERO };
+    let normal_force = ForceArrow::new(at, p.top, normal, symbol::symbol(&name));
+    forces.push(ForceArrow { push: true, aside, ..normal_force });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
     let arm = tie.and_then(|t| view.scene.ties[t].actions().find_map(|a| a.arm));
@@ -516,9 +640,12 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 }
 
 /// The diagrams of a body in the plane, at the position that is asked.
-fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
-    let plane = joined::PlaneLayout::new(view)?;
-    let mut laid = plane.at_end(view).unwrap_or_else(|| plane.start.clone());
+fn in_the_plane<'a>(
+    view: &'a SceneView<'a>,
+    plane: &joined::PlaneLayout,
+    mut laid: Vec<joined::Laid>,
+    body: usize,
+) -> Option<Diagram<'a>> {
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let g = plane.centre(view, &laid, body);
@@ -541,6 +668,7 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
         let weight = mass * view.of(view.scene.gravity_m_s2);
         forces.push(force(g, weight, Vec2::DOWN, names::weight(view, body)));
     }
+    forces.extend(apparent(view, body, g));
     for (j, joint) in view.scene.joints.iter().enumerate() {
         let found = |q: Quantity| view.solved(q, Owner::Joint(j)).unwrap_or(0.0);
         for (i, spot) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
@@ -595,24 +723,20 @@ fn in_the_plane<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>>
     for push in view.scene.pushes.iter().filter(|p| p.at.body == body && !p.blow) {
         let given = view.symbol(push.force_n);
         let label = if given.is_empty() { symbol::symbol("P") } else { given };
-        let towards = joined::towards(view, &plane, &laid, push);
+        let towards = joined::towards(view, plane, &laid, push);
         forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
     }
     let planar = this.planar.as_ref()?;
-    let part = |quantity: Quantity, towards: Vec2, symbol: &str| {
-        let a = found(view, quantity, body);
-        let symbol = symbol::magnitude(symbol::symbol(symbol), a < 0.0);
-        let label = [names::mass(view, body), symbol].concat();
+    let with = Numbers::<f64>::new(view.scene, &view.variant.data).carried.unwrap_or([0.0; 2]);
+    let part = |quantity: Quantity, towards: Vec2, with: f64, way: &str| {
+        // Where nothing accelerates on the carrier, nothing is told of it.
+        let a = view.solved(quantity, Owner::Body(body)).map_or(0.0, |a| a - with);
+        let symbol = symbol::symbol(&names::acceleration(view, body, way));
+        let label = [names::mass(view, body), symbol::magnitude(symbol, a < 0.0)].concat();
         ForceArrow::new(g, towards, mass * a, label).of(Role::Motion)
     };
-    let tag = if view.scene.bodies.len() > 1 {
-        names::tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
-    } else {
-        String::new()
-    };
-    let along = |way: &str| names::tagged("a", &format!("{tag}{way}"));
     let mut parts =
-        vec![part(Quantity::AX, Vec2::RIGHT, &along("x")), part(Quantity::AY, Vec2::UP, &along("y"))];
+        vec![part(Quantity::AX, Vec2::RIGHT, with[0], "x"), part(Quantity::AY, Vec2::UP, with[1], "y")];
     let alpha = found(view, Quantity::Alpha, body);
     let turn = this.turns.then(|| {
         let inertia = names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]);
@@ -769,9 +893,9 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
     if let Some(f) = &diagram.held {
         captions.push([f.clone(), symbol::upright(caption("caption_held"))].concat());
     }
-    if diagram.unknown.is_some() {
-        captions.push(symbol::upright(caption("caption_axle")));
-        desc.push(view.words.get("figure.forces.axle").to_owned());
+    if let Some((_, what)) = &diagram.unknown {
+        captions.push(symbol::upright(caption(&format!("caption_{what}"))));
+        desc.push(view.words.get(&format!("figure.forces.{what}")).to_owned());
     }
     let (mine, theirs) = (one.frame(), two.frame());
     if let (Some(f), Some(h)) = (mine, theirs) {
@@ -866,7 +990,7 @@ fn arrows(board: &mut Board, forces: &[ForceArrow], pixels: Option<f64>) -> bool
         let first = usize::from(f.role == Role::Friction) * 2;
         let mut spots = beside.to_vec();
         spots.insert(first, (end, out));
-        board.label(vec![f.label.clone()], f.role, (LabelTie::Near, 4.0), spots);
+        board.label(vec![f.label.clone()], f.role, (LabelTie::Clear, 4.0), spots);
     }
     any
 }

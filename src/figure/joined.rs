@@ -21,8 +21,16 @@ const THICK: f64 = 5.0;
 /// Half the width of a slot in which the end of a rod slides, and of a guide of what only slides.
 const SLOT: f64 = 9.0;
 const GUIDE: f64 = 11.0;
+/// Pixels by which two places of a mass centre differ that count as one.
+const SAME: f64 = 1e-3;
 /// Half the gap of a line round a dot.
 const APART: f64 = 7.0;
+/// Least radius of a disc, and of the end of a link that is no bar.
+const END: f64 = 9.0;
+/// A body whose points lie beside its axis by less than this share of its size is drawn as a bar.
+const NARROW: f64 = 0.02;
+/// The mass centre of a plate lies at least this share of its size from every edge.
+const WELL_INSIDE: f64 = 0.1;
 /// How far a guide is drawn beyond what slides on it.
 const BEYOND: f64 = 30.0;
 
@@ -61,13 +69,11 @@ impl PlaneLayout {
         let (mut low, mut high) = (vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY));
         for (b, body) in view.scene.bodies.iter().enumerate() {
             let Some(planar) = &body.planar else { continue };
-            let [from, to] = span(view, b, planar);
-            let [right, left] = aside(view, planar);
-            for (along, off) in [(from, right), (from, left), (to, right), (to, left)] {
+            for corner in corners(view, b, planar) {
                 for Laid { origin, axis } in
                     std::iter::once(&plane.start).chain(&plane.end).map(|laid| laid[b])
                 {
-                    let p = origin + axis * along + axis.left() * off;
+                    let p = origin + axis * corner.x + axis.left() * corner.y;
                     (low, high) = (low.inf(&p), high.sup(&p));
                 }
             }
@@ -115,10 +121,11 @@ impl PlaneLayout {
         let scale = if size > 0.0 { pixels / size } else { self.scale };
         Self { scale, ..self.clone() }
     }
-    /// The bodies at the end, also where only the solver knows where that is; `None` where nothing moves.
-    pub fn at_end(&self, view: &SceneView) -> Option<Vec<Laid>> {
-        if self.end.is_some() {
-            return self.end.clone();
+    /// The bodies at the end, also where only the solver knows where that is: twice where it says no more than how far to either side.
+    /// `None` where nothing moves.
+    pub fn at_end(&self, view: &SceneView) -> Option<Vec<Vec<Laid>>> {
+        if let Some(end) = &self.end {
+            return Some(vec![end.clone()]);
         }
         let lead = view.scene.lead()?;
         let start = view.of(view.scene.planar(lead)?.start_deg?);
@@ -130,10 +137,13 @@ impl PlaneLayout {
         let tried = [1.0, -1.0].into_iter().filter_map(|sense| {
             let mut laid = lay(view, &numbers, &Half::of_degrees(start + sense * turned), false)?;
             laid.iter_mut().for_each(|l| l.origin *= self.scale);
-            let off = (self.centre(view, &laid, lead).y - before) / self.scale - rise;
+            let off = self.centre(view, &laid, lead).y - before - rise * self.scale;
             Some((off.abs(), laid))
         });
-        tried.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, laid)| laid)
+        let tried: Vec<(f64, Vec<Laid>)> = tried.collect();
+        let least = tried.iter().map(|(off, _)| *off).fold(f64::INFINITY, f64::min);
+        let near = tried.into_iter().filter(|(off, _)| *off <= least + SAME);
+        Some(near.map(|(_, laid)| laid).collect()).filter(|all: &Vec<_>| !all.is_empty())
     }
     /// Both ends of a spring, where the bodies lie so.
     pub fn ends(&self, view: &SceneView, laid: &[Laid], strut: &Strut) -> (Vec2, Vec2) {
@@ -227,11 +237,12 @@ impl PlaneLayout {
             board.lines(&[origin + a + b, origin - a + b, origin - a - b, origin + a - b], true, role);
             return;
         }
-        let [from, to] = span(view, body, planar).map(|x| origin + axis * (x * self.scale));
-        let (side, on) = (axis.left() * THICK, axis * THICK);
-        let [right, left] = aside(view, planar).map(|x| axis.left() * (x * self.scale));
-        let lamina = (left - right).norm() > THICK;
-        let (left, right) = if lamina { (left, right) } else { (side, -side) };
+        let place = |p: Vec2| origin + (axis * p.x + axis.left() * p.y) * self.scale;
+        if let Some(corners) = plate(view, body, planar) {
+            let corners: Vec<Vec2> = corners.into_iter().map(place).collect();
+            board.lines(&corners, true, role);
+        }
+        let [from, to] = span(view, body, planar).map(|x| place(vec2(x, 0.0)));
         // What rolls or slides on a circle of it is drawn as this circle; else its shape, or its radius of gyration.
         let touching = |joint: &Joint| match joint.kind {
             JointKind::Contact { at, radius_m, .. } if at.body == body => {
@@ -241,19 +252,25 @@ impl PlaneLayout {
         };
         let mut circles: Vec<(Vec2, f64)> = view.scene.joints.iter().filter_map(touching).collect();
         let mass = view.kilograms(this);
-        let round = match &this.inertia {
-            Some(RotaryInertia::Shape(Shape::Rod, _)) => None,
-            Some(RotaryInertia::Shape(_, r)) => Some(view.of(*r)),
-            _ if !circles.is_empty() => None,
-            _ if mass > 0.0 => Some((view.inertia(this) / mass).max(0.0).sqrt()),
-            _ => Some(0.0),
-        };
-        circles.extend(round.filter(|_| !lamina).map(|r| (self.centre(view, laid, body), r)));
+        let centre = self.centre(view, laid, body);
+        match &this.inertia {
+            Some(RotaryInertia::Shape(Shape::Rod, _)) => {}
+            Some(RotaryInertia::Shape(_, r)) => circles.push((centre, view.of(*r))),
+            _ if !circles.is_empty() || plate(view, body, planar).is_some() => {}
+            _ => {
+                let square = if mass > 0.0 { (view.inertia(this) / mass).max(0.0) } else { 0.0 };
+                let round = square.sqrt() * self.scale;
+                return crate::figure::parts::round_link(board, (centre, round.max(END)), &[from, to], role);
+            }
+        }
         circles.dedup();
         for (centre, radius) in circles {
-            board.circle(centre, (radius * self.scale).max(9.0), role);
+            board.circle(centre, (radius * self.scale).max(END), role);
         }
-        board.lines(&[from - on + left, to + on + left, to + on + right, from - on + right], true, role);
+        if plate(view, body, planar).is_none() {
+            let (side, on) = (axis.left() * THICK, axis * THICK);
+            board.lines(&[from - on + side, to + on + side, to + on - side, from - on - side], true, role);
+        }
     }
 }
 
@@ -291,14 +308,62 @@ fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
     let centre = along(view, planar.centre);
     let ends = long.map(|l| [centre - l / 2.0, centre + l / 2.0]);
     let points = planar.points.iter().map(|(_, p)| along(view, p[0]));
-    let all = points.chain([centre]).chain(ends.into_iter().flatten());
+    let corners = plate(view, body, planar).unwrap_or_default();
+    let all = points.chain([centre]).chain(ends.into_iter().flatten()).chain(corners.iter().map(|c| c.x));
     all.fold([f64::INFINITY, -f64::INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
-/// From where to where a body lies beside its axis, m.
-fn aside(view: &SceneView, planar: &Planar) -> [f64; 2] {
-    let places = planar.points.iter().map(|(_, p)| along(view, p[1]));
-    places.fold([0.0; 2], |[low, high], x| [low.min(x), high.max(x)])
+/// The corners between which a body lies: how far along its axis and beside it, m.
+fn corners(view: &SceneView, body: usize, planar: &Planar) -> Vec<Vec2> {
+    let place = |(_, [x, y]): &(String, [Place; 2])| vec2(along(view, *x), along(view, *y));
+    let ends = span(view, body, planar).map(|x| vec2(x, 0.0));
+    let named = planar.points.iter().map(place).chain(ends);
+    named.chain(plate(view, body, planar).unwrap_or_default()).collect()
+}
+
+/// The corners of a plate, counter-clockwise, as [`corners`]; `None` of a body of known shape and of one that is held on its axis alone.
+///
+/// They are the hull of its named points where the mass centre lies well inside it, as that of a plate must. Else not all
+/// of its corners are named: the body is taken to be symmetric about its axis and about the line across it through the mass centre, as a
+/// crate is.
+fn plate(view: &SceneView, body: usize, planar: &Planar) -> Option<Vec<Vec2>> {
+    if matches!(view.scene.bodies[body].inertia, Some(RotaryInertia::Shape(..))) {
+        return None;
+    }
+    let place = |(_, [x, y]): &(String, [Place; 2])| vec2(along(view, *x), along(view, *y));
+    let named: Vec<Vec2> = planar.points.iter().map(place).collect();
+    let centre = along(view, planar.centre);
+    let size = named.iter().map(|p| p.norm()).fold(centre.abs(), f64::max);
+    if named.iter().all(|p| p.y.abs() < NARROW * size) {
+        return None;
+    }
+    let own = hull(named.clone());
+    let edges = own.iter().zip(own.iter().cycle().skip(1));
+    let off = |(a, b): (&Vec2, &Vec2)| (b - a).unit().perp(&(vec2(centre, 0.0) - a));
+    if own.len() > 2 && edges.map(off).all(|inside| inside > WELL_INSIDE * size) {
+        return Some(own);
+    }
+    let mirrored = |p: Vec2| [p, vec2(2.0 * centre - p.x, p.y)].map(|p| [p, vec2(p.x, -p.y)]);
+    Some(hull(named.into_iter().flat_map(mirrored).flatten().collect()))
+}
+
+/// The convex hull of points, counter-clockwise (the chains of Andrew).
+fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let chain = |points: &mut dyn Iterator<Item = &Vec2>| {
+        let mut chain: Vec<Vec2> = Vec::new();
+        for p in points {
+            while let [.., a, b] = chain[..]
+                && (b - a).perp(&(p - b)) <= 1e-9 * (b - a).norm() * (p - a).norm()
+            {
+                chain.pop();
+            }
+            chain.push(*p);
+        }
+        chain.pop();
+        chain
+    };
+    [chain(&mut points.iter()), chain(&mut points.iter().rev())].concat()
 }
 
 pub fn ground(view: &SceneView, place: [Num; 2]) -> Vec2 {
@@ -312,6 +377,15 @@ fn fixed_places(scene: &Scene) -> impl Iterator<Item = [Num; 2]> {
         _ => None,
     });
     held.chain(scene.pushes.iter().filter_map(|push| push.toward_m))
+}
+
+/// Do the bodies hang from all that holds them?
+pub fn hangs(view: &SceneView) -> bool {
+    let Some(plane) = PlaneLayout::new(view) else { return false };
+    let low = fixed_places(view.scene).map(|p| view.of(p[1]) * plane.scale).fold(f64::INFINITY, f64::min);
+    let held = |j: &Joint| !matches!(j.kind, JointKind::Guide { .. } | JointKind::Contact { .. });
+    let below = |b: usize| plane.centre(view, &plane.start, b).y < low;
+    low.is_finite() && view.scene.joints.iter().all(held) && (0..plane.start.len()).all(below)
 }
 
 /// Draws the bodies with their joints, forces and sizes.
@@ -354,13 +428,19 @@ pub fn draw(board: &mut Board, view: &SceneView) {
             continue;
         }
         // One that is met on the way only stands there at its natural length.
+        let mut hangs = None;
         if strut.acts != Acts::Both
             && plane.stretch(view, &plane.start, strut) == 0.0
             && let Rest::Length(rest) = strut.rest
         {
-            near = far + (near - far).unit() * (view.of(rest) * plane.scale);
+            let long = view.of(rest) * plane.scale;
+            match strut.acts {
+                Acts::Pulls => hangs = Some(slack(board, (near, far), long)),
+                Acts::Both | Acts::Pushes => near = far + (near - far).unit() * long,
+            }
         }
-        if (far - near).norm() > 14.0 {
+        if hangs.is_some() {
+        } else if (far - near).norm() > 14.0 {
             board.spring(far, near, 9, 6.0);
         } else {
             board.line(far, near, Role::Spring);
@@ -368,7 +448,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
         if !matches!(strut.to, StrutEnd::Spot(_)) && (far - near).norm() > 1.0 {
             crate::figure::parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
         }
-        let (middle, out) = (far.middle(near), (far - near).unit().left());
+        let (middle, out) = hangs.unwrap_or((far.middle(near), (far - near).unit().left()));
         let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
         board.label(rows, Role::Spring, (LabelTie::Leader, 4.0), spots);
     }
@@ -379,6 +459,29 @@ pub fn draw(board: &mut Board, view: &SceneView) {
     }
     places(board, view, &plane);
     loads(board, view, &plane);
+}
+
+/// A strap that is longer than the distance of its ends, hanging slack: as an arc, of its own length where that is less than half a
+/// circle. Its lowest point, and out of it.
+fn slack(board: &mut Board, (near, far): (Vec2, Vec2), long: f64) -> (Vec2, Vec2) {
+    let (middle, chord) = (near.middle(far), (far - near).norm());
+    let out = match (far - near).unit().left() {
+        left if left.y > 0.0 => -left,
+        left => left,
+    };
+    // Half the angle of the arc, halved until chord and length go together: sin x / x falls.
+    let [mut low, mut high] = [0.01, 0.5 * std::f64::consts::PI];
+    for _ in 0..40 {
+        let x = f64::midpoint(low, high);
+        let too_short = Vec2::at_angle(x).y * long > x * chord;
+        (low, high) = if too_short { (x, high) } else { (low, x) };
+    }
+    let direction = Vec2::at_angle(high);
+    let radius = (0.5 * chord / direction.y).max(1.0);
+    let (centre, towards) = (middle - out * (radius * direction.x), out.angle_of());
+    board.arc(centre, radius, towards - high, towards + high, Role::Spring);
+    [near, far].into_iter().for_each(|end| board.dot(end));
+    (centre + out * radius, out)
 }
 
 impl PlaneLayout {
@@ -715,10 +818,17 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
         Some(RotaryInertia::Moment(i @ Num::Datum(_))) => rows.push(view.label(*i, "kg·m<sup>2</sup>")),
         _ => {}
     }
+    let reach = |way: Vec2| {
+        let far = corners(view, body, planar).into_iter().map(|c| axis * c.x + axis.left() * c.y);
+        far.map(|c| c.dot(&way) * plane.scale).fold(0.0, f64::max)
+    };
     for (name, place) in &planar.points {
         let foot = origin + axis * (along(view, place[0]) * plane.scale);
         let point = foot + axis.left() * (along(view, place[1]) * plane.scale);
-        for (n, from, to, aside) in [(place[0], origin, foot, -out), (place[1], foot, point, axis)] {
+        let clear = -out * reach(-out);
+        for (n, from, to, aside) in
+            [(place[0], origin + clear, foot + clear, -out), (place[1], foot, point, axis)]
+        {
             if let (Place::At(n @ Num::Datum(_)), true) = (n, this.turns)
                 && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == n)
                 && !name.is_empty()

@@ -5,7 +5,9 @@
 //! lengths of cords are as long as the picture needs.
 use crate::figure::view::SceneView;
 use crate::picture::vector::{Direction, Vec2, vec2};
-use crate::scene::{Attach, Cord, CordEnd, Far, Line, Made, Num, RotaryInertia, Side, Slope, Tie};
+use crate::scene::{
+    Attach, Cord, CordEnd, Degree, End, Far, Line, Made, Num, RotaryInertia, Side, Slope, Tie,
+};
 use std::f64::consts::PI;
 
 /// Radius of a guide pulley.
@@ -152,6 +154,22 @@ pub struct SceneLayout {
     /// Surfaces.
     pub grounds: Vec<Ground>,
     pub cords: Vec<CordRun>,
+    /// A spring that is met only in the motion that follows.
+    pub awaited: Option<Awaited>,
+}
+
+/// A spring that stands in the way of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Awaited {
+    pub stiffness: Num,
+    /// Its free end.
+    pub from: Vec2,
+    /// Its end at the wall.
+    pub to: Vec2,
+    /// Out of the surface on which the body meets it.
+    pub out: Vec2,
+    /// From its axis to this surface; 0 where the body moves freely.
+    pub high: f64,
 }
 
 struct Builder<'a> {
@@ -160,6 +178,7 @@ struct Builder<'a> {
     bodies: Vec<Option<Placed>>,
     grounds: Vec<Ground>,
     cords: Vec<CordRun>,
+    awaited: Option<Awaited>,
     /// Cords that hang from each body, so that they hang at different heights.
     hanging: Vec<usize>,
     /// Limits of surfaces at their upper ends.
@@ -182,6 +201,11 @@ struct BodyPair {
     /// Where it leaves the first one, and where it is seen to.
     at: Vec2,
     start: Vec2,
+}
+
+/// How far a body is drawn to go at most in a direction, of the way of its centre.
+pub fn most_travel(p: &Placed, towards: Vec2) -> f64 {
+    p.reach(towards) + if p.on.is_none() { 70.0 } else { 96.0 }
 }
 
 /// Outermost radius of a body that turns, m: the largest that is given, or as for a disc where the given ones lie within
@@ -238,11 +262,13 @@ pub fn layout(view: &SceneView) -> SceneLayout {
         bodies: vec![None; scene.bodies.len()],
         grounds: Vec::new(),
         cords: Vec::new(),
+        awaited: None,
         hanging: vec![0; scene.bodies.len()],
         limits: Vec::new(),
     };
     builder.all();
-    SceneLayout { scale, bodies: builder.bodies, grounds: builder.grounds, cords: builder.cords }
+    let Builder { bodies, grounds, cords, awaited, .. } = builder;
+    SceneLayout { scale, bodies, grounds, cords, awaited }
 }
 
 impl Builder<'_> {
@@ -315,7 +341,44 @@ impl Builder<'_> {
             }
             right_end = Some(right_end.map_or(high, |_| high + by.x));
         }
+        self.await_spring();
         self.ends();
+        self.go_beyond();
+    }
+
+    /// The spring of the motion that follows, which its body meets where this one ends: as far off as it is drawn to go.
+    fn await_spring(&mut self) {
+        let scene = self.view.scene;
+        let Some((next, end, stiffness)) = self.view.awaited() else { return };
+        let (Some(p), Some(line)) = (&self.bodies[end.body], scene.bodies[end.body].line) else { return };
+        if next.bodies[end.body].line.map(|l| l.slope) != Some(line.slope) {
+            return;
+        }
+        let towards = if end.forward { p.forward } else { -p.forward };
+        let (out, high) = if p.on.is_some() { (p.top, p.contact) } else { (Vec2::LEFT, 0.0) };
+        let way = match scene.end {
+            End::Travel(c, way) if c.body == end.body && c.degree == Degree::Along => self.view.of(way),
+            _ => f64::INFINITY,
+        };
+        let free = p.centre + towards * ((way * self.scale).min(most_travel(p, towards)) + p.reach(towards));
+        self.awaited = Some(Awaited { stiffness, from: free, to: free + towards * SPRING, out, high });
+    }
+
+    /// The surface on which the motion that follows meets its spring, where that is another one: from the end of the first one on.
+    fn go_beyond(&mut self) {
+        let Some((next, end, stiffness)) = self.view.awaited() else { return };
+        let (Some(p), Some(line)) = (&self.bodies[end.body], next.bodies[end.body].line) else { return };
+        let Some(g) = p.on.map(|g| &self.grounds[g]).filter(|g| g.slope != line.slope) else { return };
+        let (up, out) = Self::directions(self.view.degrees(line.slope), g.up.x < 0.0);
+        let up = if line.forward_up == end.forward { up } else { -up };
+        let onward = if up.dot(&g.up) < 0.0 { g.from } else { g.to };
+        let origin = g.origin + g.up * onward;
+        let free = p.reach(g.up) + 70.0;
+        let at = |far: f64| origin + up * far + out * p.contact;
+        let (from, to, high, slope) = (at(free), at(free + SPRING), p.contact, line.slope);
+        self.awaited = Some(Awaited { stiffness, from, to, out, high });
+        let to = free + SPRING;
+        self.grounds.push(Ground { slope, origin, up, out, from: 0.0, to, drop: false, rail: false });
     }
 
     /// Distance of a body's centre from its surface.
@@ -777,6 +840,10 @@ impl Builder<'_> {
                     }
                     CordStop::Body => {}
                 }
+            }
+            if let Some(spring) = self.awaited.filter(|s| s.high > 0.0) {
+                from = from.min(at(spring.to));
+                (low, high) = (low.min(at(spring.to)), high.max(at(spring.to)));
             }
             // Room for the angle at the foot.
             if self.view.degrees(g.slope) > 0.0 {

@@ -27,15 +27,15 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
         FigureLabels::Values | FigureLabels::None => FigureLabels::Values,
     };
     let mut list = vec![("scene".to_owned(), scene::worked(problem, variant, words, labels))];
-    if problem.cases.get(variant.case).is_some_and(|c| c.scene.carried.is_some()) {
-        return list;
-    }
     let bodies = problem.cases.get(variant.case).map_or(&[][..], |c| &c.scene.bodies);
     for (i, body) in bodies.iter().enumerate() {
         if forces::known(problem, variant, i) {
             let name = format!("forces-{}", body.name);
             list.push((name, forces::free_body(problem, variant, words, i)));
         }
+    }
+    if problem.cases.get(variant.case).is_some_and(|c| c.scene.carried.is_some()) {
+        return list;
     }
     list.extend(graph::all(problem, variant, words));
     if let Some(picture) = bars::picture(problem, variant, words) {

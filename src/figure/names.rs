@@ -152,14 +152,28 @@ pub fn joint(scene: &Scene, index: usize) -> String {
 
 /// A quantity of a body: the first free of these symbols, with the body's tag where several bodies have one.
 pub fn of_body(view: &SceneView, body: usize, candidates: &[&str], has: impl Fn(&Body) -> bool) -> String {
-    let several = view.scene.bodies.iter().filter(|b| has(b)).count() > 1;
-    let tag = if several {
-        tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
-    } else {
-        String::new()
-    };
+    let tag = tag_among(view, body, has);
     let names: Vec<String> = candidates.iter().map(|c| tagged(c, &tag)).collect();
     free(view.problem, &names)
+}
+
+/// The tag of a body where several have the quantity.
+fn tag_among(view: &SceneView, body: usize, has: impl Fn(&Body) -> bool) -> String {
+    if view.scene.bodies.iter().filter(|b| has(b)).count() < 2 {
+        return String::new();
+    }
+    tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
+}
+
+/// Acceleration of the mass centre of a body, or its component this way: as it is seen from what carries the scene.
+pub(crate) fn acceleration(view: &SceneView, body: usize, way: &str) -> String {
+    let tag = tag_among(view, body, |b| b.line.is_some() || b.planar.is_some());
+    let tag = match (view.scene.carried, format!("{tag}{way}")) {
+        (None, tag) => tag,
+        (Some(_), tag) if tag.is_empty() => r"\mathrm{rel}".to_owned(),
+        (Some(_), tag) => format!(r"{tag},\mathrm{{rel}}"),
+    };
+    free(view.problem, &["a", "a_G"].map(|symbol| tagged(symbol, &tag)))
 }
 
 pub(crate) fn alpha(view: &SceneView, body: usize) -> String {

@@ -28,6 +28,37 @@ pub fn outline(board: &mut Board, p: &Placed) {
     }
 }
 
+/// Radius of the ends of a link that is drawn so wide round its mass centre.
+pub fn end_of_link(round: f64) -> f64 {
+    (round * 0.3).clamp(9.0, 16.0)
+}
+
+/// A body of which nothing is known but its mass centre, how far from it the mass lies and two points on a line with it at most: the
+/// hull of a circle and of small ones about these points.
+pub fn round_link(board: &mut Board, (centre, round): (Vec2, f64), points: &[Vec2], role: Role) {
+    let small = end_of_link(round);
+    let end = |point: &Vec2| {
+        let off = point - centre;
+        // Tangents touch both circles at this angle from the line.
+        let cosine = ((round - small) / off.norm()).clamp(-1.0, 1.0);
+        let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
+        // What is pinned at its rim is a disc.
+        let rim = (off.norm() - round).abs() < 1e-6 * round;
+        (off.norm() + small > round + 1.0 && !rim).then(|| (*point, off.angle_of(), open))
+    };
+    let ends: Vec<(Vec2, f64, f64)> = points.iter().filter_map(end).collect();
+    if ends.is_empty() {
+        return board.circle(centre, round, role);
+    }
+    let mut arcs = Vec::new();
+    for ((point, towards, open), (_, next, next_open)) in ends.iter().zip(ends.iter().cycle().skip(1)) {
+        let (from, to) = (towards + open, next - next_open);
+        arcs.push((*point, small, towards - open, from));
+        arcs.push((centre, round, from, from + (to - from).rem_euclid(2.0 * PI)));
+    }
+    board.arcs(arcs, role);
+}
+
 /// What is drawn within a body: hubs, centre.
 pub fn inside(board: &mut Board, p: &Placed) {
     if let BodyLook::Wheel { rings, .. } = &p.look {
@@ -64,7 +95,13 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
         board.hatch(foot, top, into);
         board.line(foot, top, Role::Ground);
     } else {
-        board.hatch(at(g.from + clear), top, into);
+        let carrier = view.scene.carried.filter(|c| c.slope == g.slope && !g.drop);
+        match carrier {
+            Some(c) => {
+                moving_surface(board, at(g.from + clear), top, into, view.of(c.acceleration_m_s2) == 0.0)
+            }
+            None => board.hatch(at(g.from + clear), top, into),
+        }
         if g.drop {
             let floor = if flat { top.y - 92.0 } else { foot.y };
             let low = vec2(top.x, floor);
@@ -100,6 +137,25 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
             spots.splice(0..0, [within(0.0), within(10.0), within(20.0)]);
         }
         board.wish(label, spots, Role::Dimension);
+    }
+}
+
+/// What carries a scene, below its surface: the two rollers and the other side of a belt, or the bed and the wheels of a truck.
+pub fn moving_surface(board: &mut Board, from: Vec2, to: Vec2, into: Vec2, belt: bool) {
+    const ROUND: f64 = 9.0;
+    let along = (to - from).unit();
+    let deep = if belt { 0.0 } else { 10.0 };
+    if !belt {
+        board.lines(&[from, to, to + into * deep, from + into * deep], true, Role::Inner);
+    }
+    let inset = if belt { ROUND } else { 2.0 * ROUND };
+    let axles = [from + along * inset, to - along * inset].map(|p| p + into * (deep + ROUND));
+    for axle in axles {
+        board.circle(axle, ROUND, Role::Inner);
+        board.dot(axle);
+    }
+    if belt {
+        board.line(axles[0] + into * ROUND, axles[1] + into * ROUND, Role::Ground);
     }
 }
 
@@ -220,6 +276,20 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
         CordStop::Fixed(at, towards) => wall(board, at, towards, -26.0, 26.0),
         CordStop::Body => {}
     }
+}
+
+/// A spring that is met only in the motion that follows, with its plate and its wall.
+pub fn awaited(board: &mut Board, view: &SceneView, spring: &layout::Awaited) {
+    let layout::Awaited { stiffness, from, to, out, high } = *spring;
+    let towards = (to - from).unit();
+    board.spring(from, to, 8, 8.5);
+    board.line(from + out * 10.0, from - out * 10.0, Role::Spring);
+    let depth = if high > 0.0 { high } else { 22.0 };
+    let (low, up) = if towards.left().dot(&out) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
+    wall(board, to, towards, low, up);
+    let mid = from.middle(to);
+    let spots = vec![(mid + out * 10.0, out), (mid - out * 10.0, -out)];
+    board.wish(view.label(stiffness, "N/m"), spots, Role::Spring);
 }
 
 /// The stretch of a spring as a dimension: from where its end is to where it would be without.

@@ -90,17 +90,12 @@ impl Hung {
         if let Some((from, to)) = self.rod {
             return far > from - 7.0 && far < to + 2.0 && point.dot(&(d.left())).abs() < 7.0;
         }
-        let small = self.small();
+        let small = parts::end_of_link(self.round);
         (0..=20).any(|i| {
             let share = f64::from(i) / 20.0;
             let reach = small + (self.round - small) * share;
             (point - d * (self.arm * share)).norm() < reach + 2.0
         })
-    }
-
-    /// Radius of what is drawn round the pin of a body that is no rod.
-    fn small(&self) -> f64 {
-        (self.round * 0.3).clamp(9.0, 16.0)
     }
 
     /// Outline of the body at an angle, moved by `at`.
@@ -113,23 +108,7 @@ impl Hung {
                 board.lines(&[a + side, b + side, b - side, a - side], true, role);
             }
             None => {
-                // The hull of a circle round the mass centre and a small one round the pin.
-                let (big, small) = (self.round, self.small());
-                let centre = at + d * self.arm;
-                if self.arm + small <= big + 1.0 {
-                    board.circle(centre, big, role);
-                    return;
-                }
-                // Tangents touch both circles at this angle from the line.
-                let cosine = ((big - small) / self.arm).clamp(-1.0, 1.0);
-                let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
-                let back = (-d).angle_of();
-                let round = 2.0 * std::f64::consts::PI;
-                let arcs = vec![
-                    (centre, big, back + open, back + round - open),
-                    (at, small, back - open, back + open),
-                ];
-                board.arcs(arcs, role);
+                parts::round_link(board, (at + d * self.arm, self.round), &[at], role);
             }
         }
     }

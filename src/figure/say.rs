@@ -128,6 +128,9 @@ pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec
             body(view, plan, b, p, out);
         }
     }
+    if let Some(spring) = plan.awaited {
+        out.push(say("awaits", &[("stiffness", &text(view, spring.stiffness, "N/m"))]));
+    }
     if let (true, End::Travel(Coordinate { degree: Degree::Along, .. }, num)) = (told, view.scene.end) {
         out.push(say("travel", &[("distance", &text(view, num, "m"))]));
     }

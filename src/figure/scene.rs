@@ -14,6 +14,9 @@ use crate::scene::{
 use crate::solve::outcome::Word;
 use crate::words::Words;
 
+/// How far the bed of a truck is below what hangs over it.
+const TRUCK: f64 = 26.0;
+
 /// The scene of a variant at its start.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
     drawn(problem, variant, words, labels, false)
@@ -84,6 +87,9 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     for run in &plan.cords {
         parts::cord(board, view, plan, run);
     }
+    if let Some(spring) = &plan.awaited {
+        parts::awaited(board, view, spring);
+    }
     for b in 0..view.scene.bodies.len() {
         if let Some(p) = placed(b) {
             body_labels(board, view, plan, b, p);
@@ -98,7 +104,14 @@ fn mechanism(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 
 /// What carries the scene: its speed at the start and its acceleration as arrows below, and in words.
 fn carrier(board: &mut Board, view: &SceneView, desc: &mut Vec<String>) {
-    let (Some(carrier), Some(frame)) = (view.scene.carried, board.frame()) else { return };
+    let Some(carrier) = view.scene.carried else { return };
+    if let (true, Slope::Level, Some(frame)) = (view.scene.lead().is_some(), carrier.slope, board.frame()) {
+        // Joined bodies stand and hang on a truck.
+        let gap = if linkage::hangs(view) { TRUCK } else { 0.0 };
+        let at = |x: f64| vec2(x, frame.low.y - gap);
+        parts::moving_surface(board, at(frame.low.x - 24.0), at(frame.high.x + 24.0), Vec2::DOWN, false);
+    }
+    let Some(frame) = board.frame() else { return };
     let up = Vec2::at_degrees(view.degrees(carrier.slope));
     let numbers = [(carrier.speed_m_s, "m/s"), (carrier.acceleration_m_s2, "m/s<sup>2</sup>")];
     let moving = numbers.into_iter().filter(|(n, _)| view.of(*n) != 0.0);
@@ -369,22 +382,27 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     let hanging = p.on.is_none();
     // To scale where it fits, else cut short, with a break.
     let real = view.of(num) * plan.scale;
-    let reach = p.reach(towards);
-    let most = if hanging { reach + 70.0 } else { reach + 96.0 };
+    let (reach, most) = (p.reach(towards), layout::most_travel(p, towards));
     // Beside what hangs, on the side where nothing else is.
     let crowded = plan.bodies.iter().flatten().any(|q| (1.0..160.0).contains(&(q.centre.x - p.centre.x)));
     let beside = if crowded { Vec2::LEFT } else { Vec2::RIGHT };
+    // Where something pulls along it, it would lie on that.
+    let pulled = plan.cords.iter().filter(|r| matches!(r.stop, CordStop::Pull(..) | CordStop::Spring(..)));
+    let mut pulled = pulled.filter(|r| r.at.iter().any(|(b, _)| *b == body));
+    let covered =
+        pulled.any(|r| (r.leaves.0 - p.centre).dot(&p.top).abs() < 8.0 && r.leaves.1.dot(&towards) > 0.99);
+    let low = !hanging && (real < reach || covered);
     let way = if hanging {
         let from = p.centre + beside * (p.reach(Vec2::RIGHT) + 36.0);
         Displacement { from, towards, real, most, hidden: 0.0, across: beside }
-    } else if real < reach {
-        // A short one would be lost within the body: below the surface, from the contact.
+    } else if low {
+        // A short one would be lost within the body too: below the surface, from the contact.
         let from = p.centre - p.top * (p.contact + 24.0);
         Displacement { from, towards, real, most, hidden: 0.0, across: -p.top }
     } else {
         Displacement { from: p.centre, towards, real, most, hidden: reach, across: p.top }
     };
-    way.draw(board, view.label(num, "m"), hanging || real < reach);
+    way.draw(board, view.label(num, "m"), hanging || low);
     if view.worked {
         unwound(board, view, plan, (body, sense, num));
     }

@@ -3,8 +3,8 @@ use crate::bank::{FigureLabels, Problem, expression};
 use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Body, BodyNumbers, Degree, GivenForce, Grows, Label, Mass, Num, Numbers, Owner, Quantity, RotaryInertia,
-    Scene, Shape, Slope, Start, Tie,
+    AsIf, Body, BodyNumbers, CordEnd, Degree, GivenForce, Grows, Label, Mass, Num, Numbers, Owner, Quantity,
+    RotaryInertia, Scene, Shape, Slope, Start, Tie,
 };
 use crate::words::Words;
 
@@ -40,6 +40,17 @@ impl<'a> SceneView<'a> {
         match self.scene.value(num, &self.variant.data) {
             x if x.is_finite() => x,
             _ => 0.0,
+        }
+    }
+
+    /// The motion that follows, with the end at its body and the stiffness of its spring where this motion has none.
+    pub fn awaited(&self) -> Option<(&'a Scene, CordEnd, Num)> {
+        let mut others = self.scene.formulas.others.iter();
+        let (_, next) = others.find(|(how, _)| *how == AsIf::Next)?;
+        let (tie, stiffness, ..) = next.spring().filter(|_| self.scene.spring().is_none())?;
+        match &next.ties[tie] {
+            Tie::Cord(cord) => Some((next, cord.from, stiffness)),
+            _ => None,
         }
     }
 

@@ -157,7 +157,7 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
     for name in files::names_in(folder) {
         let path = folder.join(&name);
         let full = format!("{prefix}{name}");
-        // Deep enough for any sensible folder, and a link to itself ends.
+        // At most four levels deep, so that a link to a folder above it ends.
         let is_folder = fs::metadata(&path).is_ok_and(|m| m.is_dir());
         if is_folder && full.matches('/').count() < 4 {
             collect(&path, &format!("{full}/"), texts)?;

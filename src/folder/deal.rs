@@ -222,7 +222,7 @@ pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<()
     for name in names_in(&students) {
         if !folders.contains(name.as_str()) && set::is_left_over(&students.join(&name), &name, set) {
             let path = students.join(&name);
-            fs::remove_dir_all(&path).map_err(|e| files::trouble(&path, "cannot be removed", &e))?;
+            fs::remove_dir_all(&path).map_err(files::trouble(&path, "cannot be removed"))?;
         }
     }
     let keys = replay::keys(plan.bank, set)?;
@@ -319,8 +319,9 @@ fn deal(
     folder: &Path,
     progress: &dyn Progress,
 ) -> Result<DealtToAll, Findings> {
-    fs::create_dir(folder.join(names::STUDENTS))
-        .map_err(|e| files::trouble(folder, "cannot be written", &e))?;
+    // Of the whole folder: a full disk is told once and not for each student.
+    let fault = files::trouble(folder, "cannot be written");
+    fs::create_dir(folder.join(names::STUDENTS)).map_err(fault)?;
     let writer = SheetWriter::new(plan)?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let results: Vec<Result<(StoredStudent, SheetKey, WrittenDocument, KeyTableRow), Finding>> = members
@@ -332,11 +333,9 @@ fn deal(
                 let dealt = dealer.deal(&member.student).map_err(|none| unsatisfiable(plan.bank, &none))?;
                 let (mut made, row) = writer.write(at, member, &dealt, scratch, converter)?;
                 let place = folder.join(names::STUDENTS).join(&member.folder);
-                // Of the whole folder: a full disk is told once and not for each student.
-                let fault = |e: &std::io::Error| files::trouble(folder, "cannot be written", e);
-                fs::create_dir(&place).map_err(|e| fault(&e))?;
+                fs::create_dir(&place).map_err(fault)?;
                 for (name, bytes) in made.files.drain(..) {
-                    fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
+                    fs::write(place.join(name), bytes).map_err(fault)?;
                 }
                 progress.advance("sheets", 1, members.len() as u64);
                 let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| dealer::stored(p, v));

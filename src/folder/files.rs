@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use std::{fs, io};
 
-/// A fault of the machine as a finding about a path.
-pub fn trouble(path: &Path, what: &str, error: &io::Error) -> Finding {
-    Finding::of_file(path, format!("{what}: {}", in_words(error)))
+/// Makes of a fault of the machine a finding about a path.
+pub fn trouble<'t>(path: &'t Path, what: &'t str) -> impl Fn(io::Error) -> Finding + Copy + use<'t> {
+    move |error| Finding::of_file(path, format!("{what}: {}", in_words(&error)))
 }
 
 fn in_words(error: &io::Error) -> String {
@@ -34,7 +34,7 @@ pub fn stamp(path: &Path) -> Option<(u64, SystemTime)> {
 
 /// Bytes of a file. Errors: a finding that names the file.
 pub fn read(path: &Path) -> Result<Vec<u8>, Finding> {
-    fs::read(path).map_err(|e| trouble(path, "cannot be read", &e))
+    fs::read(path).map_err(trouble(path, "cannot be read"))
 }
 
 /// Text of a UTF-8 file; a byte order mark is dropped. Errors: a finding that names the file, and the place of the first byte
@@ -83,17 +83,15 @@ pub fn put_all<T: AsRef<[u8]>>(files: &[(PathBuf, T)]) -> Result<(), Finding> {
     use std::io::Write as _;
     let mut made = Vec::with_capacity(files.len());
     for (path, text) in files {
-        let fault = |e: &io::Error| trouble(path, "cannot be written", e);
+        let fault = trouble(path, "cannot be written");
         let above = parent(path);
-        fs::create_dir_all(&above).map_err(|e| fault(&e))?;
-        let mut file =
-            tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(&above).map_err(|e| fault(&e))?;
-        file.write_all(text.as_ref()).map_err(|e| fault(&e))?;
-        readable(file.path()).map_err(|e| fault(&e))?;
+        fs::create_dir_all(&above).map_err(fault)?;
+        let mut file = tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(&above).map_err(fault)?;
+        file.write_all(text.as_ref()).and_then(|()| readable(file.path())).map_err(fault)?;
         made.push((file, path));
     }
     for (file, path) in made {
-        file.persist(path).map_err(|e| trouble(path, "cannot be put in its place", &e.error))?;
+        file.persist(path).map_err(|e| trouble(path, "cannot be put in its place")(e.error))?;
     }
     Ok(())
 }

@@ -113,7 +113,7 @@ fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
 /// SHA-256 of a file, hex. Errors: it cannot be read.
 pub fn hash(path: &Path) -> Result<String, Finding> {
     let hashed = File::open(path).and_then(load::hash_of);
-    hashed.map_err(|e| files::trouble(path, "cannot be read", &e))
+    hashed.map_err(files::trouble(path, "cannot be read"))
 }
 
 impl OpenGrading {
@@ -126,7 +126,7 @@ impl OpenGrading {
 /// Walks over the rows of a file of answers. Errors: it cannot be read.
 pub fn each_row(path: &Path, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
     let in_words = |fault: Unreadable| fault.in_file(path);
-    let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
+    let file = File::open(path).map_err(files::trouble(path, "cannot be read"))?;
     let mut reader = AnswerReader::new(file).map_err(in_words)?;
     while let Some(row) = reader.next_row().map_err(in_words)? {
         see(row);

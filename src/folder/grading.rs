@@ -234,22 +234,15 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
     let on_demand = if whole { None } else { Some(WrongOnDemand::new(&bank, &set)?) };
     let options = Options { wrong: on_demand.as_ref().map(|all| all as &dyn FindWrong), ..options };
     let table = table(&set, keys, &policy);
-    let settings = courses
-        .last()
-        .map_or_else(|| order.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
+    let in_bank = || order.set.join(&set.bank.file).display().to_string();
+    let settings = courses.last().map_or_else(in_bank, |(file, _)| file.clone());
     let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
     let staged = Staged::new(order.out)?;
     let graded = answers(order, path, &table, &rules, &options, &staged)?;
     let put = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     put(names::GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
-    let basis = |e: io::Error| files::trouble(&order.out.join(names::BASIS), "cannot be written", &e);
-    fs::create_dir(staged.path().join(names::BASIS)).map_err(basis)?;
-    let kept =
-        [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)].into_iter();
-    let kept = kept.map(|(name, text)| (name.to_owned(), text));
-    for (name, text) in kept.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
-        put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
-    }
+    let kept = [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)];
+    keep_basis(&staged, order.out, kept, &courses)?;
     if let Some(handed_in) = &handed_in {
         put(grading::JOINED, &handed_in.kept)?;
     }
@@ -302,6 +295,22 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
     })
 }
 
+/// Keeps beside the grades what was graded by: these files, and the settings of the courses.
+fn keep_basis(
+    staged: &Staged,
+    out: &Path,
+    files: [(&str, &String); 3],
+    courses: &[(String, String)],
+) -> Result<(), Findings> {
+    let basis = out.join(names::BASIS);
+    fs::create_dir(staged.path().join(names::BASIS)).map_err(files::trouble(&basis, "cannot be written"))?;
+    let files = files.into_iter().map(|(name, text)| (name.to_owned(), text));
+    for (name, text) in files.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
+        staged.write(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
+    }
+    Ok(())
+}
+
 /// The keys with the names of the students and the points of the course.
 fn table(set: &StoredSet, keys: Vec<SheetKey>, policy: &Policy) -> KeyTable {
     let names: Vec<(String, String)> =
@@ -330,7 +339,7 @@ fn of_quiz(
     (policy, options): (&Policy, &Options),
 ) -> Result<(Basis, NamedTempFile, MatchedQuiz), Findings> {
     let file = order.submissions.display().to_string();
-    let fault = |e: io::Error| files::trouble(order.submissions, "cannot be read", &e);
+    let fault = files::trouble(order.submissions, "cannot be read");
     let (set, keys, before) = match &basis.asked {
         Some((set, keys)) => (set, keys, Some(&basis.set)),
         None => (&basis.set, &basis.keys, None),
@@ -385,8 +394,8 @@ pub(super) fn run_file(
 ) -> Result<run::Graded, Findings> {
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
     run::grade(&open, table, rules, options, out, progress).map_err(|why| match why {
-        GradeFault::Io(e) => files::trouble(read, "cannot be graded", &e).into(),
-        GradeFault::Write(e) => files::trouble(written, "cannot be written", &e).into(),
+        GradeFault::Io(e) => files::trouble(read, "cannot be graded")(e).into(),
+        GradeFault::Write(e) => files::trouble(written, "cannot be written")(e).into(),
         GradeFault::Header(findings) => findings.in_file(read.display().to_string()),
     })
 }
@@ -401,18 +410,18 @@ fn answers(
     staged: &Staged,
 ) -> Result<run::Graded, Findings> {
     let answers = order.out.join(names::ANSWERS);
-    let fault = |e: &io::Error| files::trouble(&answers, "cannot be written", e);
+    let fault = files::trouble(&answers, "cannot be written");
     let first = files::stamp(path);
     let size = first.map_or(0, |(size, _)| size);
     let mut before = 0;
     let mut progress = |read: u64| {
-        // Less is graded in a moment.
+        // A smaller file is graded before a bar would be seen.
         if size > 20_000_000 {
             order.progress.advance("grading", read.saturating_sub(before), size * rules.reads());
         }
         before = read;
     };
-    let out = fs::File::create(staged.path().join(names::ANSWERS)).map_err(|e| fault(&e))?;
+    let out = fs::File::create(staged.path().join(names::ANSWERS)).map_err(fault)?;
     let mut out = io::BufWriter::with_capacity(1 << 18, out);
     let graded =
         run_file(path, (order.submissions, &answers), (table, rules, options), &mut out, &mut progress)?;
@@ -421,7 +430,7 @@ fn answers(
         let changed = Finding::of_file(order.submissions, "was changed while it was graded");
         return Err(changed.hint("grade it again, or a copy of it").into());
     }
-    out.flush().map_err(|e| fault(&e))?;
+    out.flush().map_err(fault)?;
     Ok(graded)
 }
 
@@ -440,7 +449,7 @@ fn spool(
     set: &str,
     input: &mut dyn BufRead,
 ) -> Result<(Option<NamedTempFile>, Option<JoinedFiles>), Finding> {
-    let fault = |e: io::Error| files::trouble(path, "cannot be read", &e);
+    let fault = files::trouble(path, "cannot be read");
     if path != Path::new("-") && handed_in::is_many(path) {
         let all = handed_in::joined(path, set)?;
         let mut file = NamedTempFile::new().map_err(fault)?;

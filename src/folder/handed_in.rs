@@ -183,7 +183,7 @@ fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut FoundFiles) 
 }
 
 fn in_archive(path: &Path, found: &mut FoundFiles) -> Result<(), Finding> {
-    let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
+    let file = File::open(path).map_err(files::trouble(path, "cannot be read"))?;
     let no_archive = |_| Finding::of_file(path, "is no ZIP archive");
     let mut archive = zip::ZipArchive::new(std::io::BufReader::new(file)).map_err(no_archive)?;
     if archive.len() > MOST {

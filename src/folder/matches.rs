@@ -98,7 +98,7 @@ fn number(table: &KeyTable, student: usize, column: usize) -> f64 {
 /// Adds the keys of further draws where the class is small.
 fn draw_more(graded: &OpenGrading, table: &KeyTable, questions: &mut [AnswerColumn]) -> Result<(), Findings> {
     let problems = indices(&graded.bank, &graded.set.problems, "problems")?;
-    // Draws of nobody: no set has such a name.
+    // No set has such a name, so nobody in the class has one of these draws.
     let dealer = Dealer::new(&graded.bank, &problems, graded.set.seed, "\u{0}matches");
     let wanted = KEYS.saturating_sub(table.students.len());
     // A bank that was changed may have become hard to draw from; then the class must do.

@@ -1,4 +1,5 @@
 //! Names of files: what a set, a grading and the reports of one consist of, and which names are therefore ours to replace.
+use crate::report::class::TABLES as TABLES_OF_CLASS;
 use crate::set::grading::JOINED;
 use crate::sheet::output::Format;
 use std::collections::BTreeSet;
@@ -48,20 +49,6 @@ pub const MOODLE: &str = "gradebook-moodle.csv";
 pub const MATCHES: &str = "matches.csv";
 /// What a report makes, in the folder of the grades or in one of its own.
 pub const OF_REPORT: [&str; 7] = [INDEX, REPORT, TABLES, FEEDBACK, CANVAS, MOODLE, MATCHES];
-/// Tables that a report may have.
-const OF_TABLES: [&str; 11] = [
-    "asked",
-    "attempts",
-    "credit",
-    "fairness",
-    "matches",
-    "methods",
-    "parts",
-    "slips",
-    "totals",
-    "unreadable",
-    "verdicts",
-];
 /// What every grading has.
 pub const OF_GRADING: [&str; 6] =
     [ANSWERS, GRADEBOOK, GRADING, "basis/set.json", "basis/bank.yaml", "basis/key.csv"];
@@ -102,7 +89,9 @@ pub fn is_of_report(name: &str, students: &BTreeSet<String>) -> bool {
     match name.split_once('/') {
         None => OF_REPORT.contains(&name) && ![TABLES, FEEDBACK].contains(&name),
         Some((TABLES | FEEDBACK, "")) => true,
-        Some((TABLES, file)) => file.strip_suffix(".csv").is_some_and(|t| OF_TABLES.contains(&t)),
+        Some((TABLES, file)) => {
+            file.strip_suffix(".csv").is_some_and(|t| TABLES_OF_CLASS.split(' ').any(|table| table == t))
+        }
         Some((FEEDBACK, file)) => {
             let student = file.strip_suffix(".html").or_else(|| file.strip_suffix(".md"));
             student.is_some_and(|s| students.contains(s))

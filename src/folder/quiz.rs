@@ -142,7 +142,7 @@ impl Variants {
                 ..placed(p, &parts[part], answer)
             }));
         }
-        // An attempt that was never begun is one at nothing.
+        // An attempt that was never begun has no answers.
         if rows.len() == before {
             for (p, parts) in self.parts.iter().enumerate() {
                 rows.extend(parts.iter().map(|part| placed(p, part, "")));
@@ -254,7 +254,7 @@ impl Takers {
 const MOODLE_NAMES: &str = "Full name";
 
 /// Of a student and a part, the variants in the order in which they were answered: students of the set whose they are.
-type Asked = HashMap<StudentPart, Vec<usize>>;
+type AskedVariants = HashMap<StudentPart, Vec<usize>>;
 /// A student, a problem and a part.
 pub type StudentPart = (String, usize, usize);
 /// An attempt, whose variant it answered, and whether it did.
@@ -268,7 +268,7 @@ pub struct MatchedQuiz {
     pub told: String,
     /// Students and names.
     students: Vec<StoredStudent>,
-    asked: Asked,
+    asked: AskedVariants,
     /// The problems that were asked: indices of the set.
     problems: Vec<usize>,
     pub canvas: BTreeMap<String, [String; 3]>,
@@ -425,7 +425,7 @@ fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
 }
 
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
-fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Asked {
+fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> AskedVariants {
     let time = |attempt: usize| {
         let QuizAttempt { began, submitted, .. } = &quiz.attempts[attempt];
         let text = if submitted.is_empty() { began } else { submitted };
@@ -556,7 +556,7 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
 fn submissions(quiz: &Quiz, rows: &[QuizRow], takers: &Takers) -> Vec<u8> {
     let [line, code] = QUIZ_COLUMNS;
     let mut out = csv::Writer::from_writer(Vec::new());
-    // To a vector nothing fails.
+    // Writing to a vector does not fail.
     let mut put = |record: [&str; 7]| out.write_record(record).unwrap_or_default();
     put([line, "student", "problem", "part", "answer", "submitted_at", code]);
     for row in rows {

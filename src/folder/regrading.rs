@@ -97,7 +97,7 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
     let same = policy_of(&courses)?.attempts.counts == before;
     let said = graded::counts_said(&old.grading).filter(|_| same);
     // Where nothing is to be written, the folder goes away by itself.
-    let nowhere = tempfile::tempdir().map_err(|e| files::trouble(Path::new("."), "cannot be made", &e))?;
+    let nowhere = tempfile::tempdir().map_err(files::trouble(Path::new("."), "cannot be made"))?;
     let nowhere = nowhere.path().join("regraded");
     let out = job.out.filter(|_| !job.dry_run);
     let grade = GradeOrder {
@@ -132,7 +132,7 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
     let rules = (old.bank.hash.as_str(), hash.as_str(), bank_file.as_str());
     let csv = changes(&old, &made, &tables, &who_is, rules, courses.last().map(PathBuf::as_path), &mut told)?;
     let path = made.folder().join(names::CHANGES);
-    fs::write(&path, csv).map_err(|e| files::trouble(&path, "cannot be written", &e))?;
+    fs::write(&path, csv).map_err(files::trouble(&path, "cannot be written"))?;
     let notes = notes(&old, &made);
     Ok(Regrading { told, notes, made, out: out.map(Path::to_owned), old: old.folder })
 }

@@ -105,7 +105,7 @@ fn exchange(staged: &Staged, place: &Path) -> Result<(), Finding> {
     let swap = |name: &str| -> Result<(), Finding> {
         let old = place.join(name);
         if old.exists() {
-            fs::rename(&old, aside(name)).map_err(|e| files::trouble(&old, "cannot be replaced", &e))?;
+            fs::rename(&old, aside(name)).map_err(files::trouble(&old, "cannot be replaced"))?;
         }
         staged.place_one(Path::new(name))
     };
@@ -165,10 +165,11 @@ pub fn make(
     let catalogue = Catalogue::shared(texts.words.language());
     let marks = read_marks(&graded, &bank, &texts.words)?;
     let study = ClassStudy::of(&marks);
-    let written =
-        |name: &str, e: &io::Error| Findings::from(files::trouble(&out.join(name), "cannot be written", e));
-    let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
-    let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
+    let written = |name: &str, done: io::Result<()>| {
+        done.map_err(|e| Findings::from(files::trouble(&out.join(name), "cannot be written")(e)))
+    };
+    let write = |name: &str, bytes: &[u8]| written(name, fs::write(out.join(name), bytes));
+    let folder = |name: &str| written(name, fs::create_dir(out.join(name)));
 
     let found = matches::find(&graded)?;
     write(names::MATCHES, &found.csv())?;
@@ -311,7 +312,7 @@ fn read_marks(graded: &OpenGrading, bank: &Bank, words: &Words) -> Result<Marks,
     let mut marks =
         Marks::read(class::of(graded, bank, words), &mut open).map_err(|f| unreadable(&answers, f))?;
     let book = graded.folder.join(names::GRADEBOOK);
-    let file = fs::File::open(&book).map_err(|e| files::trouble(&book, "cannot be read", &e))?;
+    let file = fs::File::open(&book).map_err(files::trouble(&book, "cannot be read"))?;
     marks.book(io::BufReader::new(file)).map_err(|f| unreadable(&book, f))?;
     Ok(marks)
 }

@@ -42,7 +42,6 @@ pub struct SolutionsJob<'j> {
 
 pub struct SolutionsMade {
     pub students: usize,
-    /// Problems of each.
     pub problems: usize,
     /// That a solution is a short page, and for how many students.
     pub short: BTreeMap<String, usize>,
@@ -82,10 +81,10 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
         }
         let mut made = output.make(at, head, whole, &mut Converter::new(words), None)?;
         let place = staged.path().join(&student.folder);
-        let fault = |e: &std::io::Error| files::trouble(out, "cannot be written", e);
-        fs::create_dir(&place).map_err(|e| fault(&e))?;
+        let fault = files::trouble(out, "cannot be written");
+        fs::create_dir(&place).map_err(fault)?;
         for (name, bytes) in made.files.drain(..) {
-            fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
+            fs::write(place.join(name), bytes).map_err(fault)?;
         }
         job.progress.advance("solutions", 1, set.students.len() as u64);
         Ok((made, short))

@@ -1,9 +1,9 @@
 //! A folder that is made beside its place and put there whole; what killed runs left is repaired.
 use crate::finding::{Finding, Findings};
 use crate::folder::files::{UNFINISHED, names_in, parent, trouble};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use std::{fs, io};
 use tempfile::TempDir;
 
 /// The file in such a folder that says whose it is; without it we leave a folder alone.
@@ -26,17 +26,17 @@ impl Staged {
     /// Begins a folder; folders above it are made, and what killed runs left there goes away. Errors: a finding that names the
     /// folder.
     pub fn new(place: &Path) -> Result<Self, Finding> {
-        let fault = |e: &io::Error| trouble(place, "cannot be made", e);
+        let fault = trouble(place, "cannot be made");
         let above = parent(place);
-        fs::create_dir_all(&above).map_err(|e| fault(&e))?;
+        fs::create_dir_all(&above).map_err(fault)?;
         sweep(&above);
         let prefix = format!("{UNFINISHED}{}-", std::process::id());
-        let folder = tempfile::Builder::new().prefix(&prefix).tempdir_in(&above).map_err(|e| fault(&e))?;
+        let folder = tempfile::Builder::new().prefix(&prefix).tempdir_in(&above).map_err(fault)?;
         let name = place.file_name().unwrap_or_default().to_string_lossy();
         let owner = format!("{}\n{}\n{name}\n", std::process::id(), machine());
-        fs::write(folder.path().join(OWNER), owner).map_err(|e| fault(&e))?;
+        fs::write(folder.path().join(OWNER), owner).map_err(fault)?;
         let new = folder.path().join(NEW);
-        fs::create_dir(&new).map_err(|e| fault(&e))?;
+        fs::create_dir(&new).map_err(fault)?;
         Ok(Self { folder, new, place: place.to_owned() })
     }
     /// Where to write for now.
@@ -58,30 +58,30 @@ impl Staged {
     }
     /// Writes a file of it, and the folders above that file. Errors: a finding that names the file in its place.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Finding> {
-        let fault = |e: io::Error| trouble(&self.place.join(name), "cannot be written", &e);
         let path = self.new.join(name);
-        fs::create_dir_all(parent(&path)).and_then(|()| fs::write(path, bytes)).map_err(fault)
+        let written = fs::create_dir_all(parent(&path)).and_then(|()| fs::write(path, bytes));
+        written.map_err(trouble(&self.place.join(name), "cannot be written"))
     }
     /// Moves one file or folder to the same name in the place, which is there already. Errors: a finding that names it.
     pub fn place_one(&self, name: &Path) -> Result<(), Finding> {
         let to = self.place.join(name);
-        fs::rename(self.new.join(name), &to).map_err(|e| trouble(&to, "cannot be put in its place", &e))
+        fs::rename(self.new.join(name), &to).map_err(trouble(&to, "cannot be put in its place"))
     }
     /// Puts it in its place; what stood there goes away only then. Errors: a finding that names the folder.
     pub fn finish(self) -> Result<(), Finding> {
         let Self { folder, new, place } = self;
-        let fault = |e: &io::Error| trouble(&place, "cannot be put in its place", e);
+        let fault = trouble(&place, "cannot be put in its place");
         let old = folder.path().join(OLD);
         let replaces = place.exists();
         if replaces {
-            fs::rename(&place, &old).map_err(|e| fault(&e))?;
+            fs::rename(&place, &old).map_err(fault)?;
         }
         if let Err(error) = fs::rename(&new, &place) {
             if replaces && fs::rename(&old, &place).is_err() {
-                // Better a hidden folder than a set that is gone.
+                // It could not be put back: the set is kept in the hidden folder.
                 let _ = folder.keep();
             }
-            return Err(fault(&error));
+            return Err(fault(error));
         }
         Ok(())
     }
@@ -112,7 +112,7 @@ fn sweep(folder: &Path) {
         }
         let (old, place) = (left.join(OLD), folder.join(place));
         if old.exists() && (place.exists() || fs::rename(&old, &place).is_ok()) || !old.exists() {
-            // What cannot be removed now stays for the next run.
+            // If it cannot be removed now, the next run removes it.
             let _ = fs::remove_dir_all(&left);
         }
     }

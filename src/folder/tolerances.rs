@@ -38,7 +38,7 @@ pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
     };
     let now = table(None);
     let (students, parts) = (now.students.len(), now.columns.len());
-    let handed = handed_in(&graded).map_err(|e| files::trouble(folder, "cannot be graded", &e))?;
+    let handed = handed_in(&graded).map_err(files::trouble(folder, "cannot be graded"))?;
     let as_is = run_with(&graded, &now, &handed)?;
     let mut trials = Vec::new();
     for &share in shares {
@@ -92,7 +92,7 @@ fn handed_in(graded: &OpenGrading) -> Result<NamedTempFile, io::Error> {
 
 /// Grades them by another key, by the same settings.
 fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> Result<GradedAnew, Findings> {
-    let trouble = |e: &io::Error| files::trouble(&graded.folder, "cannot be graded", e);
+    let trouble = files::trouble(&graded.folder, "cannot be graded");
     let mut policy = graded.policy.clone();
     // What is graded already may be from a version that did not ask.
     policy.late.unread.get_or_insert(Unread::InTime);
@@ -101,11 +101,11 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         ..Options::default()
     };
-    let file = NamedTempFile::new().map_err(|e| trouble(&e))?;
+    let file = NamedTempFile::new().map_err(trouble)?;
     let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file());
     let names = (graded.folder.as_path(), file.path());
     let done = run_file(handed.path(), names, (table, &rules, &options), &mut out, &mut |_| {})?;
-    out.flush().map_err(|e| trouble(&e))?;
+    out.flush().map_err(trouble)?;
     drop(out);
     let mut answers = Grading::new(table);
     graded::each_row(file.path(), &mut |row: AnswerRow| answers.take(table, row))?;

@@ -151,7 +151,7 @@ impl Comparison {
 
     /// The wrong methods that a number fits, the nearest first.
     fn methods(&self, x: f64, wrong: &[WrongValue]) -> Vec<u16> {
-        // Mostly none fits: first without a branch for each.
+        // Nearly always none fits, so all are compared first without a branch for each.
         if wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
             // In millionths of the tolerance: methods that come to one number by different sums are equally near.
             let miss = |value: f64| (MILLION * (x - value).abs() / width(value, self.share)).round();

@@ -212,7 +212,7 @@ pub fn grade(
     let (_, header) = RecordSource::open(open()?)?;
     let layout = layout(header, table, options).map_err(GradeFault::Header)?;
     let job = GradingJob { table, layout: &layout, rules, say: &options.feedback, wrong: options.wrong };
-    // Walks one after the other: what each has read is added up.
+    // The file is read several times, one after the other: the bytes of all are added up.
     let (mut before, mut now) = (0, 0);
     let mut heard = |read: u64| {
         if read < now {

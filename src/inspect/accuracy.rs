@@ -75,9 +75,9 @@ pub fn measure<'s>(
         return Ok((holds, Err(format!("{}: {shown}\n{regime}{told}\n", problem.id))));
     }
     let mut labels: Vec<Label> = Vec::new();
-    for question in problem.questions.iter().filter(|q| !q.label.quantity.is_word()) {
-        if !labels.contains(&question.label) {
-            labels.push(question.label);
+    for label in problem.questions.iter().map(|q| q.label).filter(|l| !l.quantity.is_word()) {
+        if !labels.contains(&label) {
+            labels.push(label);
         }
     }
     let missing: Vec<String> =
@@ -166,7 +166,7 @@ impl StudySheet<'_> {
     }
 
     fn head(&self) -> Vec<String> {
-        let mut head: Vec<String> = ["", "method", "setting", "evaluations"].map(str::to_owned).to_vec();
+        let mut head = terminal::head(" | method | setting | evaluations");
         if self.timed {
             head.push("time".to_owned());
         }
@@ -208,16 +208,13 @@ impl StudySheet<'_> {
 
     /// Why rows have no result.
     fn refusals(&self) -> Vec<String> {
-        let mut list = Vec::new();
-        for line in &self.lines {
-            if let Err(refusal) = &line.row.found {
-                let setting = sentences::setting(line.row.rung);
-                for text in sentences::refusal(self.problem, self.scene, refusal) {
-                    list.push(format!("{setting}: {text}"));
-                }
-            }
-        }
-        list
+        let refused = self.lines.iter().filter_map(|l| Some((l.row.rung, l.row.found.as_ref().err()?)));
+        let told = |(rung, refusal)| {
+            let setting = sentences::setting(rung);
+            let texts = sentences::refusal(self.problem, self.scene, refusal).into_iter();
+            texts.map(move |text| format!("{setting}: {text}"))
+        };
+        refused.flat_map(told).collect()
     }
 
     /// The table, for the terminal.
@@ -231,10 +228,8 @@ impl StudySheet<'_> {
         rows.extend(self.lines.iter().map(|l| self.cells(l)));
         out.push_str(&terminal::table(&rows, &[0, 1, 2]));
         if !self.missing.is_empty() {
-            out.push_str(&format!(
-                "not compared, for they do not exist with these data: {}\n",
-                self.missing.join(", ")
-            ));
+            let missing = self.missing.join(", ");
+            out.push_str(&format!("not compared, for they do not exist with these data: {missing}\n"));
         }
         for refusal in self.refusals() {
             out.push_str(&format!("  {refusal}\n"));
@@ -245,10 +240,8 @@ impl StudySheet<'_> {
     /// Every row as CSV.
     pub fn csv(&self) -> String {
         let mut out = Vec::new();
-        let mut head: Vec<String> =
-            ["problem", "method", "setting", "step_s", "rtol", "points", "evaluations", "steps"]
-                .map(str::to_owned)
-                .to_vec();
+        let mut head =
+            terminal::head("problem | method | setting | step_s | rtol | points | evaluations | steps");
         if self.timed {
             head.push("seconds".to_owned());
         }
@@ -257,21 +250,15 @@ impl StudySheet<'_> {
         push_line(&mut out, &head);
         for line in &self.lines {
             let rung = line.row.rung;
-            let (mut step, mut rtol, mut points) = (String::new(), String::new(), String::new());
-            match rung {
-                Rung::Closed | Rung::Doubles | Rung::Settled => {}
-                Rung::Gauss(n) => points = n.to_string(),
-                Rung::Adaptive(_, tolerance, _) => rtol = format!("{tolerance:e}"),
-                Rung::Fixed(_, h) => step = format!("{h:e}"),
-            }
-            let mut record = vec![
-                self.problem.id.clone(),
-                rung.method().name().to_owned(),
-                sentences::setting(rung),
-                step,
-                rtol,
-                points,
-            ];
+            let none = String::new;
+            let [step, rtol, points] = match rung {
+                Rung::Closed | Rung::Doubles | Rung::Settled => [none(), none(), none()],
+                Rung::Gauss(n) => [none(), none(), n.to_string()],
+                Rung::Adaptive(_, tolerance, _) => [none(), format!("{tolerance:e}"), none()],
+                Rung::Fixed(_, h) => [format!("{h:e}"), none(), none()],
+            };
+            let (id, method) = (self.problem.id.clone(), rung.method().name().to_owned());
+            let mut record = vec![id, method, sentences::setting(rung), step, rtol, points];
             let yes = |b: bool| if b { "yes" } else { "no" }.to_owned();
             match &line.row.found {
                 Ok(found) => {
@@ -296,32 +283,21 @@ impl StudySheet<'_> {
 
     /// Error against cost, one line for each method.
     pub fn plot(&self) -> LineChart {
-        // What is not a number has no place: least of all that of no error.
-        let shown = |l: &&MeasuredRow| worst(l).is_finite();
-        let point = |l: &MeasuredRow| DataPoint {
-            x: cost(l),
-            y: worst(l).max(NO_ERROR),
-            filled: l.best,
-            ringed: l.row.auto,
+        let point = |l: &MeasuredRow| {
+            let y = worst(l).max(NO_ERROR);
+            DataPoint { x: cost(l), y, filled: l.best, ringed: l.row.auto }
         };
-        let series = Method::ALL.iter().enumerate().map(|(style, method)| Series {
-            name: method.name().to_owned(),
-            style,
-            points: self
-                .lines
-                .iter()
-                .filter(|l| l.row.rung.method() == *method && l.row.rung != Rung::Settled)
-                .filter(shown)
-                .map(point)
-                .collect(),
-        });
         // What settles by itself is no point of a line.
-        let settled = self.lines.iter().filter(|l| l.row.rung == Rung::Settled).filter(shown);
+        let (settled, of_methods): (Vec<_>, Vec<_>) =
+            self.finite().partition(|l| l.row.rung == Rung::Settled);
+        let series = Method::ALL.iter().enumerate().map(|(style, method)| {
+            let of = of_methods.iter().filter(|l| l.row.rung.method() == *method);
+            Series { name: method.name().to_owned(), style, points: of.map(|l| point(l)).collect() }
+        });
+        let settled = settled.iter();
         let settled =
             settled.map(|l| Series { name: "gauss, settled".to_owned(), style: 0, points: vec![point(l)] });
-        let settled: Vec<Series> = settled.collect();
-        let series: Vec<Series> =
-            settled.into_iter().chain(series).filter(|s| !s.points.is_empty()).collect();
+        let series: Vec<Series> = settled.chain(series).filter(|s| !s.points.is_empty()).collect();
         let points = || series.iter().flat_map(|s| &s.points);
         let label = if self.timed { "time of one solve, s" } else { "force evaluations of one solve" };
         let ys = points().map(|p| p.y).chain([NO_ERROR]);
@@ -334,10 +310,15 @@ impl StudySheet<'_> {
             x: Axis::around(label, AxisScale::Log, points().map(|p| p.x)),
             y: Axis::around("greatest relative error of the asked answers", AxisScale::Log, ys),
             notes: ["filled: unbeaten", "ring: what auto takes", "bottom: no error"]
-                .map(str::to_owned)
+                .map(String::from)
                 .to_vec(),
             series,
         }
+    }
+
+    /// The rows that have a place in a plot: what is not a number has none, least of all that of no error.
+    fn finite(&self) -> impl Iterator<Item = &MeasuredRow> {
+        self.lines.iter().filter(|l| worst(l).is_finite())
     }
 
     /// What the plot shows, for those who do not see it.
@@ -346,33 +327,25 @@ impl StudySheet<'_> {
             let of = self.lines.iter().filter(|l| l.row.rung.method() == method && l.row.found.is_ok());
             of.min_by(|a, b| worst(a).total_cmp(&worst(b)))
         };
-        let list: Vec<String> = Method::ALL
-            .iter()
-            .filter_map(|m| best(*m))
-            .map(|l| {
-                let unit = if self.timed { duration(cost(l)) } else { format!("{} evaluations", cost(l)) };
-                format!("{} reaches {} in {unit}", l.row.rung.method().name(), short(worst(l)))
-            })
-            .collect();
-        format!(
-            "Greatest relative error of the asked answers against cost, both axes logarithmic. {}.",
-            list.join("; ")
-        )
+        let told = |l: &MeasuredRow| {
+            let unit = if self.timed { duration(cost(l)) } else { format!("{} evaluations", cost(l)) };
+            format!("{} reaches {} in {unit}", l.row.rung.method().name(), short(worst(l)))
+        };
+        let list: Vec<String> = Method::ALL.iter().filter_map(|m| best(*m)).map(told).collect();
+        let list = list.join("; ");
+        format!("Greatest relative error of the asked answers against cost, both axes logarithmic. {list}.")
     }
 
     /// Delivered error against requested tolerance.
     fn tolerance_plot(&self) -> Option<LineChart> {
         let mut series = vec![Series { name: "as asked".to_owned(), style: 0, points: Vec::new() }];
         for (style, method) in Method::ALL.iter().enumerate() {
-            let points: Vec<DataPoint> = self
-                .lines
-                .iter()
-                .filter(|l| l.row.rung.method() == *method && worst(l).is_finite())
-                .filter_map(|l| {
-                    let x = l.row.rung.requested()?;
-                    Some(DataPoint { x, y: worst(l).max(NO_ERROR), filled: true, ringed: false })
-                })
-                .collect();
+            let of = self.finite().filter(|l| l.row.rung.method() == *method);
+            let point = |l: &MeasuredRow| {
+                let x = l.row.rung.requested()?;
+                Some(DataPoint { x, y: worst(l).max(NO_ERROR), filled: true, ringed: false })
+            };
+            let points: Vec<DataPoint> = of.filter_map(point).collect();
             if !points.is_empty() {
                 series.push(Series { name: method.name().to_owned(), style, points });
             }
@@ -424,15 +397,9 @@ impl StudySheet<'_> {
         let mut before = None;
         let rows = self.lines.iter().map(|line| {
             let method = line.row.rung.method();
-            let mut style = Vec::new();
-            if before.replace(method) != Some(method) {
-                style.push("first");
-            }
-            if line.row.found.is_err() {
-                style.push("refused");
-            } else if line.best {
-                style.push("best");
-            }
+            let first = (before.replace(method) != Some(method)).then_some("first");
+            let kind = if line.row.found.is_err() { Some("refused") } else { line.best.then_some("best") };
+            let style: Vec<&str> = [first, kind].into_iter().flatten().collect();
             let cells = self.cells(line).iter().map(|t| text(t)).collect();
             template::map([("style", text(&style.join(" "))), ("cells", template::list(cells))])
         });

@@ -26,10 +26,8 @@ pub fn wish(method: Option<Method>, rtol: Option<f64>, step: Option<&str>) -> Re
     let knob = method.map_or(Knob::Tolerance, Method::knob);
     if let Some(rtol) = rtol {
         if !(rtol > 0.0 && rtol < 1.0) {
-            faults.push(
-                Finding::new("--rtol", format!("{} is no tolerance", shown::significant(rtol, 5)))
-                    .hint("write a number above 0 and below 1, such as 1e-9"),
-            );
+            let fault = Finding::new("--rtol", format!("{} is no tolerance", shown::significant(rtol, 5)));
+            faults.push(fault.hint("write a number above 0 and below 1, such as 1e-9"));
         }
         if knob == Knob::Step {
             let fault = Finding::new("--rtol", "the method steps at a fixed length and has no tolerance");
@@ -67,10 +65,7 @@ fn seconds(text: &str) -> Result<f64, String> {
     if !second.agrees(&q.unit) {
         return Err(format!("`{text}`: {}", second.mismatch(&q.unit)));
     }
-    let value = match over {
-        Some(n) => q.unit.to_si(n / q.number),
-        None => q.unit.to_si(q.number),
-    };
+    let value = q.unit.to_si(over.map_or(q.number, |n| n / q.number));
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(format!("`{text}` is no step")) }
 }
 
@@ -164,45 +159,29 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Findings> {
     }
     let gravity = problem.data.len().saturating_sub(1);
     let fixed_g = constant(problem, gravity);
+    let drawn = |c: usize, i: usize| problem.cases[c].draws.get(i).is_some_and(Option::is_some);
     // The case whose data are exactly those given; of several such the first that holds.
-    let fitting: Vec<usize> = (0..problem.cases.len())
-        .filter(|c| {
-            let draws = &problem.cases[*c].draws;
-            (0..gravity).all(|i| values[i].is_some() == draws.get(i).is_some_and(Option::is_some))
-        })
-        .collect();
+    let exact = |c: &usize| (0..gravity).all(|i| values[i].is_some() == drawn(*c, i));
+    let fitting: Vec<usize> = (0..problem.cases.len()).filter(exact).collect();
     if fitting.is_empty() && faults.is_empty() {
-        let missing = |c: usize| -> Vec<&str> {
-            let draws = &problem.cases[c].draws;
-            (0..gravity)
-                .filter(|i| values[*i].is_none() && draws.get(*i).is_some_and(Option::is_some))
-                .map(|i| problem.data[i].symbol.as_str())
-                .collect()
-        };
-        let nearest = (0..problem.cases.len()).min_by_key(|c| missing(*c).len()).unwrap_or(0);
-        let lacking = missing(nearest);
-        if lacking.is_empty() {
+        let missing = |c: usize| (0..gravity).filter(move |i| drawn(c, *i)).filter(|i| values[*i].is_none());
+        let nearest = (0..problem.cases.len()).min_by_key(|c| missing(*c).count()).unwrap_or(0);
+        for Datum { symbol, unit, .. } in missing(nearest).map(|i| &problem.data[i]) {
+            let example = match unit.ascii() {
+                "1" => "0.5".to_owned(),
+                unit => format!("1{}", unit.replace(' ', "*")),
+            };
+            let fault = Finding::new("--set", format!("{symbol} is not given"));
+            faults.push(fault.hint(format!("write --set '{symbol}={example}' with its value")));
+        }
+        if faults.is_empty() {
             faults.push(Finding::new("--set", "no case of the problem has exactly these data"));
-        } else {
-            for symbol in lacking {
-                let unit = problem.data.iter().find(|d| d.symbol == symbol).map_or("1", |d| d.unit.ascii());
-                let example =
-                    if unit == "1" { "0.5".to_owned() } else { format!("1{}", unit.replace(' ', "*")) };
-                let fault = Finding::new("--set", format!("{symbol} is not given"));
-                faults.push(fault.hint(format!("write --set '{symbol}={example}' with its value")));
-            }
         }
     }
     faults.into_result(())?;
-    let data: Vec<f64> = values
-        .iter()
-        .enumerate()
-        .map(|(i, v)| match v {
-            Some((scene, _)) => *scene,
-            None if i == gravity => fixed_g,
-            None => 0.0,
-        })
-        .collect();
+    let absent = |i| if i == gravity { fixed_g } else { 0.0 };
+    let value = |(i, v): (usize, &Option<(f64, String)>)| v.as_ref().map_or(absent(i), |(scene, _)| *scene);
+    let data: Vec<f64> = values.iter().enumerate().map(value).collect();
     let mut shown: Vec<String> = values.into_iter().flatten().map(|(_, text)| text).collect();
     if shown.iter().all(|t| !t.starts_with("g = ")) {
         shown.push(format!("g = {fixed_g} m/s^2"));

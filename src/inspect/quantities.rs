@@ -70,8 +70,7 @@ fn absent(problem: &Problem, there: &[Askable]) -> Vec<(Quantity, String)> {
 /// As tables for people.
 pub fn table(problem: &Problem) -> String {
     let there = askable(problem);
-    let mut rows =
-        vec![["quantity", "of", "unit", "asked as", "what it is", "sign"].map(str::to_owned).to_vec()];
+    let mut rows = vec![terminal::head("quantity | of | unit | asked as | what it is | sign")];
     for a in &there {
         let asked = if a.asked.is_empty() { "-".to_owned() } else { a.asked.join(", ") };
         let (what, sign, unit) = a.told();

@@ -57,7 +57,7 @@ fn moves(scene: &Scene, c: &Check) -> String {
         true if !scene.start.is_empty() && c.available <= c.required => {
             format!("the {body} moves as declared: it starts with a speed of its own")
         }
-        // Only the ratio of drive and resistance means anything.
+        // Drive and resistance are given by their ratio, which needs a resistance.
         true if c.required == 0.0 => format!("the {body} moves as declared: nothing resists"),
         true => {
             format!("the {body} moves as declared: the driving force is {} times the resistance", ratio())
@@ -107,6 +107,7 @@ fn met(scene: &Scene, c: &Check) -> String {
 }
 
 /// One condition of `all` in words with its numbers.
+#[rustfmt::skip] // a table
 pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
     // A condition is about a tie or about a body; what is not meant is not told.
@@ -115,9 +116,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let joint =
         scene.joints.get(c.of).map(|j| (j.name.as_str(), j.kind.spots().next().map_or(0, |s| s.body)));
     let unknown = |what: String| {
-        format!(
-            "whether {what} holds is not known: several ties share its force, and statics does not say how"
-        )
+        format!("whether {what} holds is not known: several ties share its force, and statics does not say how")
     };
     match c.kind {
         CheckKind::Moves => moves(scene, c),
@@ -129,18 +128,10 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
                 "static friction can{not} hold the {tie} where its slip ends{then}: that needs {required} N, mu_s N = {available} N"
             )
         }
-        CheckKind::NoSlip if c.ok => format!(
-            "the {tie} holds without slipping{looks}: needs {required} N of friction, mu_s N = {available} N"
-        ),
-        CheckKind::NoSlip => format!(
-            "the {tie} slips: rolling{looks} needs {required} N of friction, mu_s N = {available} N is available"
-        ),
-        CheckKind::MustSlip if c.ok => format!(
-            "the {tie} slips: rolling would need {available} N of friction, more than mu_s N = {required} N"
-        ),
-        CheckKind::MustSlip => format!(
-            "the {tie} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N"
-        ),
+        CheckKind::NoSlip if c.ok => format!("the {tie} holds without slipping{looks}: needs {required} N of friction, mu_s N = {available} N"),
+        CheckKind::NoSlip => format!("the {tie} slips: rolling{looks} needs {required} N of friction, mu_s N = {available} N is available"),
+        CheckKind::MustSlip if c.ok => format!("the {tie} slips: rolling would need {available} N of friction, more than mu_s N = {required} N"),
+        CheckKind::MustSlip => format!("the {tie} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N"),
         CheckKind::Pressed | CheckKind::Taut if joint.is_some() => {
             let (name, of) = joint.unwrap_or(("?", 0));
             let what = match (c.kind, c.ok) {
@@ -159,10 +150,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
                 "held by"
             };
             let not = if c.ok { "" } else { "not " };
-            format!(
-                "at the blow the {} is {not}{what} `{name}`: {available} N*s, required more than 0 N*s",
-                self::body(scene, of)
-            )
+            format!("at the blow the {} is {not}{what} `{name}`: {available} N*s, required more than 0 N*s", self::body(scene, of))
         }
         CheckKind::Met => met(scene, c),
         CheckKind::Next if c.ok => "the motion that follows goes as it is said to".to_owned(),
@@ -178,54 +166,33 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
             format!("the motion that follows does not go as it is said to: {what}")
         }
         CheckKind::Pressed if c.ok => format!("the {body} is pressed on its surface with {available} N"),
-        CheckKind::Pressed => format!(
-            "the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"
-        ),
+        CheckKind::Pressed => format!("the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"),
         CheckKind::Taut if c.ok => format!("{tie} is taut{looks} with {available} N"),
-        CheckKind::Taut => {
-            format!("{tie} is not taut: tension {available} N, required more than {required} N")
-        }
+        CheckKind::Taut => format!("{tie} is not taut: tension {available} N, required more than {required} N"),
         CheckKind::SlipDirection if c.ok => format!("the slip of the {tie} goes against the friction"),
-        CheckKind::SlipDirection => format!(
-            "the slip of the {tie} does not go against the friction: {available} m/s^2, required more than {required} m/s^2"
-        ),
-        CheckKind::StartsSlipping if c.ok => {
-            format!("the {tie} starts with slip: its contact moves at {available} m/s")
-        }
-        CheckKind::StartsSlipping => {
-            format!("the {tie} does not slip at the start: its contact is at rest")
-        }
-        CheckKind::Closes if c.ok && c.required <= 0.0 => {
-            format!("friction ends the slip of the {tie}: mu_k N = {available} N, nothing keeps it up")
-        }
-        CheckKind::Closes if c.ok => {
-            format!("friction ends the slip of the {tie}: mu_k N = {available} N, {required} N keep it up")
-        }
-        CheckKind::Closes => format!(
-            "friction does not end the slip of the {tie}: {required} N keep it up, mu_k N = {available} N"
-        ),
+        CheckKind::SlipDirection => format!("the slip of the {tie} does not go against the friction: {available} m/s^2, required more than {required} m/s^2"),
+        CheckKind::StartsSlipping if c.ok => format!("the {tie} starts with slip: its contact moves at {available} m/s"),
+        CheckKind::StartsSlipping => format!("the {tie} does not slip at the start: its contact is at rest"),
+        CheckKind::Closes if c.ok && c.required <= 0.0 => format!("friction ends the slip of the {tie}: mu_k N = {available} N, nothing keeps it up"),
+        CheckKind::Closes if c.ok => format!("friction ends the slip of the {tie}: mu_k N = {available} N, {required} N keep it up"),
+        CheckKind::Closes => format!("friction does not end the slip of the {tie}: {required} N keep it up, mu_k N = {available} N"),
         CheckKind::Slack => slack(scene, c),
-        CheckKind::SlipEnds if c.available.is_infinite() => {
-            format!("the {tie} slips at the end, after {required} s: its slip does not end")
-        }
+        CheckKind::SlipEnds if c.available.is_infinite() => format!("the {tie} slips at the end, after {required} s: its slip does not end"),
         CheckKind::SlipEnds => {
             let when = if c.required < c.available { "still slips" } else { "rolls" };
             format!("the {tie} {when} at the end, after {required} s: its slip ends after {available} s")
         }
-        CheckKind::UnderWay => {
-            format!("the {tie} is on its way at the end: it moves at {available} m/s")
-        }
+        CheckKind::UnderWay => format!("the {tie} is on its way at the end: it moves at {available} m/s"),
         CheckKind::StaticLimit => {
             let can = if c.required <= c.available { "could" } else { "could not" };
-            format!(
-                "static friction {can} hold the {tie} rolling: that needs {required} N, mu_s N = {available} N"
-            )
+            format!("static friction {can} hold the {tie} rolling: that needs {required} N, mu_s N = {available} N")
         }
         CheckKind::Reaches => reaches(scene, c),
     }
 }
 
 /// Is the end reached, and how far does the motion go?
+#[rustfmt::skip] // a table
 fn reaches(scene: &Scene, c: &Check) -> String {
     let unit = scene.measure();
     let (required, available) = (figures(c.required), figures(c.available));
@@ -244,9 +211,7 @@ fn reaches(scene: &Scene, c: &Check) -> String {
     }
     let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
     let then = if scene.growths.is_empty() {
-        format!(
-            "what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`"
-        )
+        format!("what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`")
     } else {
         "of forces that grow what comes then is told with time, and without other couples: a couple that stays may be a brake".to_owned()
     };
@@ -259,56 +224,26 @@ fn reaches(scene: &Scene, c: &Check) -> String {
         }
         (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {
             let at = if endless { String::new() } else { format!(" at {available} {unit}") };
-            format!(
-                "the end is not reached: {required} {unit} lie after the turning point{at}, up to which a motion is followed; {then}"
-            )
+            format!("the end is not reached: {required} {unit} lie after the turning point{at}, up to which a motion is followed; {then}")
         }
-        (true, true) if !endless || pinned => {
-            format!("the end is reached: it comes to rest after {available} {unit}")
-        }
+        (true, true) if !endless || pinned => format!("the end is reached: it comes to rest after {available} {unit}"),
         (false, true) if pinned => {
             "the end is not reached: it does not come to rest in two turns, or not before a contact is lost"
                 .to_owned()
         }
         (false, true) if endless => "the end is not reached: it never comes to rest".to_owned(),
-        (true, _) if endless && pinned => {
-            format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")
-        }
-        (true, _) if endless => {
-            format!("the end is reached: {required} {unit} asked, the motion goes on without end")
-        }
-        (true, _) => {
-            format!(
-                "the end is reached: {required} {unit} asked, the motion goes as far as {available} {unit}"
-            )
-        }
-        (false, _) if endless && pinned && c.required >= 0.0 => {
-            format!(
-                "the end is not reached: {required} {unit} asked; a motion is followed up to its turning point or the loss of a contact, for two turns at most"
-            )
-        }
-        (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => {
-            format!("the end is not reached: {required} {unit} asked, the motion turns before")
-        }
+        (true, _) if endless && pinned => format!("the end is reached: {required} {unit} asked, the motion goes on well beyond"),
+        (true, _) if endless => format!("the end is reached: {required} {unit} asked, the motion goes on without end"),
+        (true, _) => format!("the end is reached: {required} {unit} asked, the motion goes as far as {available} {unit}"),
+        (false, _) if endless && pinned && c.required >= 0.0 => format!("the end is not reached: {required} {unit} asked; a motion is followed up to its turning point or the loss of a contact, for two turns at most"),
+        (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => format!("the end is not reached: {required} {unit} asked, the motion turns before"),
         (false, _) if c.required < 0.0 => {
             let way = figures(-c.required);
-            let on = if endless || pinned {
-                String::new()
-            } else {
-                format!(" and turns after {available} {unit}; {then}")
-            };
-            format!(
-                "the end is not reached: it lies {way} {unit} from the start, and the motion goes the other way{on}"
-            )
+            let on = if endless || pinned { String::new() } else { format!(" and turns after {available} {unit}; {then}") };
+            format!("the end is not reached: it lies {way} {unit} from the start, and the motion goes the other way{on}")
         }
-        (false, _) if endless || c.required < c.available => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
-        }
-        (false, _) => {
-            format!(
-                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available} {unit}"
-            )
-        }
+        (false, _) if endless || c.required < c.available => format!("the end is not reached: {required} {unit} asked, the motion goes the other way"),
+        (false, _) => format!("the end is not reached: {required} {unit} asked, the motion goes only as far as {available} {unit}"),
     }
 }
 
@@ -339,30 +274,19 @@ pub fn why(taken: &Taken) -> String {
     text
 }
 
+#[rustfmt::skip] // a table
 fn reason(taken: &Taken) -> &'static str {
     if taken.rung == Rung::Doubles {
         return "a closed form exists, and doubles are exact enough for the tolerance";
     }
     match (taken.chosen, taken.rung.method(), taken.force) {
         (_, Method::Closed, Force::Instant) => "only an instant is asked, nothing has to be integrated",
-        (true, Method::Closed, Force::Constant) => {
-            "the forces are the same all the way, so the closed form is exact and nothing is cheaper"
-        }
-        (true, Method::Closed, Force::Switched) => {
-            "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
-        }
-        (true, Method::Closed, Force::OfTime) => {
-            "the forces grow with a power of time or place, so the closed form is exact and nothing is cheaper"
-        }
-        (true, Method::Closed, Force::Linear) => {
-            "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper"
-        }
-        (true, Method::Closed, Force::Pendulum) => {
-            "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper"
-        }
-        (true, _, Force::Irregular | Force::Joined) => {
-            "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped"
-        }
+        (true, Method::Closed, Force::Constant) => "the forces are the same all the way, so the closed form is exact and nothing is cheaper",
+        (true, Method::Closed, Force::Switched) => "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper",
+        (true, Method::Closed, Force::OfTime) => "the forces grow with a power of time or place, so the closed form is exact and nothing is cheaper",
+        (true, Method::Closed, Force::Linear) => "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper",
+        (true, Method::Closed, Force::Pendulum) => "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper",
+        (true, _, Force::Irregular | Force::Joined) => "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped",
         (_, Method::Closed, _) => "as asked; exact but for rounding",
         (_, Method::Gauss, _) => "as asked; the equations of motion judge it",
         _ => "as asked; work and energy judge it",
@@ -412,35 +336,15 @@ pub fn taken(taken: &Taken) -> String {
 }
 
 /// Why a run has no result.
+#[rustfmt::skip] // a table
 fn trouble(trouble: &Trouble) -> String {
     match trouble {
-        Trouble::Missed { by, at } => {
-            format!(
-                "misses its event: the motion turns at t = {at:e} s with {by:e} still to go; take a smaller step or tolerance"
-            )
-        }
-        Trouble::NoConvergence { residual, accepted } => {
-            format!("no step ends on its event: {residual:e} remains, {accepted:.1e} would be accepted")
-        }
-        Trouble::StepUnderflow { at, step } => {
-            format!("its step shrinks to {step:e} s at t = {at:e} s and does not move on")
-        }
-        Trouble::TooManySteps { steps, at } => {
-            format!(
-                "is given up after {steps} steps at t = {at:e} s; take a longer step or a larger tolerance"
-            )
-        }
-        Trouble::Overdue { at } => {
-            format!(
-                "goes past the end without meeting it, as far as t = {} s; take a shorter step or a smaller tolerance",
-                figures(*at)
-            )
-        }
-        Trouble::StepTooShort { step, steps } => {
-            format!(
-                "would need {steps:.0e} steps of {step:e} s or, for the error estimate, shorter; take a longer step"
-            )
-        }
+        Trouble::Missed { by, at } => format!("misses its event: the motion turns at t = {at:e} s with {by:e} still to go; take a smaller step or tolerance"),
+        Trouble::NoConvergence { residual, accepted } => format!("no step ends on its event: {residual:e} remains, {accepted:.1e} would be accepted"),
+        Trouble::StepUnderflow { at, step } => format!("its step shrinks to {step:e} s at t = {at:e} s and does not move on"),
+        Trouble::TooManySteps { steps, at } => format!("is given up after {steps} steps at t = {at:e} s; take a longer step or a larger tolerance"),
+        Trouble::Overdue { at } => format!("goes past the end without meeting it, as far as t = {} s; take a shorter step or a smaller tolerance", figures(*at)),
+        Trouble::StepTooShort { step, steps } => format!("would need {steps:.0e} steps of {step:e} s or, for the error estimate, shorter; take a longer step"),
         Trouble::NotFinite { at } => format!("runs off: a value is no longer finite at t = {at:e} s"),
     }
 }
@@ -452,58 +356,33 @@ fn velocity(scene: &Scene, of: Coordinate) -> String {
 }
 
 /// What the program does not solve.
+#[rustfmt::skip] // a table
 const fn unsupported(what: Unsupported) -> &'static str {
     match what {
         Unsupported::SpringWithTwoFreedoms => "a spring where two coordinates are free is not solved",
-        Unsupported::SpeedWithTwoFreedoms => {
-            "a start with a speed where two coordinates are free is not solved"
-        }
-        Unsupported::StartHeld => {
-            "the start gives a speed to what the ties hold at rest; take it away, or one of the ties"
-        }
+        Unsupported::SpeedWithTwoFreedoms => "a start with a speed where two coordinates are free is not solved",
+        Unsupported::StartHeld => "the start gives a speed to what the ties hold at rest; take it away, or one of the ties",
         Unsupported::SpringWithSlip => "a spring where something slips is not solved",
-        Unsupported::SpeedWithSlip => {
-            "a body that slips starts from rest, or is thrown alone with its speed and its spin both given"
-        }
-        Unsupported::SlipShared => {
-            "a contact is said to slip where other ties hold it, too: what friction it would need is open"
-        }
-        Unsupported::EqualByChance => {
-            "two data are equal, and only so the ties leave another number of freedoms: such data are not solved"
-        }
-        Unsupported::SlidesInTurn => {
-            "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved"
-        }
-        Unsupported::SlackBetween => {
-            "the cord of the spring is slack where the motion ends, and the one that follows draws it tight; end the motion before the cord goes slack, or leave the spring out under `next`"
-        }
+        Unsupported::SpeedWithSlip => "a body that slips starts from rest, or is thrown alone with its speed and its spin both given",
+        Unsupported::SlipShared => "a contact is said to slip where other ties hold it, too: what friction it would need is open",
+        Unsupported::EqualByChance => "two data are equal, and only so the ties leave another number of freedoms: such data are not solved",
+        Unsupported::SlidesInTurn => "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved",
+        Unsupported::SlackBetween => "the cord of the spring is slack where the motion ends, and the one that follows draws it tight; end the motion before the cord goes slack, or leave the spring out under `next`",
         Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
-        Unsupported::ThrownEnd => {
-            "a body thrown with slip on a surface ends where it begins to roll, or after a time"
-        }
+        Unsupported::ThrownEnd => "a body thrown with slip on a surface ends where it begins to roll, or after a time",
         Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
         Unsupported::TwoSprings => "more than one spring is not solved",
-        Unsupported::MovingLamina => {
-            "of a body of particles only what holds at the instant can be asked; write `end: at once`"
-        }
-        Unsupported::PinnedInCompany => {
-            "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
-        }
-        Unsupported::Overwound => {
-            "a torsion spring may be wound by less than half a turn, from the start to the end"
-        }
-        Unsupported::InLine => {
-            "two hinged rods come to lie in one line on the way, or a rod lies across its guide: from there the linkage can go on in two ways, and it is not followed; let the motion end before"
-        }
-        Unsupported::FrictionTurns => {
-            "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses"
-        }
+        Unsupported::MovingLamina => "of a body of particles only what holds at the instant can be asked; write `end: at once`",
+        Unsupported::PinnedInCompany => "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point",
+        Unsupported::Overwound => "a torsion spring may be wound by less than half a turn, from the start to the end",
+        Unsupported::InLine => "two hinged rods come to lie in one line on the way, or a rod lies across its guide: from there the linkage can go on in two ways, and it is not followed; let the motion end before",
+        Unsupported::FrictionTurns => "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses",
     }
 }
 
-/// A place of the plane, in a scene where another is `beside`.
+/// A place of the plane.
 fn at_place(place: [f64; 2], beside: [f64; 2]) -> String {
-    // What is nothing beside the other coordinates is 0.
+    // What is nothing beside the coordinates of both places is 0.
     let size = place.iter().chain(&beside).fold(0.0, |size: f64, x| size.max(x.abs()));
     let [x, y] = place.map(|x| figures(if x.abs() <= 1e-9 * size { 0.0 } else { x }));
     format!("({x} m, {y} m)")
@@ -546,6 +425,43 @@ pub fn hidden(scene: &Scene) -> Vec<String> {
     told.collect()
 }
 
+/// Why a scene with these data has no answer; a sentence each.
+pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
+    match refusal {
+        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
+        Refusal::NextInadmissible(faults) => {
+            let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
+            let told = |f| {
+                let why = inadmissible(problem, next.map_or(scene, |(_, next)| next), f);
+                format!(
+                    "in the motion that follows {why} (places, angles and times count from the start of the whole)"
+                )
+            };
+            faults.iter().map(told).collect()
+        }
+        one => vec![refused(problem, scene, one)],
+    }
+}
+
+/// Why the search for a datum fails: no value of it fits what was measured, or more than one.
+fn not_found(problem: &Problem, scene: &Scene, why: &Refusal) -> String {
+    let symbol = |of: fn(&Found) -> usize| {
+        let datum = scene.formulas.found.as_ref().and_then(|f| problem.data.get(of(f)));
+        datum.map_or_else(|| "a datum".to_owned(), |d| format!("`{}`", d.symbol))
+    };
+    let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
+    match why {
+        Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
+        Refusal::NotUnique(Some(value)) => format!(
+            "in a part of the range of {unknown} there is no {measured} to measure: with {}, say, the motion does not get there; narrow `unknown:` to the values with which it does",
+            in_unit(problem, scene, *value)
+        ),
+        _ => format!(
+            "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place and not where it turns"
+        ),
+    }
+}
+
 /// A value of the unknown, as the bank writes it.
 fn in_unit(problem: &Problem, scene: &Scene, value: f64) -> String {
     let datum = scene.formulas.found.as_ref().and_then(|f| problem.data.get(f.unknown.datum));
@@ -555,140 +471,121 @@ fn in_unit(problem: &Problem, scene: &Scene, value: f64) -> String {
     })
 }
 
-/// Why a scene with these data has no answer; a sentence each.
-pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
-    let one = |text: String| vec![text];
+/// Why an integral over a motion has no value.
+fn unsettled(scene: &Scene, Unsettled { value, gap }: &Unsettled) -> String {
+    let sprung = !scene.struts.is_empty() || scene.pinned().is_some_and(|(_, pin)| pin.spring.is_some());
+    let spring =
+        if sprung { ", or a spring passes its anchor, where its force has no direction" } else { "" };
+    if value.is_finite() && gap.is_finite() {
+        format!(
+            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end{spring}. No answer is given."
+        )
+    } else {
+        format!(
+            "an integral over the motion has no value: the motion stops before its end{spring}. No answer is given."
+        )
+    }
+}
+
+/// A refusal of one sentence.
+fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
     match refusal {
-        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
-        Refusal::NextInadmissible(faults) => {
-            let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
-            let told = |f| {
-                let why = inadmissible(problem, next.map_or(scene, |(_, next)| next), f);
-                format!("in the motion that follows {why} (places, angles and times count from the start of the whole)")
-            };
-            faults.iter().map(told).collect()
-        }
+        // Those are several sentences.
+        Refusal::Inadmissible(_) | Refusal::NextInadmissible(_) => String::new(),
         Refusal::Singular { unknowns, rank } => {
-            let light = scene.bodies.iter().any(|b| b.planar.is_some() && b.mass == Mass::Kilograms(Num::Fixed(0.0)));
-            let why = if light { "; what has a mass of 0 needs a body with mass that moves with it" } else { "" };
-            one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}{why}"))
+            let nothing = Mass::Kilograms(Num::Fixed(0.0));
+            let light = scene.bodies.iter().any(|b| b.planar.is_some() && b.mass == nothing);
+            let why =
+                if light { "; what has a mass of 0 needs a body with mass that moves with it" } else { "" };
+            format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}{why}")
         }
-        Refusal::NotFound | Refusal::NotUnique(_) => {
-            let symbol = |of: fn(&Found) -> usize| {
-                let datum = scene.formulas.found.as_ref().and_then(|f| problem.data.get(of(f)));
-                datum.map_or_else(|| "a datum".to_owned(), |d| format!("`{}`", d.symbol))
-            };
-            let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
-            one(match refusal {
-                Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
-                Refusal::NotUnique(Some(value)) => format!(
-                    "in a part of the range of {unknown} there is no {measured} to measure: with {}, say, the motion does not get there; narrow `unknown:` to the values with which it does",
-                    in_unit(problem, scene, *value)
-                ),
-                _ => format!(
-                    "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place and not where it turns"
-                ),
-            })
-        }
+        Refusal::NotFound | Refusal::NotUnique(_) => not_found(problem, scene, refusal),
         Refusal::Freedoms(0) if !scene.joints.is_empty() => {
-            one("the joints leave nothing free to move: a motion needs one freedom".to_owned())
+            "the joints leave nothing free to move: a motion needs one freedom".to_owned()
         }
-        Refusal::Freedoms(n) if !scene.joints.is_empty() => one(format!(
+        Refusal::Freedoms(n) if !scene.joints.is_empty() => format!(
             "the joints leave {n} freedoms: a motion needs one, or `end: at once` from rest, where each body may have its `angle` and \
              be `placed:`"
-        )),
-        Refusal::Unplaced(index) => one(format!(
+        ),
+        Refusal::Unplaced(index) => format!(
             "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
              place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
             body(scene, *index)
-        )),
-        Refusal::Crossed(Choice { at, here, there, .. }) => one(format!(
+        ),
+        Refusal::Crossed(Choice { at, here, there, .. }) => format!(
             "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
              `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
             point(scene, *at),
             at_place(*here, *there),
             scene.bodies.get(at.body).map_or("?", |b| &b.name),
             at_place(*there, *here)
-        )),
+        ),
         Refusal::Parted { joint, off_m, at_start } => {
             let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
             let when = if *at_start { "at the start" } else { "on the way" };
-            one(format!(
+            format!(
                 "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
                  change the lengths, the angle at the start, `placed:`, or the place of the joint",
                 figures(*off_m)
-            ))
+            )
         }
-        Refusal::Moved { body, off_m } => one(format!(
+        Refusal::Moved { body, off_m } => format!(
             "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
              joints that place it as they are",
             scene.bodies.get(*body).map_or("?", |b| &b.name),
             figures(*off_m)
-        )),
+        ),
         Refusal::Freedoms(n) => {
-            one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
+            format!("the ties leave {n} freedoms; the program solves one, or two where something slips")
         }
-        Refusal::Open(of) => one(format!(
+        Refusal::Open(of) => format!(
             "the start leaves {} open: neither the speeds that are given nor the ties determine it",
             velocity(scene, *of)
-        )),
+        ),
         Refusal::Contradiction { of, given, follows } => {
             let unit = if of.degree == Degree::Along { "m/s" } else { "rad/s" };
-            one(format!(
+            format!(
                 "the start contradicts the ties: it gives {} as {} {unit}, but {} {unit} follows from the ties and the rest of \
                  the start",
                 velocity(scene, *of),
                 rounded(*given, 5),
                 rounded(*follows, 5)
-            ))
+            )
         }
-        Refusal::Unsupported(what) => one(unsupported(*what).to_owned()),
-        Refusal::Trouble { method, trouble: why } => one(format!("{}: {}", method.name(), trouble(why))),
-        Refusal::Unsteady { method, label, value, finer } => one(format!(
+        Refusal::Unsupported(what) => unsupported(*what).to_owned(),
+        Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.name(), trouble(why)),
+        Refusal::Unsteady { method, label, value, finer } => format!(
             "{} does not settle on {}: {value:e}, and {finer:e} when set finer; take a smaller step or tolerance",
             method.name(),
             scene.name_of(*label)
-        )),
-        Refusal::Contradicts { method, label, value, judge, allowed } => one(format!(
+        ),
+        Refusal::Contradicts { method, label, value, judge, allowed } => format!(
             "{} and {} disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
             method.name(),
             if *method == Method::Gauss { "the equations of motion" } else { "work and energy" },
             scene.name_of(*label),
             rounded(*allowed, 2)
-        )),
-        Refusal::Unmet { method, points, error, asked } => one(format!(
+        ),
+        Refusal::Unmet { method, points, error, asked } => format!(
             "{} does not get there: with {points} points its estimated error is {error:.1e} of an answer, above {asked:.1e}; auto finds what does",
             method.name()
-        )),
-        Refusal::Apart => one(
-            "the data lie so many powers of ten apart that products of them leave the double-precision numbers, in whatever units they are computed. No answer is given."
-                .to_owned(),
         ),
+        Refusal::Apart => {
+            "the data lie so many powers of ten apart that products of them leave the double-precision numbers, in whatever units they are computed. No answer is given."
+                .to_owned()
+        }
         Refusal::NoMethod { method } => {
-            one(format!("{} does not apply to this scene; auto finds what does", method.name()))
+            format!("{} does not apply to this scene; auto finds what does", method.name())
         }
-        Refusal::Unsettled(Unsettled { value, gap }) => {
-            let sprung = !scene.struts.is_empty() || scene.pinned().is_some_and(|(_, pin)| pin.spring.is_some());
-            let spring =
-                if sprung { ", or a spring passes its anchor, where its force has no direction" } else { "" };
-            one(if value.is_finite() && gap.is_finite() {
-                format!(
-                    "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end{spring}. No answer is given."
-                )
-            } else {
-                format!(
-                    "an integral over the motion has no value: the motion stops before its end{spring}. No answer is given."
-                )
-            })
-        }
-        Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(
+        Refusal::Unsettled(why) => unsettled(scene, why),
+        Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => format!(
             "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; a relative gap of {allowed:.1e} would be accepted. No key is published.",
             scene.name_of(*label)
-        )),
-        Refusal::Disagree { label, eom, energy, .. } => one(format!(
+        ),
+        Refusal::Disagree { label, eom, energy, .. } => format!(
             "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; the last digits of the data decide it, and no digit of it is the same in both. No key is published.",
             scene.name_of(*label)
-        )),
+        ),
     }
 }
 

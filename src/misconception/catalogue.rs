@@ -96,14 +96,17 @@ fn entry(id: &str, node: &Node, faults: &Faults) -> Option<CatalogueEntry> {
         let text = fields.need(name, example).and_then(|n| n.text().map(|t| t.trim().to_owned()));
         text.filter(|t| !t.is_empty())
     };
-    let entry = CatalogueEntry {
+    let did = word("did", "took the wheel for a solid disc");
+    let tempts = word("tempts", "a disc is what the table gives");
+    let see = word("see", "the radius of gyration is given");
+    let hint = word("hint", "What does the radius of gyration tell you?");
+    let note = word("note", "use the given k, not a table");
+    Some(CatalogueEntry {
         id: id.to_owned(),
-        did: word("did", "took the wheel for a solid disc")?,
-        tempts: word("tempts", "a disc is what the table gives")?,
-        see: word("see", "the radius of gyration is given")?,
-        hint: word("hint", "What does the radius of gyration tell you?")?,
-        note: word("note", "use the given k, not a table")?,
-    };
-    fields.close();
-    Some(entry)
+        did: did?,
+        tempts: tempts?,
+        see: see?,
+        hint: hint?,
+        note: note?,
+    })
 }

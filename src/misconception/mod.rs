@@ -63,12 +63,12 @@ pub fn value(
 pub struct Methods<'p> {
     problem: &'p Problem,
     /// Those that need no other solution first: they cost least. Then those that are solved together.
-    methods: Vec<Method<'p>>,
+    methods: Vec<PreparedMethod<'p>>,
 }
 
 /// One wrong method in one case.
 #[derive(Debug)]
-struct Method<'p> {
+struct PreparedMethod<'p> {
     /// Its index in the problem.
     index: usize,
     mistake: &'p Mistake,
@@ -79,6 +79,8 @@ struct Method<'p> {
     joins: bool,
     /// What it spoils: a quantity, its place among those asked for, and how it comes to it.
     spoils: Vec<(Label, usize, SpoiltBy<'p>)>,
+    /// How many values the methods before it in the problem have.
+    before: usize,
 }
 
 /// How a wrong method comes to a quantity.
@@ -133,9 +135,15 @@ impl<'p> Methods<'p> {
             let asked = Scope::only(spoils.iter().flat_map(needed).map(|label| label.quantity));
             let joins =
                 solves.is_some() && mistake.scenes.is_empty() && right.is_some_and(agree::side_by_side);
-            Method { index, mistake, solves, asked, joins, spoils }
+            PreparedMethod { index, mistake, solves, asked, joins, spoils, before: 0 }
         };
-        let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
+        let mut methods: Vec<PreparedMethod> =
+            mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
+        let mut before = 0;
+        for method in &mut methods {
+            method.before = before;
+            before += method.spoils.len();
+        }
         methods.sort_by_key(|m| (m.solves.is_some(), !m.joins, m.mistake.unguarded.is_some()));
         Self { problem, methods }
     }
@@ -157,7 +165,7 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let mut found: Vec<Wrong> = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
+        let mut found: Vec<Option<Wrong>> = vec![None; self.methods.iter().map(|m| m.spoils.len()).sum()];
         let mut left = &self.methods[..];
         'all: while !left.is_empty() {
             let together = left.iter().take(TOGETHER).take_while(|m| m.joins).count().max(1);
@@ -165,22 +173,22 @@ impl<'p> Methods<'p> {
             left = others;
             let mut roads = self.roads(methods, data, solved).into_iter();
             for method in methods {
-                let mut more = true;
+                let (mut more, mut place) = (true, method.before);
                 method.values(roads.next().flatten().as_ref(), data, solved, &mut |wrong| {
                     more &= go_on(&wrong);
-                    found.push(wrong);
+                    found[place] = Some(wrong);
+                    place += 1;
                 });
                 if !more {
                     break 'all;
                 }
             }
         }
-        found.sort_unstable_by_key(|wrong| (wrong.mistake, wrong.asked));
-        found
+        found.into_iter().flatten().collect()
     }
 
     /// The solutions of the scenes that these methods take for the right one.
-    fn roads(&self, methods: &[Method], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
+    fn roads(&self, methods: &[PreparedMethod], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
         let Some(quick) = &methods[0].solves else { return Vec::new() };
         let changed: Vec<Option<Set>> =
             methods.iter().map(|m| m.changed(self.problem, data, solved)).collect();
@@ -210,7 +218,7 @@ fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Ite
     own.into_iter().chain(expression.into_iter().flat_map(|e| e.quantities()))
 }
 
-impl Method<'_> {
+impl PreparedMethod<'_> {
     /// What it comes to, with the solution of the scene that it takes for the right one.
     fn values(&self, changed: Option<&Told>, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
         let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);

@@ -2,10 +2,11 @@
 use crate::num::{Real, ball};
 use smallvec::{SmallVec, smallvec};
 
-/// Equations `a x = b` as they are collected: rows of `cols + 1` numbers, the last one the right-hand side.
+/// Equations `a x = b` as they are collected: rows of coefficients with their right-hand sides at the end, mostly one.
 #[derive(Debug, Clone)]
 pub struct Equations<T: Real> {
     cols: usize,
+    rights: usize,
     cells: SmallVec<[T; 32]>,
     /// Are the coefficients made of few printed decimals? See [`Equations::of_decimals`].
     decimal: bool,
@@ -19,12 +20,18 @@ pub struct Reduced<T: Real> {
     equations: Equations<T>,
     /// Row in which each unknown is the pivot.
     pivot: SmallVec<[Option<usize>; 8]>,
+    /// The right-hand sides that are spoken of.
+    which: usize,
 }
 
 impl<T: Real> Equations<T> {
     /// No equations yet in `cols` unknowns.
     pub fn new(cols: usize) -> Self {
-        Self { cols, decimal: false, cells: SmallVec::new(), sizes: SmallVec::new() }
+        Self::with_rights(cols, 1)
+    }
+    /// The same with so many right-hand sides.
+    pub fn with_rights(cols: usize, rights: usize) -> Self {
+        Self { cols, rights, decimal: false, cells: SmallVec::new(), sizes: SmallVec::new() }
     }
     /// The same of coefficients that are made of few printed decimals, such as radii: a difference of two of their products is
     /// exactly 0, or far above the rounding of their doubles. Within that it is taken as the 0 that it is, in enclosures too.
@@ -35,13 +42,13 @@ impl<T: Real> Equations<T> {
     pub fn row(&mut self) -> &mut [T] {
         let start = self.cells.len();
         self.sizes.push(None);
-        self.cells.resize(start + self.cols + 1, T::zero());
+        self.cells.resize(start + self.cols + self.rights, T::zero());
         &mut self.cells[start..]
     }
 
     /// The numbers of an equation that was added before, to be filled.
     pub fn right_of(&mut self, row: usize) -> &mut [T] {
-        let width = self.cols + 1;
+        let width = self.cols + self.rights;
         &mut self.cells[row * width..(row + 1) * width]
     }
 
@@ -55,7 +62,7 @@ impl<T: Real> Equations<T> {
 
     /// Reduces the equations. The unknowns in `free` become pivots only if nothing else is left, the last of them first.
     pub fn reduce(mut self, free: &[usize]) -> Reduced<T> {
-        let (cols, width) = (self.cols, self.cols + 1);
+        let (cols, width) = (self.cols, self.cols + self.rights);
         let rows = self.cells.len() / width;
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
@@ -132,13 +139,18 @@ impl<T: Real> Equations<T> {
                 }
             }
         }
-        Reduced { equations: self, pivot }
+        Reduced { equations: self, pivot, which: 0 }
     }
 }
 
 impl<T: Real> Reduced<T> {
     fn cell(&self, row: usize, col: usize) -> T {
-        self.equations.cells[row * (self.equations.cols + 1) + col]
+        self.equations.cells[row * (self.equations.cols + self.equations.rights) + col]
+    }
+    /// The same equations with this one of the right-hand sides, the first of which is 0.
+    pub fn with_right(&mut self, which: usize) -> &Self {
+        self.which = which;
+        self
     }
     /// The unknowns that the equations leave open.
     pub fn open(&self) -> SmallVec<[usize; 4]> {
@@ -164,7 +176,7 @@ impl<T: Real> Reduced<T> {
     }
     /// Right-hand side of a row, nothing where it is nothing beside the terms that made it.
     fn right(&self, row: usize) -> T {
-        let value = self.cell(row, self.equations.cols);
+        let value = self.cell(row, self.equations.cols + self.which);
         self.equations.sizes[row].map_or(value, |size| value.cleared(size))
     }
     /// How many equations say something of their own.

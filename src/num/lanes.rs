@@ -64,34 +64,20 @@ impl Lanes {
     }
 }
 
-impl Add for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, o: Self) -> Self {
-        self.with(o, |a, b| a + b)
-    }
+/// Operations on the numbers of each lane.
+macro_rules! lane_by_lane {
+    ($($operation:ident $function:ident),*) => {$(
+        impl $operation for Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $function(self, o: Self) -> Self {
+                self.with(o, $operation::$function)
+            }
+        }
+    )*};
 }
-impl Sub for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, o: Self) -> Self {
-        self.with(o, |a, b| a - b)
-    }
-}
-impl Mul for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, o: Self) -> Self {
-        self.with(o, |a, b| a * b)
-    }
-}
-impl Div for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, o: Self) -> Self {
-        self.with(o, |a, b| a / b)
-    }
-}
+lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
+
 impl Neg for Lanes {
     type Output = Self;
     #[inline(always)]
@@ -133,6 +119,18 @@ impl Real for Lanes {
     fn each(self, f: impl Fn(f64) -> (f64, f64)) -> (Self, Self) {
         let all = self.0.map(f);
         (Self::from(|lane| all[lane].0), Self::from(|lane| all[lane].1))
+    }
+    fn pairwise(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        self.with(other, f)
+    }
+    fn leading<R>(decide: impl FnOnce() -> R) -> R {
+        let astray = ASTRAY.get();
+        let decided = decide();
+        ASTRAY.set(astray);
+        decided
+    }
+    fn or(self, other: Self) -> Self {
+        self.with(other, Real::or)
     }
     fn is_zero(self) -> bool {
         Self::decided(|lane| self.0[lane] == 0.0)

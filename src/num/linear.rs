@@ -290,14 +290,14 @@ impl<T: Real> Factors<T> {
     /// Makes room for a matrix of zeros, to be filled.
     pub fn room(&mut self, size: usize) {
         self.size = size;
-        self.cells.clear();
         self.cells.resize(size * size, T::zero());
         self.filled.clear();
         self.filled.resize(size, 0);
+        self.cells.chunks_exact_mut(size.max(1)).for_each(|row| row.fill(T::zero()));
     }
     /// Adds to a cell.
     pub fn add(&mut self, row: usize, col: usize, value: T) {
-        if !value.is_zero() {
+        if !value.is_nothing() {
             add(&mut self.cells[row * self.size + col], value);
             self.filled[row] |= 1 << (col % 64);
         }
@@ -341,7 +341,7 @@ impl<T: Real> Factors<T> {
             cells[pivot + col] = inverse;
             for row in order[col + 1..].iter().copied() {
                 let start = row * size;
-                if filled[row] >> col & 1 == 0 || cells[start + col].is_zero() {
+                if filled[row] >> col & 1 == 0 || cells[start + col].is_nothing() {
                     continue;
                 }
                 let factor = cells[start + col] * inverse;
@@ -349,7 +349,7 @@ impl<T: Real> Factors<T> {
                 filled[row] |= bits;
                 for c in places(bits) {
                     let above = cells[pivot + c];
-                    if !above.is_zero() {
+                    if !above.is_nothing() {
                         cells[start + c] = cells[start + c] - factor * above;
                     }
                 }
@@ -359,30 +359,30 @@ impl<T: Real> Factors<T> {
     }
     /// Puts the solution in the place of a right-hand side. What is nothing beside the terms that made it is 0.
     pub fn solve(&self, right: &mut [T]) {
-        let mut x: SmallVec<[(T, f64); 12]> = smallvec![(T::zero(), 0.0); self.size];
-        let (x, filled, order) = (&mut x[..], &self.filled[..], &self.order[..]);
+        // What is left of each side, with the magnitudes of its terms.
+        let mut rests: SmallVec<[(T, f64); 12]> = SmallVec::with_capacity(self.size);
         // The unknowns that are other than 0.
         let mut some = 0_u64;
-        let less = |x: &[(T, f64)], r: usize, row: usize, columns: u64| {
+        for (r, row) in self.order.iter().copied().enumerate() {
             let cells = &self.cells[row * self.size..][..self.size];
-            let (mut sum, mut size) = x[r];
-            for c in places(filled[row] & columns) {
-                let term = cells[c] * x[c].0;
+            let (mut sum, mut size) = (right[row], right[row].size());
+            for c in places(self.filled[row] & some) {
+                let term = cells[c] * rests[c].0;
                 (sum, size) = (sum - term, size + term.size());
             }
-            (sum, size)
-        };
-        for (r, row) in order.iter().copied().enumerate() {
-            x[r] = (right[row], right[row].size());
-            x[r] = less(x, r, row, some);
-            some |= u64::from(!x[r].0.is_zero()) << r;
+            rests.push((sum, size));
+            some |= u64::from(!sum.is_nothing()) << r;
         }
         some = 0;
-        for (r, row) in order.iter().copied().enumerate().rev() {
-            let (sum, size) = less(x, r, row, some);
-            right[r] = sum.cleared(size) * self.cells[row * self.size + r];
-            x[r].0 = right[r];
-            some |= u64::from(!right[r].is_zero()) << r;
+        for (r, row) in self.order.iter().copied().enumerate().rev() {
+            let cells = &self.cells[row * self.size..][..self.size];
+            let (mut sum, mut size) = rests[r];
+            for c in places(self.filled[row] & some) {
+                let term = cells[c] * right[c];
+                (sum, size) = (sum - term, size + term.size());
+            }
+            right[r] = sum.cleared(size) * cells[r];
+            some |= u64::from(!right[r].is_nothing()) << r;
         }
     }
 }

@@ -75,6 +75,20 @@ pub trait Real:
         let (one, other) = f(self.f64());
         (Self::of(one), Self::of(other))
     }
+    /// A function of two numbers that is worked out in doubles.
+    fn pairwise(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self::of(f(self.f64(), other.f64()))
+    }
+    /// Decides how something is computed, not what comes out: of several sets of data the first one alone decides.
+    #[cfg_attr(feature = "program", inline(always))]
+    fn leading<R>(decide: impl FnOnce() -> R) -> R {
+        decide()
+    }
+    /// The number, or the other one where it is not finite.
+    #[cfg_attr(feature = "program", inline(always))]
+    fn or(self, other: Self) -> Self {
+        if self.is_finite() { self } else { other }
+    }
     /// Is the value exactly zero?
     #[cfg_attr(feature = "program", inline(always))]
     fn is_zero(self) -> bool {

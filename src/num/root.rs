@@ -94,7 +94,7 @@ pub fn between_values<T: Real, E>(
     between(low, high, rising, |x| {
         let now = value(x)?;
         let slope = match last {
-            Some((at, before)) if !(x - at).is_zero() => (now - before) / (x - at),
+            Some((at, before)) if !T::leading(|| (x - at).is_zero()) => (now - before) / (x - at),
             _ => T::zero(),
         };
         last = Some((x, now));
@@ -117,17 +117,18 @@ pub fn between<T: Real, E>(
     let mut last = (high - low).size();
     for _ in 0..STEPS {
         let (value, slope) = f(x)?;
-        if value.is_zero() {
+        let (zero, above) = T::leading(|| (value.is_zero(), value.sign() > 0.0));
+        if zero {
             break;
         }
-        if (value.sign() > 0.0) == rising {
+        if above == rising {
             high = x;
         } else {
             low = x;
         }
-        let newton = x - value / slope;
+        let newton = (x - value / slope).or(x);
         let step = (newton - x).size();
-        let inside = newton.is_finite() && low.below(newton) && newton.below(high);
+        let inside = T::leading(|| low.below(newton) && newton.below(high));
         // Newton may not be slower than halving.
         let next = if inside && step + step <= last { newton } else { (low + high).scale2(-1) };
         last = (next - x).size();

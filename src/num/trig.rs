@@ -94,7 +94,7 @@ fn reduced<T: Real>(degrees: f64) -> (T, T) {
 fn beside<T: Real>(whole: usize, d: T) -> (T, T) {
     let (sn, cn) = WHOLE[whole];
     let (sn, cn) = (T::constant(sn), T::constant(cn));
-    if d.is_zero() {
+    if d.is_nothing() {
         return (sn, cn);
     }
     let f = |n: usize| T::constant(INVERSE_FACTORIAL[n]);
@@ -127,11 +127,11 @@ fn turned<T: Real>(x: T) -> (T, T) {
     if !x.is_finite() {
         return (T::of(f64::NAN), T::of(f64::NAN));
     }
-    if x.f64() < 0.0 {
+    if T::leading(|| x.f64() < 0.0) {
         let (s, c) = turned(-x);
         return (-s, c);
     }
-    let whole = libm::rint(x.f64() / RADIANS_PER_DEGREE.hi);
+    let whole = T::leading(|| libm::rint(x.f64() / RADIANS_PER_DEGREE.hi));
     let rest = x - T::of(whole) * T::constant(RADIANS_PER_DEGREE);
     let turned = libm::fmod(whole, 360.0);
     let quadrant = libm::floor(turned / 90.0);
@@ -149,7 +149,7 @@ const STRAIGHT: f64 = 1.0 / (1u64 << 56) as f64;
 
 /// [`sin_cos_radians`] in any number type.
 pub fn turn<T: Real>(x: T) -> (T, T) {
-    if x.f64().abs() < STRAIGHT {
+    if T::leading(|| x.f64().abs() < STRAIGHT) {
         let sine = x.widened(|| x.f64().abs() * STEP);
         let cosine = unwatched(|| T::of(1.0) - x.square().scale2(-1));
         return (sine, cosine.widened(|| STEP));
@@ -165,11 +165,11 @@ pub fn turn<T: Real>(x: T) -> (T, T) {
 /// Angle of the point (x, y), radians, to double-double.
 pub fn angle<T: Real>(y: T, x: T) -> T {
     let slope = y / x;
-    if x.value().hi > 0.0 && slope.f64().abs() < STRAIGHT {
+    if T::leading(|| x.value().hi > 0.0 && slope.f64().abs() < STRAIGHT) {
         return slope.widened(|| slope.f64().abs() * STEP);
     }
     let rough = atan2(y, x);
-    if !rough.is_finite() {
+    if T::is_double() || !rough.is_finite() {
         return rough;
     }
     // What is left after turning back is so small that it is its own tangent.
@@ -204,16 +204,18 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
     // Only their ratio counts: near 1 no square overflows.
     let e = exponent(y.size().max(x.size())).clamp(-1000, 1000);
     let (y, x) = (y.scale2(-e), x.scale2(-e));
-    let (yv, xv) = (y.f64(), x.f64());
-    T::of(libm::atan2(yv, xv)).widened(|| {
+    y.pairwise(x, libm::atan2).widened(|| {
         // A point moved by d, seen from the distance h, turns by at most asin(d/h) <= pi/2 d/h.
-        let (moved, distance) = (y.radius() + x.radius(), yv.abs().max(xv.abs()));
+        let (moved, distance) = (y.radius() + x.radius(), y.f64().abs().max(x.f64().abs()));
         if moved < 0.5 * distance { 1.6 * moved / (distance - moved) + 4.0 * LAST } else { f64::INFINITY }
     })
 }
 
 /// Sine and cosine of an angle in radians, within an ulp.
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
+    if T::is_double() {
+        return x.each(sin_cos_f64);
+    }
     let v = x.value();
     let (s, c) = (libm::sin(v.hi), libm::cos(v.hi));
     let with = |value: Dd| T::constant(value).widened(|| x.radius() + LAST);
@@ -247,9 +249,9 @@ const LN_2: Dd = Dd { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-1
 pub fn exp_of<T: Real>(x: T) -> T {
     /// The argument is divided by 2^HALVED, the sum squared as often.
     const HALVED: i32 = 6;
-    let whole = libm::rint(x.f64() / LN_2.hi);
+    let whole = T::leading(|| libm::rint(x.f64() / LN_2.hi));
     if whole.is_nan() || whole.abs() > 1000.0 {
-        return T::of(exp(x.f64()));
+        return x.each(|x| (exp(x), 0.0)).0;
     }
     let d = (x - T::of(whole) * T::constant(LN_2)).scale2(-HALVED);
     // e^d - 1: the last term kept is below 2^-110 of it.

@@ -92,24 +92,24 @@ impl SheetFile {
 const HINT: &str = "give the file sheet.json that came with your sheet";
 
 /// Makes the path of a field from its name.
-type Place<'p> = &'p dyn Fn(&str) -> String;
+type FieldPath<'p> = &'p dyn Fn(&str) -> String;
 
-fn wanted(place: Place, name: &str, what: &str) -> Finding {
+fn wanted(place: FieldPath, name: &str, what: &str) -> Finding {
     Finding::new(place(name), format!("is no sheet file: {what} is expected here")).hint(HINT)
 }
 
-fn text(value: &Value, name: &str, place: Place) -> Result<String, Finding> {
+fn text(value: &Value, name: &str, place: FieldPath) -> Result<String, Finding> {
     let text = value.get(name).and_then(Value::as_str);
     text.map(str::to_owned).ok_or_else(|| wanted(place, name, "a text"))
 }
 
-fn list<'v>(value: &'v Value, name: &str, place: Place) -> Result<&'v [Value], Finding> {
+fn list<'v>(value: &'v Value, name: &str, place: FieldPath) -> Result<&'v [Value], Finding> {
     let list = value.get(name).and_then(Value::as_array);
     list.map(Vec::as_slice).ok_or_else(|| wanted(place, name, "a list"))
 }
 
 impl SheetPart {
-    fn of(value: &Value, place: Place) -> Result<Self, Finding> {
+    fn of(value: &Value, place: FieldPath) -> Result<Self, Finding> {
         let words = value.get("words").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         Ok(Self {
             id: text(value, "id", place)?,

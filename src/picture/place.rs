@@ -6,6 +6,7 @@ use crate::picture::board::{LabelTie, LabelWish};
 use crate::picture::frame::Frame;
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Element, Outline, Role};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Least distance between a label and what is not its own.
@@ -65,7 +66,7 @@ impl LabelPlaces {
                 self.consider(&mut best, wish.tie, base, (point, towards, wish.gap + gap), half);
             }
         }
-        // Room is always found farther out.
+        // Farther out there is always room.
         let size = self.whole.high - self.whole.low;
         let mut far = size.x + size.y;
         while best.is_none() {
@@ -75,7 +76,7 @@ impl LabelPlaces {
             }
             far *= 1.3;
             if !far.is_finite() || far > 1e9 {
-                // Even leaders may cross there.
+                // Beyond all that is drawn, where leaders may cross.
                 let y = self.taken.iter().map(|t| t.high.y).fold(self.whole.high.y, f64::max) + 8.0;
                 let low = vec2(point.x, y);
                 best = Some((0.0, Frame { low, high: low + half * 2.0 }, None));
@@ -163,6 +164,7 @@ fn weight(role: Role) -> f64 {
 }
 
 /// What labels should not cover.
+#[derive(Default)]
 struct Obstacles {
     segments: Vec<(Vec2, Vec2, Frame, f64)>,
     circles: Vec<(Vec2, f64, f64)>,
@@ -173,11 +175,8 @@ struct Obstacles {
 
 impl Obstacles {
     fn new(elements: &[Element]) -> Self {
-        let mut all =
-            Self { segments: Vec::new(), circles: Vec::new(), dots: Vec::new(), leaders: Vec::new() };
-        for element in elements {
-            all.add(element);
-        }
+        let mut all = Self::default();
+        elements.iter().for_each(|element| all.add(element));
         all
     }
     /// A leader that is drawn from now on.
@@ -193,38 +192,27 @@ impl Obstacles {
         if weight <= 0.0 {
             return;
         }
-        let mut segment = |a: Vec2, b: Vec2| {
-            self.segments.push((a, b, Frame { low: a.inf(&b), high: a.sup(&b) }, weight));
-        };
-        match &element.outline {
-            Outline::Lines { points, closed } => {
-                for pair in points.windows(2) {
-                    segment(pair[0], pair[1]);
-                }
-                if let (true, Some(first), Some(last)) = (*closed, points.first(), points.last()) {
-                    segment(*last, *first);
-                }
-            }
+        let (points, closed): (Cow<[Vec2]>, bool) = match &element.outline {
+            Outline::Lines { points, closed } => (Cow::Borrowed(points), *closed),
             Outline::Circle { centre, radius } => {
                 self.circles.push((*centre, *radius, weight));
                 if element.role == Role::Dot {
                     self.dots.push((*centre, *radius));
                 }
+                return;
             }
             Outline::Arc { centre, radius, from, to } => {
-                let points: Vec<Vec2> = Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect();
-                for pair in points.windows(2) {
-                    segment(pair[0], pair[1]);
-                }
+                (Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect(), false)
             }
             Outline::Arcs(arcs) => {
                 let on = |(c, r, from, to): &(Vec2, f64, f64, f64)| Vec2::on_arc(*c, *r, (*from, *to), 12);
-                let mut points: Vec<Vec2> = arcs.iter().flat_map(on).collect();
-                points.extend(points.first().copied());
-                for pair in points.windows(2) {
-                    segment(pair[0], pair[1]);
-                }
+                (arcs.iter().flat_map(on).collect(), true)
             }
+        };
+        let segment = |a: Vec2, b: Vec2| (a, b, Frame { low: a.inf(&b), high: a.sup(&b) }, weight);
+        self.segments.extend(points.windows(2).map(|pair| segment(pair[0], pair[1])));
+        if let (true, Some(first), Some(last)) = (closed, points.first(), points.last()) {
+            self.segments.push(segment(*last, *first));
         }
     }
     /// What a label in this box would cover; `None` once it is too much.
@@ -257,7 +245,7 @@ impl Obstacles {
     fn crossings(&self, a: Vec2, b: Vec2) -> f64 {
         let mut cost = 0.0;
         let along = b - a;
-        // Its own end may touch what it points at.
+        // The last 3 pixels may touch what it points at.
         let end = a + along.unit() * (along.norm() - 3.0).max(0.0);
         let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).perp(&(r - p));
         for (c, d, _, weight) in &self.segments {

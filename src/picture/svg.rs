@@ -1,5 +1,6 @@
 //! SVG text: one writer of elements for pictures and charts, and pictures as SVG: in a page, as a file of its own, and for print
 //! without style sheets. All coordinates have one decimal: equal pictures give equal bytes.
+use crate::picture::board::TEXT;
 use crate::picture::look::{INKS, Ink, letters, look, used};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Element, Outline, Picture, PlacedLabel, Role, RunStyle, TextRun, symbol};
@@ -9,6 +10,9 @@ use std::fmt::{self, Display, Write as _};
 const FONTS: &str = "\"Libertinus Serif\",\"STIX Two Text\",\"Times New Roman\",Times,\"Liberation Serif\",\"Nimbus Roman\",\"TeX Gyre Termes\",serif";
 /// Font of labels in print: the one that the PDF brings with it.
 const PRINT_FONT: &str = "Libertinus Serif";
+
+/// Labels wider than this are fitted to the width for which room was found.
+const FITTED: f64 = 2.0 * TEXT;
 
 /// A coordinate: at most one decimal, ties of the binary value to even; never `-0`. Written without allocation: a page of
 /// figures holds thousands.
@@ -72,12 +76,12 @@ pub fn escaped(text: &str) -> String {
 }
 
 /// The begin of a picture for the screen: size, what it shows for those who do not see it, the element with its style. `id` tells
-/// the pictures of one page apart.
+/// the pictures of one page apart. The style sheet of a page reads the height, to keep letters large enough in print.
 pub fn opening(class: &str, id: &str, size: Vec2, (title, desc): (&str, &str), style: &str) -> String {
     let (id, title, desc) = (escaped(id), escaped(title), escaped(desc));
     let (w, h) = (Px(size.x), Px(size.y));
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{title}</title><desc id=\"{id}-d\">{desc}</desc>{style}\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" style=\"--high:{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{title}</title><desc id=\"{id}-d\">{desc}</desc>{style}\n"
     )
 }
 
@@ -125,7 +129,7 @@ impl Svg {
             let _ = write!(self.text, "class=\"{class}\" ");
         }
         let _ = write!(self.text, "x=\"{x}\" y=\"{y}\" font-size=\"{letters}\"{more}>");
-        // What the last run has lowered, the next one raises again.
+        // Each shift counts from the run before: what was lowered is raised again.
         let mut low = 0.0;
         for TextRun { text, style } in runs {
             let (small, italic, want) = match style {
@@ -229,8 +233,16 @@ impl Svg {
             let ink = letters(*role);
             let at = vec2((bounds.low.x + bounds.high.x) / 2.0, at.y);
             match manner {
-                Manner::Classes if ink == "ink" => self.label("", at, *size, "", runs),
-                Manner::Classes => self.label(&format!("t-{ink}"), at, *size, "", runs),
+                Manner::Classes => {
+                    let class = if ink == "ink" { String::new() } else { format!("t-{ink}") };
+                    // A wider font than Times would run into what the label stands beside.
+                    let wide = bounds.high.x - bounds.low.x;
+                    let long = format_args!(" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", Px(wide));
+                    match wide > FITTED {
+                        true => self.label(&class, at, *size, long, runs),
+                        false => self.label(&class, at, *size, "", runs),
+                    }
+                }
                 Manner::Attributes => {
                     let fill = light(ink);
                     let more =

@@ -7,20 +7,10 @@ use std::borrow::Cow;
 use std::fmt::Write as _;
 
 /// Signs that TeX fonts have under another name than [`symbol::LETTERS`] says, or under none.
+#[rustfmt::skip] // a table
 const SIGNS: &[(char, &str)] = &[
-    ('µ', r"\mu"),
-    ('−', "-"),
-    ('=', "="),
-    ('<', "<"),
-    ('>', ">"),
-    ('|', r"\vert"),
-    ('×', r"\times"),
-    ('±', r"\pm"),
-    ('≤', r"\leq"),
-    ('≥', r"\geq"),
-    ('°', r"^{\circ}"),
-    ('′', "'"),
-    ('\u{2009}', r"\,"),
+    ('µ', r"\mu"), ('−', "-"), ('=', "="), ('<', "<"), ('>', ">"), ('|', r"\vert"), ('×', r"\times"),
+    ('±', r"\pm"), ('≤', r"\leq"), ('≥', r"\geq"), ('°', r"^{\circ}"), ('′', "'"), ('\u{2009}', r"\,"),
 ];
 
 /// Part of a circle. The y axis points down, radii in points do not follow it: angles stay as seen.

@@ -28,7 +28,6 @@ pub struct ScatterChart {
     pub y: Axis,
     /// A level of the second axis with a line, and what stands there.
     pub level: Option<(f64, String)>,
-    /// The points.
     pub spots: Vec<NamedPoint>,
 }
 

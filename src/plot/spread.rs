@@ -37,7 +37,7 @@ impl SpreadChart {
         if self.dots.is_empty() {
             let most = self.classes.iter().map(|c| c.2).max().unwrap_or(1).max(1) as f64;
             let mut upright = Axis::around(&self.what, AxisScale::Linear, [0.0, most].into_iter());
-            // Halves of a student do not exist.
+            // Students are counted in whole numbers: an axis of fewer than four would have ticks between them.
             upright.high = upright.high.max(4.0);
             for tick in upright.ticks().into_iter().filter(|t| !t.label.contains('.')) {
                 let y = bottom - tick.at * (bottom - top);

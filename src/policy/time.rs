@@ -95,35 +95,12 @@ impl ZoneWord {
 
 /// Words for zones that mean one thing to nearly everybody, in minutes from UTC. Those that do not (CST, IST, BST, AST, ...)
 /// are understood where the zone of the course uses them.
+#[rustfmt::skip] // a table
 const ZONES: [(&str, i64); 29] = [
-    ("CET", 60),
-    ("CEST", 120),
-    ("MEZ", 60),
-    ("MESZ", 120),
-    ("WET", 0),
-    ("WEST", 60),
-    ("EET", 120),
-    ("EEST", 180),
-    ("MSK", 180),
-    ("EST", -300),
-    ("EDT", -240),
-    ("CDT", -300),
-    ("MST", -420),
-    ("MDT", -360),
-    ("PST", -480),
-    ("PDT", -420),
-    ("AKST", -540),
-    ("AKDT", -480),
-    ("HST", -600),
-    ("JST", 540),
-    ("KST", 540),
-    ("HKT", 480),
-    ("SGT", 480),
-    ("AEST", 600),
-    ("AEDT", 660),
-    ("NZST", 720),
-    ("NZDT", 780),
-    ("SAST", 120),
+    ("CET", 60), ("CEST", 120), ("MEZ", 60), ("MESZ", 120), ("WET", 0), ("WEST", 60), ("EET", 120),
+    ("EEST", 180), ("MSK", 180), ("EST", -300), ("EDT", -240), ("CDT", -300), ("MST", -420), ("MDT", -360),
+    ("PST", -480), ("PDT", -420), ("AKST", -540), ("AKDT", -480), ("HST", -600), ("JST", 540), ("KST", 540),
+    ("HKT", 480), ("SGT", 480), ("AEST", 600), ("AEDT", 660), ("NZST", 720), ("NZDT", 780), ("SAST", 120),
     ("BRT", -180),
 ];
 

@@ -111,7 +111,7 @@ type Begun = (DrawWords, usize, Vec<Option<Decimal>>, Vec<f64>);
 type Hears<'h> = &'h mut dyn FnMut(Refused) -> Result<(), Refused>;
 
 /// A right answer, and how near to it a wrong method may not come; NaN where there is no number.
-type Right = (f64, f64);
+type Accepted = (f64, f64);
 
 impl<'p> Maker<'p> {
     /// A maker for a problem of the set `set`, drawn with `seed`.
@@ -456,8 +456,8 @@ impl<'p> Maker<'p> {
             let scene = &self.problem.cases[index].scene;
             let all = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
             let asked = match (all, scene.lead()) {
-                (false, None) => Scope { held: true, ..asked },
-                // Of joined bodies the rest follows at once.
+                (false, None) if scene.pinned().is_some() => Scope { held: true, ..asked },
+                // Of other scenes the rest follows at once.
                 (false, Some(_)) if !asked.quantities.has(Quantity::T) => Scope::TIMELESS,
                 _ => Scope::ALL,
             };
@@ -467,7 +467,7 @@ impl<'p> Maker<'p> {
 
     /// For each question what a wrong method must keep away from: by its tolerance, or by the least that it may have, which needs
     /// no condition number.
-    fn right(&self, solved: &Solved, least: bool) -> Vec<Right> {
+    fn right(&self, solved: &Solved, least: bool) -> Vec<Accepted> {
         let right = |q: &Question| match solved.get(q.label) {
             Some(e) => {
                 let cond = if least { 0.0 } else { e.cond };
@@ -479,7 +479,7 @@ impl<'p> Maker<'p> {
     }
 
     /// Does a wrong method come near the right answer of its question?
-    fn near(&self, wrong: &Wrong, right: &[Right]) -> bool {
+    fn near(&self, wrong: &Wrong, right: &[Accepted]) -> bool {
         let (value, reach) = right[wrong.asked];
         let off = |comes_to: f64| (comes_to - value).abs() < reach;
         // Where a magnitude is asked, a sign is no answer.
@@ -488,7 +488,7 @@ impl<'p> Maker<'p> {
     }
 
     /// Does a wrong method refuse a draw?
-    fn refuses(&self, wrong: &Wrong, right: &[Right]) -> bool {
+    fn refuses(&self, wrong: &Wrong, right: &[Accepted]) -> bool {
         let mistake = &self.problem.mistakes[wrong.mistake];
         let unguarded = &self.problem.questions[wrong.asked].unguarded;
         mistake.unguarded.is_none()

@@ -169,14 +169,9 @@ pub struct ChangeRow {
 }
 
 impl ChangeRow {
+    #[rustfmt::skip] // a table
     const COLUMNS: [&str; 8] = [
-        "student",
-        "problem",
-        "part",
-        "points_before",
-        "points_after",
-        "verdict_before",
-        "verdict_after",
+        "student", "problem", "part", "points_before", "points_after", "verdict_before", "verdict_after",
         "why",
     ];
     /// changes.csv of these rows.

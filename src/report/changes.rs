@@ -148,7 +148,7 @@ impl ChangesTold<'_> {
             text.push_str("  No mark changes.\n");
             return;
         }
-        let mut rows = vec![["part", "gain", "lose", "points", "why (answers)"].map(str::to_owned).to_vec()];
+        let mut rows = vec![terminal::head("part | gain | lose | points | why (answers)")];
         for part in 0..self.keys.new.columns.len() {
             let of: Vec<&MarkChange> = self.changes.iter().filter(|c| c.part == part).collect();
             if of.is_empty() {
@@ -187,7 +187,7 @@ impl ChangesTold<'_> {
         );
         // Those who lose first: they will ask.
         moved.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        let mut rows = vec![["student", "name", "total", "change", "by part"].map(str::to_owned).to_vec()];
+        let mut rows = vec![terminal::head("student | name | total | change | by part")];
         for (student, change) in moved.iter().take(SHOWN) {
             let of = self.changes.iter().filter(|c| c.student == *student && c.gain().abs() > DUST);
             let parts: Vec<String> = of

@@ -258,24 +258,15 @@ fn sentence(text: &str) -> String {
 /// at the level of the hints.
 const SLIPS: &[&str] = &["slip.power_of_ten", "slip.unit", "slip.figures", "slip.drift", "slip.other_part"];
 /// Phrases that tell how a number was read, and no more of a wrong one than its verdict does.
+#[rustfmt::skip] // a table
 const READING: &[&str] = &[
-    "other_sign",
-    "other_word",
-    "no_sign",
-    "decimal_comma",
-    "revolutions",
-    "about",
-    "turning",
-    "unit_read",
+    "other_sign", "other_word", "no_sign", "decimal_comma", "revolutions", "about", "turning", "unit_read",
     "no_direction",
 ];
 /// Phrases that tell why the points are not all or nothing: told apart from the reason.
+#[rustfmt::skip] // a table
 const CREDIT: &[&str] = &[
-    "credit.method",
-    "credit.follows",
-    "credit.attempt",
-    "credit.late",
-    "credit.closed",
+    "credit.method", "credit.follows", "credit.attempt", "credit.late", "credit.closed",
     "credit.correction",
 ];
 

@@ -80,18 +80,9 @@ pub fn questions(keys: &[SheetKey]) -> Vec<ProvedQuestion> {
     rows
 }
 
-/// A row for each question.
 pub fn table(rows: &[ProvedQuestion]) -> String {
-    let header = [
-        "question",
-        "answers",
-        "worst gap, ulps",
-        "in u max(1, cond)",
-        "worst cond",
-        "enclosed",
-        "error bound / tolerance",
-    ];
-    let mut lines = vec![header.map(str::to_owned).to_vec()];
+    let head = "question | answers | worst gap, ulps | in u max(1, cond) | worst cond | enclosed | error bound / tolerance";
+    let mut lines = vec![terminal::head(head)];
     for row in rows {
         let mut line = vec![row.name.clone(), (row.answers + row.words).to_string()];
         if row.answers == 0 {

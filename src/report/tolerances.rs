@@ -9,7 +9,6 @@ use crate::words::plain::plain;
 
 /// One of the tolerances that are tried.
 pub struct Trial {
-    /// As a share.
     pub share: f64,
     /// What changes.
     pub what: WhatIf,

@@ -110,51 +110,28 @@ pub fn chance(sweeps: &[Sweep]) -> Vec<String> {
 }
 
 fn cases(sweep: &Sweep) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        ["case", "share", "variants", "draws", "accepted", "valid variants"].map(str::to_owned).to_vec(),
-    ];
+    let mut rows = vec![terminal::head("case | share | variants | draws | accepted | valid variants")];
     for case in &sweep.cases {
-        let name = if case.name.is_empty() { "(all)" } else { &case.name };
-        let accepted = if case.tries == 0 { "-".to_owned() } else { terminal::percent(case.acceptance()) };
-        rows.push(vec![
-            name.to_owned(),
-            terminal::percent(case.share),
-            case.variants.to_string(),
-            case.tries.to_string(),
-            accepted,
-            if case.tries == 0 { "-".to_owned() } else { format!("about {}", shown::figures(case.valid, 1)) },
-        ]);
+        let name = if case.name.is_empty() { "(all)" } else { &case.name }.to_owned();
+        let tried = |text: &dyn Fn() -> String| if case.tries == 0 { "-".to_owned() } else { text() };
+        let accepted = tried(&|| terminal::percent(case.acceptance()));
+        let valid = tried(&|| format!("about {}", shown::figures(case.valid, 1)));
+        let counts = [case.variants.to_string(), case.tries.to_string(), accepted, valid];
+        rows.push([name, terminal::percent(case.share)].into_iter().chain(counts).collect());
     }
     rows
 }
 
 fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<String>>) {
     let percent = |share: f64| if share.is_nan() { "-".to_owned() } else { terminal::percent(share) };
-    let mut rows = vec![
-        [
-            "question",
-            "least",
-            "greatest",
-            "unit",
-            "cond",
-            "90 %",
-            "worst",
-            "limit",
-            "above",
-            "tolerance",
-            "missed",
-        ]
-        .map(str::to_owned)
-        .to_vec(),
-    ];
+    let head =
+        "question | least | greatest | unit | cond | 90 % | worst | limit | above | tolerance | missed";
+    let mut rows = vec![terminal::head(head)];
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let mut row = vec![seen.id.clone()];
         if let Some((low, high)) = seen.range {
-            row.extend([
-                shown::significant(low, 4),
-                shown::significant(high, 4),
-                question.unit.ascii().to_owned(),
-            ]);
+            row.extend([low, high].map(|end| shown::significant(end, 4)));
+            row.push(question.unit.ascii().to_owned());
             if let Some(cond) = seen.cond {
                 row.extend([cond.median, cond.ninth, cond.worst].map(|c| shown::significant(c, 3)));
                 row.extend([shown::significant(question.cond_limit, 3), percent(cond.above)]);

@@ -6,19 +6,10 @@ use crate::problem::make_key;
 use rayon::prelude::*;
 
 /// The columns.
+#[rustfmt::skip] // a table
 pub const HEADER: [&str; 12] = [
-    "student",
-    "problem",
-    "part",
-    "value",
-    "unit",
-    "eom",
-    "energy",
-    "gap",
-    "cond",
-    "tolerance",
-    "error_bound",
-    "code",
+    "student", "problem", "part", "value", "unit", "eom", "energy", "gap", "cond", "tolerance",
+    "error_bound", "code",
 ];
 /// Columns of a file that an earlier version wrote, which had no codes.
 const WITHOUT_CODE: usize = 11;

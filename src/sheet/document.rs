@@ -183,7 +183,7 @@ fn cleaned(mut markdown: String) -> (String, Vec<Dropped>) {
         out.push_str(markdown.get(from..).unwrap_or_default());
         markdown = out;
     }
-    // Somebody nests tags on purpose.
+    // So many turns come of tags that were nested on purpose: all that is left of them is shown as text.
     markdown.retain(|c| c != GUARD);
     (markdown.replace('<', "&lt;").replace("](", "] (").replace("]:", "] :"), told)
 }
@@ -361,7 +361,7 @@ fn cuts(markdown: &str) -> Vec<Cut> {
             let told =
                 (!is_mark(&html)).then_some(if is_tag { Dropped::Tag(html) } else { Dropped::Html(html) });
             let instead = match name.as_str() {
-                // Powers stay powers.
+                // Raised and lowered text is written as in TeX.
                 "sup" if opens => "^",
                 "sub" if opens => "\\_",
                 "sup" | "sub" => "",

@@ -48,16 +48,7 @@ impl<'w> Converter<'w> {
     ) -> String {
         let drawn: usize = screens.iter().map(|(_, screen)| screen.bytes()).sum();
         let mut out = String::with_capacity(document.markdown.len() * 6 + drawn);
-        let mut walk = HtmlWalk {
-            tables: 0,
-            formulas: 0,
-            columns: Vec::new(),
-            cell: 0,
-            in_head: false,
-            in_code: false,
-            part: None,
-            boxed: Vec::new(),
-        };
+        let mut walk = HtmlWalk::default();
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         // Pictures bring their style along; in one page each style is needed once.
@@ -161,7 +152,7 @@ impl<'w> Converter<'w> {
             Event::Html(text) | Event::InlineHtml(text) if is_break(&text) => {
                 out.push(html("<br>\n".to_owned()));
             }
-            // Nobody's HTML reaches a page.
+            // HTML in a text is left out of the page.
             Event::Html(_) | Event::InlineHtml(_) => {}
             Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                 let level = lowered(level, place.lower);
@@ -271,6 +262,7 @@ impl<'w> Converter<'w> {
 }
 
 /// What is known on the way through a document.
+#[derive(Default)]
 struct HtmlWalk<'p> {
     tables: usize,
     formulas: usize,

@@ -2,51 +2,38 @@
 //!
 //! Without the feature everything here is there too, and [`PdfCompiler::new`] says how to get it, so that callers need no
 //! conditions. The same documents give the same bytes on every machine: no clock, no fonts but the built-in ones.
-use crate::finding::Finding;
-use crate::sheet::document::{Document, Head};
-use crate::words::Words;
 
 /// Does this program write PDFs?
 pub const BUILT_IN: bool = cfg!(feature = "pdf");
 
-/// Makes PDFs. Made once, shared by all threads.
-pub struct PdfCompiler(machine::Machine);
-
-impl PdfCompiler {
-    /// Loads fonts and the prelude: `own` is the instructor's `print.typ`, with its path for messages, instead of the
-    /// built-in one.
-    ///
-    /// # Errors
-    /// What is wrong in the prelude; a program without the feature `pdf`.
-    pub fn new(words: &Words, own: Option<(&str, &str)>) -> Result<Self, Finding> {
-        machine::Machine::new(words, own).map(Self)
-    }
-
-    /// One PDF with these documents one after the other, each from a new page and with pages counted from 1. Documents
-    /// may be pressed by many threads at once.
-    ///
-    /// # Errors
-    /// A formula that has no translation, a picture that is not there, what the prelude does not take.
-    pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
-        self.0.press(documents)
-    }
-}
+#[cfg(feature = "pdf")]
+pub use compiler::PdfCompiler;
+#[cfg(not(feature = "pdf"))]
+pub use none::PdfCompiler;
 
 #[cfg(not(feature = "pdf"))]
-mod machine {
+mod none {
     use crate::finding::Finding;
     use crate::sheet::document::{Document, Head};
     use crate::words::Words;
     use std::convert::Infallible;
 
-    /// There is none.
-    pub struct Machine(Infallible);
+    /// Would make PDFs; there is none.
+    pub struct PdfCompiler(Infallible);
 
-    impl Machine {
+    impl PdfCompiler {
+        /// Says how to get a program that makes PDFs.
+        ///
+        /// # Errors
+        /// Always.
         pub fn new(_: &Words, _: Option<(&str, &str)>) -> Result<Self, Finding> {
             let what = "this program was built without PDF: build it with `cargo build --release --features pdf`, or print the HTML pages";
             Err(Finding::new("--format pdf", what))
         }
+        /// Is never called.
+        ///
+        /// # Errors
+        /// None.
         pub fn press(&self, _: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             match self.0 {}
         }
@@ -54,7 +41,7 @@ mod machine {
 }
 
 #[cfg(feature = "pdf")]
-mod machine {
+mod compiler {
     use crate::finding::Finding;
     use crate::sheet::document::{Document, Head};
     use crate::sheet::typst::{PRELUDE, source};
@@ -110,15 +97,20 @@ mod machine {
     /// ... what was not used since so many times.
     const FORGET_UNUSED: usize = 2;
 
-    /// The compiler with its prelude.
-    pub struct Machine {
+    /// Makes PDFs. Made once, shared by all threads.
+    pub struct PdfCompiler {
         words: Words,
         prelude: Source,
         file: Option<String>,
         options: PdfOptions,
     }
 
-    impl Machine {
+    impl PdfCompiler {
+        /// Loads fonts and the prelude: `own` is the instructor's `print.typ`, with its path for messages, instead of the
+        /// built-in one.
+        ///
+        /// # Errors
+        /// What is wrong in the prelude.
         pub fn new(words: &Words, own: Option<(&str, &str)>) -> Result<Self, Finding> {
             let text = own.map_or(PRELUDE, |(_, text)| text);
             let standards = PdfStandards::new(&[PdfStandard::Ua_1])
@@ -136,6 +128,11 @@ mod machine {
             })
         }
 
+        /// One PDF with these documents one after the other, each from a new page and with pages counted from 1. Documents
+        /// may be pressed by many threads at once.
+        ///
+        /// # Errors
+        /// A formula that has no translation, a picture that is not there, what the prelude does not take.
         pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             let text = source(documents, &self.words)?;
             let job = Compilation { prelude: &self.prelude, main: Source::new(FIXED.main, text) };

@@ -139,7 +139,6 @@ fn put(fields: &mut Map<String, Value>, name: &str, text: &str) {
 struct PublicProblem {
     /// Id of the bank.
     bank: Value,
-    /// Its title.
     title: String,
     /// Settings of the whole bank that checking needs: `reveal`, `tolerance`, `units`, and of `grading` the `hints`, as they are
     /// written.

@@ -191,7 +191,7 @@ impl<'b> Sheets<'b> {
         let (figures, tolerance) = self.asked_for();
         view.text("figures", &figures.to_string());
         view.text("tolerance", &tolerance);
-        // Practice has no student.
+        // A sheet without a student is one to practise with.
         view.text("practice", if head.student.is_empty() { words.get("page.practice") } else { "" });
         view.text("self_check", if self.bank.self_check { "yes" } else { "" });
         let questions =

@@ -10,7 +10,7 @@
 //!
 //! `ask` of a question is a template too and sees the same, but for `questions`.
 use crate::bank::decimal::Decimal;
-use crate::bank::{Bank, Problem, Question, expression};
+use crate::bank::{Bank, Datum, Problem, Question, expression};
 use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
@@ -112,22 +112,18 @@ pub fn template_name(problem: &Problem) -> String {
 pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for problem in &bank.problems {
-        if let Some(text) = &problem.statement {
-            let field = template_name(problem);
-            if let Err(fault) = templates.add_markdown(&field, text, bank.places.get(&field).cloned()) {
-                faults.push(fault);
-            }
-        } else if !templates.has_markdown(&template_name(problem)) {
-            faults.push(Finding::new(format!("problems.{}", problem.id), "has no statement").hint(format!(
-                "write `statement: |` into the problem, or put {} into a folder and give --templates FOLDER",
-                template_name(problem)
-            )));
+        let name = template_name(problem);
+        if problem.statement.is_none() && !templates.has_markdown(&name) {
+            let hint = format!(
+                "write `statement: |` into the problem, or put {name} into a folder and give --templates FOLDER"
+            );
+            faults.push(Finding::new(format!("problems.{}", problem.id), "has no statement").hint(hint));
         }
-        for q in problem.questions.iter().filter(|q| is_template(&q.ask)) {
-            let field = ask_name(problem, q);
-            if let Err(fault) = templates.add_markdown(&field, &q.ask, bank.places.get(&field).cloned()) {
-                faults.push(fault);
-            }
+        let statement = problem.statement.as_ref().map(|text| (name, text));
+        let asks = problem.questions.iter().filter(|q| is_template(&q.ask));
+        for (field, text) in statement.into_iter().chain(asks.map(|q| (ask_name(problem, q), &q.ask))) {
+            let added = templates.add_markdown(&field, text, bank.places.get(&field).cloned());
+            added.unwrap_or_else(|fault| faults.push(fault));
         }
     }
     faults.into_result(())
@@ -154,29 +150,20 @@ impl<'b> Statement<'b> {
         common: &Common,
     ) -> Result<Self, Finding> {
         let name = template_name(problem);
-        let used = templates.variables(&name)?;
-        let asks: Vec<(usize, String)> = problem
-            .questions
-            .iter()
-            .enumerate()
-            .filter(|(_, q)| is_template(&q.ask))
-            .map(|(i, q)| (i, ask_name(problem, q)))
-            .collect();
-        let mut used = used;
+        let mut used = templates.variables(&name)?;
+        let asks = problem.questions.iter().enumerate().filter(|(_, q)| is_template(&q.ask));
+        let asks: Vec<(usize, String)> = asks.map(|(i, q)| (i, ask_name(problem, q))).collect();
         for (_, ask) in &asks {
             used.extend(templates.variables(ask)?);
         }
         let uses = |name: &str| used.iter().any(|v| v == name);
         let (values, series, listed) = (uses("value"), uses("series"), uses("questions"));
-        let around = problem
-            .data
-            .iter()
-            .map(|d| {
-                let whole = d.unit.tex_with("\u{0}");
-                let (before, after) = whole.split_once('\u{0}').unwrap_or(("", ""));
-                (format!("${} = {before}", d.tex), format!("{after}$"))
-            })
-            .collect();
+        let around = |d: &Datum| {
+            let whole = d.unit.tex_with("\u{0}");
+            let (before, after) = whole.split_once('\u{0}').unwrap_or(("", ""));
+            (format!("${} = {before}", d.tex), format!("{after}$"))
+        };
+        let around = problem.data.iter().map(around).collect();
         let mut cases = Vec::with_capacity(problem.cases.len());
         for case in &problem.cases {
             let mut base = View::new();
@@ -243,12 +230,14 @@ impl<'b> Statement<'b> {
             }
         }
         if self.values {
-            let texts: Vec<(usize, String)> = (0..self.problem.data.len())
-                .filter_map(|i| drawn.get(i).copied().flatten().map(|_| (i, self.value_tex(i, drawn))))
-                .collect();
-            let pairs =
-                texts.iter().map(|(i, t)| (self.problem.data[*i].symbol.as_str(), template::finished(t)));
-            view.value("value", template::map(pairs));
+            let given = self
+                .problem
+                .data
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| drawn.get(*i).is_some_and(Option::is_some));
+            let text = |i| template::finished(&self.value_tex(i, drawn));
+            view.value("value", template::map(given.map(|(i, datum)| (datum.symbol.as_str(), text(i)))));
         }
         if of_case.particles {
             self.particles(&self.problem.cases[case].scene, drawn, view);
@@ -371,11 +360,11 @@ impl<'b> Statement<'b> {
         };
         for body in scene.bodies.iter().filter(|b| !b.particles.is_empty()) {
             let rows = body.particles.iter().map(|p| {
-                template::map([
-                    ("name", template::finished(&format!("${}$", p.name))),
-                    ("mass", template::finished(&text(p.mass_kg, r"\ \mathrm{kg}"))),
-                    ("x", template::finished(&text(p.x_m, r"\ \mathrm{m}"))),
-                    ("y", template::finished(&text(p.y_m, r"\ \mathrm{m}"))),
+                template::texts([
+                    ("name", format!("${}$", p.name).as_str()),
+                    ("mass", &text(p.mass_kg, r"\ \mathrm{kg}")),
+                    ("x", &text(p.x_m, r"\ \mathrm{m}")),
+                    ("y", &text(p.y_m, r"\ \mathrm{m}")),
                 ])
             });
             view.value("particles", template::list(rows.collect()));
@@ -389,15 +378,13 @@ impl<'b> Statement<'b> {
             if let Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } = *start {
                 let name = scene.bodies.get(body).and_then(|b| b.particles.get(particle));
                 let name = name.map_or_else(String::new, |p| format!("${}$", p.name));
-                view.value(
-                    "motion",
-                    template::map([
-                        ("particle", template::finished(&name)),
-                        ("vx", template::finished(&whole(vx_m_s, "v_x", r"\ \mathrm{m/s}"))),
-                        ("vy", template::finished(&whole(vy_m_s, "v_y", r"\ \mathrm{m/s}"))),
-                        ("spin", template::finished(&whole(spin_rad_s, r"\omega", r"\ \mathrm{rad/s}"))),
-                    ]),
-                );
+                let motion = template::texts([
+                    ("particle", name.as_str()),
+                    ("vx", &whole(vx_m_s, "v_x", r"\ \mathrm{m/s}")),
+                    ("vy", &whole(vy_m_s, "v_y", r"\ \mathrm{m/s}")),
+                    ("spin", &whole(spin_rad_s, r"\omega", r"\ \mathrm{rad/s}")),
+                ]);
+                view.value("motion", motion);
             }
         }
     }
@@ -411,20 +398,17 @@ fn question_list(
     asks: &[String],
 ) -> template::Value {
     let rows = problem.questions.iter().zip(forms).zip(asks).map(|((q, form), ask)| {
-        let points = if (q.points - 1.0).abs() <= f64::EPSILON {
-            String::new()
-        } else {
-            words.say("sheet.points", &[("n", &words.number(&q.points.to_string()))])
-        };
-        template::map([
-            ("number", template::finished(&number.to_string())),
-            ("id", template::finished(&q.id)),
-            ("ask", template::finished(ask)),
-            ("form", template::finished(form)),
-            ("unit", template::finished(q.unit.ascii())),
-            ("figures", template::finished(&q.figures.to_string())),
-            ("points", template::finished(&points)),
-            ("answer", template::finished(document::ANSWER)),
+        let many = (q.points - 1.0).abs() > f64::EPSILON;
+        let points = || words.say("sheet.points", &[("n", &words.number(&q.points.to_string()))]);
+        template::texts([
+            ("number", number.to_string().as_str()),
+            ("id", &q.id),
+            ("ask", ask),
+            ("form", form),
+            ("unit", q.unit.ascii()),
+            ("figures", &q.figures.to_string()),
+            ("points", &many.then(points).unwrap_or_default()),
+            ("answer", document::ANSWER),
         ])
     });
     template::list(rows.collect())

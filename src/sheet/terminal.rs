@@ -29,6 +29,11 @@ pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
     text
 }
 
+/// The first row of a table, from names with ` | ` between them.
+pub fn head(names: &str) -> Vec<String> {
+    names.split(" | ").map(str::to_owned).collect()
+}
+
 /// A share in whole per cent: `40 %`.
 pub fn percent(share: f64) -> String {
     format!("{} %", shown::decimals(share * 100.0, 0))

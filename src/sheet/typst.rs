@@ -7,9 +7,7 @@ use crate::picture::svg;
 use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break, units_apart};
 use crate::sheet::formula::unfit;
 use crate::words::Words;
-use pulldown_cmark::{
-    Alignment, CodeBlockKind, Event as Mark, HeadingLevel, Parser as Markdown, Tag, TagEnd,
-};
+use pulldown_cmark::{Alignment, CodeBlockKind, Event as Mark, Parser as Markdown, Tag, TagEnd};
 use pulldown_latex::event::{
     ArrayColumn, ColumnAlignment, Content, DelimiterSize, DelimiterType, Dimension, DimensionUnit,
     EnvironmentFlow, Font, Grouping, ScriptPosition, ScriptType, StateChange, Style, Visual,
@@ -270,15 +268,7 @@ impl TypstPage<'_> {
         match tag {
             Tag::Paragraph => self.open("", "\n\n"),
             Tag::Heading { level, .. } => {
-                let depth = match level {
-                    HeadingLevel::H1 => 1,
-                    HeadingLevel::H2 => 2,
-                    HeadingLevel::H3 => 3,
-                    HeadingLevel::H4 => 4,
-                    HeadingLevel::H5 => 5,
-                    HeadingLevel::H6 => 6,
-                };
-                self.open(&format!("#heading(level: {depth})["), "];\n\n");
+                self.open(&format!("#heading(level: {})[", level as usize), "];\n\n");
             }
             Tag::BlockQuote(_) => self.open("#quote(block: true)[", "];\n\n"),
             Tag::CodeBlock(kind) => {
@@ -453,7 +443,7 @@ impl FormulaRow {
             all.typst.push_str(&typst);
             all.alt.push_str(&alt);
         }
-        // One space is enough for those who listen.
+        // Of several spaces one is read aloud.
         all.alt = all.alt.split_whitespace().collect::<Vec<_>>().join(" ");
         all
     }
@@ -729,11 +719,11 @@ impl<'e> FormulaReader<'e> {
                 );
             }
             Grouping::Cases { left: true } => {
-                let (rows, alt) = self.rows(&[" & "])?;
+                let (rows, alt) = self.rows(" & ")?;
                 row.other(format!("cases({})", rows.join(", ")), format!("{{ {alt} }}"));
             }
             Grouping::Matrix { alignment } => {
-                let (rows, alt) = self.rows(&[", "])?;
+                let (rows, alt) = self.rows(", ")?;
                 row.other(matrix(&rows, *alignment), format!("({alt})"));
             }
             Grouping::Array(columns) => {
@@ -748,7 +738,7 @@ impl<'e> FormulaReader<'e> {
                 if alignments.iter().any(|a| *a != first) {
                     return Err("an array whose columns are aligned in different ways".into());
                 }
-                let (rows, alt) = self.rows(&[", "])?;
+                let (rows, alt) = self.rows(", ")?;
                 row.other(matrix(&rows, first), format!("({alt})"));
             }
             Grouping::Aligned
@@ -761,7 +751,7 @@ impl<'e> FormulaReader<'e> {
             | Grouping::Multline
             | Grouping::Equation { .. } => {
                 let whole = self.next == 1 && row.0.is_empty();
-                let (rows, alt) = self.rows(&[" & "])?;
+                let (rows, alt) = self.rows(" & ")?;
                 if whole && self.next == self.events.len() {
                     row.other(rows.join(" \\\n"), alt);
                 } else {
@@ -782,7 +772,7 @@ impl<'e> FormulaReader<'e> {
     }
 
     /// Rows of an environment, cells joined; its end is taken too. An empty row at the end is none.
-    fn rows(&mut self, between: &[&str; 1]) -> Result<(Vec<String>, String), String> {
+    fn rows(&mut self, between: &str) -> Result<(Vec<String>, String), String> {
         let mut rows: Vec<Vec<TypstFormula>> = vec![Vec::new()];
         loop {
             let cell = self.row(Upright::No, true)?.joined();
@@ -813,7 +803,7 @@ impl<'e> FormulaReader<'e> {
             .collect();
         let texts = rows
             .iter()
-            .map(|r| r.iter().map(|c| c.typst.as_str()).collect::<Vec<_>>().join(between[0]))
+            .map(|r| r.iter().map(|c| c.typst.as_str()).collect::<Vec<_>>().join(between))
             .collect();
         Ok((texts, alt.join("; ")))
     }

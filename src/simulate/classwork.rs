@@ -123,7 +123,7 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
             if chance.meets(t.late) {
                 within(t.due + 1, t.due + t.by + 1, chance.share())
             } else {
-                // Everything is handed in minute by minute before.
+                // This is when the last answer comes: those before it came a minute apart.
                 within((t.opens + count).min(t.due), t.due, chance.share())
             }
         });

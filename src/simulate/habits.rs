@@ -35,7 +35,7 @@ impl<T: Copy> Mix<T> {
             }
             left -= weight;
         }
-        // Rounding may leave a crumb: it belongs to the last one that is met at all.
+        // Rounding may leave a small rest: it belongs to the last thing whose weight is above 0.
         let last = self.0.iter().rev().find(|(_, w)| *w > 0.0);
         last.or(self.0.last()).map(|(t, _)| *t).expect("a mix has something in it")
     }
@@ -76,7 +76,7 @@ pub struct HandInTimes {
     pub late: f64,
     /// By at most this many minutes, > 0.
     pub by: i64,
-    /// UnitHabit behind each time, such as `+01:00`; may be empty.
+    /// Written behind each time, such as `+01:00`; may be empty.
     pub zone: String,
 }
 
@@ -111,7 +111,7 @@ pub struct Habits {
     pub words: f64,
     /// Share of the students who write a decimal comma.
     pub commas: f64,
-    /// UnitHabit as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
+    /// Written as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
     pub spreadsheet: bool,
     /// When; `None`: no such column.
     pub times: Option<HandInTimes>,
@@ -210,7 +210,6 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     let commas = fields.read("decimal commas", part).unwrap_or(0.0);
     let spreadsheet = fields.get("spreadsheet").is_some_and(|n| yes(n, faults));
     let times = fields.get("handed in").and_then(|n| times(n, faults));
-    fields.close();
     // A field that is there and cannot be read is a finding already.
     Some(Habits {
         absent,
@@ -330,7 +329,6 @@ fn copying(node: &Node, faults: &Faults) -> Option<Copying> {
     let size = whole(fields.get("size"), 2, 2);
     let part = fields.need("share", "60 %").map_or(0.0, |n| share(n, faults));
     let disguise = fields.get("disguise").map_or(0.0, |n| share(n, faults));
-    fields.close();
     Some(Copying { groups, size, share: part, disguise })
 }
 
@@ -356,7 +354,6 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
         }
         text.to_owned()
     });
-    fields.close();
     let (opens, due) = (opens?, due?);
     if let Some(node) = due_node
         && due <= opens

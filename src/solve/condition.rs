@@ -12,7 +12,6 @@ use crate::num::{NOISE, Real};
 use crate::scene::{Scales, Scene, admissible, scales};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Kind, Road, Scope, Set, Told};
-use smallvec::SmallVec;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-26, -29, -36, -46];
@@ -38,7 +37,7 @@ struct Changed<T> {
 }
 
 /// One value for each entry, where it has one and it is asked.
-type Values<T> = SmallVec<[Option<T>; 8]>;
+type Values<T> = Vec<Option<T>>;
 
 /// Condition number of each entry, in numbers of this type where the rounding of doubles may tell: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.

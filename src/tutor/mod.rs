@@ -48,7 +48,7 @@ pub struct Hint {
 
 /// What is told of an answer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Told {
+pub struct TutorReply {
     /// The verdict, as grading gives it.
     pub verdict: Verdict,
     /// Why.
@@ -117,10 +117,10 @@ impl<'a, 'w> Tutor<'a, 'w> {
     }
 
     /// Judges an answer to the part with this index, and gives the hints that lead on from it.
-    pub fn tell(&self, part: usize, cell: &str) -> Option<Told> {
+    pub fn tell(&self, part: usize, cell: &str) -> Option<TutorReply> {
         let entry = self.parts.get(part)?;
         let judgement = compare::compare_with(cell, entry, &mut UnitCache::default(), &self.say);
-        let mut told = Told {
+        let mut told = TutorReply {
             verdict: judgement.verdict,
             reason: judgement.reason.into_owned(),
             methods: Vec::new(),

@@ -8,7 +8,7 @@ use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
 use slipstick::num::shown;
 use slipstick::policy::Hints;
 use slipstick::problem::maker::{Maker, Variant};
-use slipstick::tutor::{Hint, HintKind, Told, Tutor};
+use slipstick::tutor::{Hint, HintKind, Tutor, TutorReply};
 use slipstick::words::Words;
 
 /// What is told of a cell at a level, in a language.
@@ -17,7 +17,7 @@ fn tell(
     (part, cell): (usize, &str),
     level: Hints,
     language: &str,
-) -> Told {
+) -> TutorReply {
     let catalogue = Catalogue::shared(language);
     let find = |id: &str| catalogue.get(id).map(CatalogueEntry::words);
     let words = Words::built_in(language).unwrap();

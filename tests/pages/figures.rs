@@ -609,3 +609,85 @@ fn bodies_are_drawn_with_arcs_and_particles_as_a_rigid_frame() {
     }
     assert!(arcs > 40 && frames == 40, "{arcs} bodies of arcs, {frames} frames");
 }
+
+/// The corners of the first body that has straight edges, and all full points.
+fn body_and_marks(picture: &Picture) -> (Vec<Vec2>, Vec<Vec2>) {
+    let lines = picture.elements.iter().filter(|e| e.role == Role::Body).find_map(|e| match &e.outline {
+        Outline::Lines { points, closed: true } => Some(points.clone()),
+        _ => None,
+    });
+    let marks = picture.elements.iter().filter_map(|e| match e.outline {
+        Outline::Circle { centre, .. } if e.role == Role::Dot => Some(centre),
+        _ => None,
+    });
+    (lines.unwrap_or_default(), marks.collect())
+}
+
+#[test]
+fn a_body_between_corners_is_drawn_about_its_mass_centre() {
+    // Not all corners are named of the crates; all are of the square that hangs from one of them.
+    let square = include_str!("../scenes/crate-that-slides.yaml")
+        .replace("mass centre: b/2, placed: [0 m, 0 m]", "mass centre: b/sqrt(2), placed: [0 m, -b/sqrt(2)]")
+        .replace(
+            "A: [0 m, b/2], B: [0 m, -b/2], P: [h, b/2]",
+            "A: 0 m, C: [b/sqrt(2), b/sqrt(2)], B: [b/sqrt(2), -b/sqrt(2)], D: sqrt(2)*b, P: h",
+        )
+        .replace("draw: always 0.8", "draw: always 0.95")
+        .replace("crate.A, along: horizontal", "crate.C, along: horizontal");
+    for (text, shape) in [
+        (include_str!("../carried/crate-that-tips-on-a-truck.yaml"), 0.8 / 1.2),
+        (include_str!("../scenes/crate-that-slides.yaml"), 1.0),
+        (&square, 1.0),
+    ] {
+        let picture = first_picture(text);
+        let (corners, marks) = body_and_marks(&picture);
+        let frame = Frame::round(corners.iter().copied()).expect("a plate");
+        let size = frame.high - frame.low;
+        assert_eq!(corners.len(), 4, "{text}");
+        assert!((size.x / size.y - shape).abs() < 1e-6, "{size:?} {text}");
+        let middle = (frame.low + frame.high) / 2.0;
+        assert!(marks.iter().any(|m| (m - middle).norm() < 1e-6), "{marks:?} {middle:?} {text}");
+    }
+}
+
+#[test]
+fn a_slack_strap_hangs_between_its_ends_and_a_later_spring_waits() {
+    let flap = "bank: flap\ntitle: A flap\nproblems:\n  flap:\n    title: A flap\n    data:\n      m: {name: mass, unit: kg, draw: always 3}\n      L: {name: length, unit: m, draw: always 1}\n      k: {name: stiffness, unit: N/m, draw: always 800}\n      c: {name: height, unit: m, draw: always 0.5}\n    scene:\n      bodies: {flap: {mass: m, shape: {rod: L}, moves: in the plane, angle: from vertical}}\n      joints: {A: {pins: flap.A}}\n      forces: [spring: {on: flap.B, to: [0 m, c], stiffness: k, natural length: L, only: pulls}]\n      start: {flap: {angle: 30 deg}}\n      end: {turning point: flap}\n    questions:\n      phi: {ask: angle, unit: deg}\n    statement: '{{ m }} {{ L }} {{ k }} {{ c }} {{ g }}'\n";
+    let picture = first_picture(flap);
+    let (_, marks) = body_and_marks(&picture);
+    let strap = picture.elements.iter().find(|e| e.role == Role::Spring).expect("a strap");
+    assert!(matches!(strap.outline, Outline::Arc { .. }), "{strap:?}");
+    let ends = corners(&strap.outline);
+    for end in [ends[0], ends[ends.len() - 1]] {
+        assert!(marks.iter().any(|m| (m - end).norm() < 0.1), "{end:?} {marks:?}");
+    }
+    let fall = "bank: fall\ntitle: A fall\nproblems:\n  fall:\n    title: A fall\n    data:\n      m: {name: mass, unit: kg, draw: always 5}\n      k: {name: stiffness, unit: N/m, draw: always 2000}\n      h: {name: height, unit: m, draw: always 0.6}\n    scene:\n      bodies: {block: {mass: m, moves: vertically, positive: down}}\n      start: at rest\n      end: {travel: {of: block, by: h}}\n      next:\n        ties: [cord: {from: {body: block, tied at: centre, leaves: down}, spring: {stiffness: k, stretch: 0 m, attached: rigidly}}]\n        end: {turning point: block}\n    questions:\n      x: {quantity: distance, motion: next, ask: compression, unit: mm}\n    statement: '{{ m }} {{ k }} {{ h }} {{ g }}'\n";
+    let picture = first_picture(fall);
+    assert!(picture.elements.iter().any(|e| e.role == Role::Spring), "no spring");
+    assert!(
+        picture.desc.contains("In its way stands a spring of stiffness k = 2000 N/m."),
+        "{}",
+        picture.desc
+    );
+}
+
+#[test]
+fn what_is_carried_or_bears_a_load_has_its_free_bodies() {
+    let words = Words::english();
+    let mut drawn = 0;
+    let stone = support::banks().into_iter().flat_map(|b| b.problems).filter(|p| p.id == "mass-of-a-stone");
+    for problem in textbook().into_iter().flat_map(|b| b.problems).chain(stone) {
+        let Ok(variant) = Maker::new(&problem, 1, "figures").giving_up_after(1).variant("0") else {
+            continue;
+        };
+        let scene = &problem.cases[variant.case].scene;
+        let names: Vec<String> =
+            figure::all(&problem, &variant, &words).into_iter().map(|(name, _)| name).collect();
+        if scene.carried.is_some() || scene.formulas.found.is_some() || scene.end == End::Equilibrium {
+            let missing = |b: &&slipstick::scene::Body| !names.contains(&format!("forces-{}", b.name));
+            assert_eq!(scene.bodies.iter().find(missing).map(|b| &b.name), None, "{}: {names:?}", problem.id);
+            drawn += scene.bodies.len();
+        }
+    }
+    assert!(drawn > 10, "{drawn}");
+}

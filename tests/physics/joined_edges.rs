@@ -752,7 +752,10 @@ fn an_end_by_a_way_in_the_plane_is_refused_with_what_would_do() {
     };
     let slides = told("moves: in the plane", "{guides: x, along: vertical}", "at rest");
     assert!(slides.contains("`x` moves in the plane: it ends at an angle"), "{slides}");
-    assert!(slides.contains("a body that only slides leads no motion: end at the angle of one that turns"), "{slides}");
+    assert!(
+        slides.contains("a body that only slides leads no motion: end at the angle of one that turns"),
+        "{slides}"
+    );
     let turns = told(
         "shape: {rod: 1 m}, moves: in the plane, angle: from right",
         "{pins: x.A}",

@@ -62,7 +62,6 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(value, "the body and the height", self.faults)?;
         let body = self.need_body(&mut fields, "of", bodies);
         let by = fields.need("by", "h");
-        fields.close();
         let (body, by) = (body?, by?);
         if bodies[body].planar.is_some() {
             let hint = in_plane(&bodies[body]);
@@ -95,7 +94,6 @@ impl SceneReader<'_> {
         let mut fields = Fields::open(value, "the cord and the length", self.faults)?;
         let cord = fields.need("cord", "cord");
         let by = fields.need("by", "L");
-        fields.close();
         let (cord, by) = (cord?, by?);
         let wound = |c: &Cord| {
             let far = match &c.to {
@@ -202,7 +200,6 @@ impl SceneReader<'_> {
             }
             self.word(n, "the direction of motion", &words).map(Some)
         });
-        fields.close();
         let body = body?;
         if word == "turn" && !bodies[body].turns {
             return f.refuse(value, told!("`{}` does not turn", bodies[body].name));

@@ -208,7 +208,7 @@ impl SceneReader<'_> {
     pub(super) fn over(&self, node: &Node, by: Option<(String, bool)>, need: Need) -> Option<Num> {
         let text = node.text().map(str::trim)?;
         let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
-        // What is no number at all is told as such.
+        // A text that is no number is a finding of the reader of numbers.
         let constant = if known { None } else { Some(self.number(node, Need::LENGTH)?) };
         let Some((by, bare)) = by else {
             return self.faults.refuse_with(

@@ -32,25 +32,17 @@ const JOINTS: [(&str, &str); 9] = [
 const LINES: [(&str, f64); 2] = [("horizontal", 0.0), ("vertical", -90.0)];
 
 /// From where angles count, and whether clockwise.
+#[rustfmt::skip] // a table
 const ANGLES: [(&str, (Ray, bool)); 18] = [
-    ("from horizontal", (Ray::Right, false)),
-    ("from vertical", (Ray::Up, true)),
-    ("from upright", (Ray::Up, true)),
-    ("from hanging", (Ray::Down, false)),
-    ("from right", (Ray::Right, false)),
-    ("from right counter-clockwise", (Ray::Right, false)),
-    ("from right clockwise", (Ray::Right, true)),
-    ("from up clockwise", (Ray::Up, true)),
-    ("from up counter-clockwise", (Ray::Up, false)),
-    ("from left clockwise", (Ray::Left, true)),
-    ("from left counter-clockwise", (Ray::Left, false)),
-    ("from down clockwise", (Ray::Down, true)),
-    ("from down counter-clockwise", (Ray::Down, false)),
-    ("from horizontal clockwise", (Ray::Right, true)),
-    ("from vertical clockwise", (Ray::Up, true)),
-    ("from vertical counter-clockwise", (Ray::Up, false)),
-    ("from hanging clockwise", (Ray::Down, true)),
-    ("from hanging counter-clockwise", (Ray::Down, false)),
+    ("from horizontal", (Ray::Right, false)), ("from vertical", (Ray::Up, true)),
+    ("from upright", (Ray::Up, true)), ("from hanging", (Ray::Down, false)),
+    ("from right", (Ray::Right, false)), ("from right counter-clockwise", (Ray::Right, false)),
+    ("from right clockwise", (Ray::Right, true)), ("from up clockwise", (Ray::Up, true)),
+    ("from up counter-clockwise", (Ray::Up, false)), ("from left clockwise", (Ray::Left, true)),
+    ("from left counter-clockwise", (Ray::Left, false)), ("from down clockwise", (Ray::Down, true)),
+    ("from down counter-clockwise", (Ray::Down, false)), ("from horizontal clockwise", (Ray::Right, true)),
+    ("from vertical clockwise", (Ray::Up, true)), ("from vertical counter-clockwise", (Ray::Up, false)),
+    ("from hanging clockwise", (Ray::Down, true)), ("from hanging counter-clockwise", (Ray::Down, false)),
 ];
 
 impl SceneReader<'_> {
@@ -161,13 +153,11 @@ impl SceneReader<'_> {
                     f.refuse_with(value, told!("`{name}` has to say what it holds"), words)
                 }
             };
-            fields.close();
             list.extend(kind.map(|kind| Joint { name: name.to_owned(), kind }));
         }
         list
     }
 
-    /// A joint of the kind of this word.
     fn joint(&self, word: &str, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
         match word {
             "pins" => {
@@ -320,7 +310,6 @@ impl SceneReader<'_> {
         };
         let toward_m = toward.and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let name = own_name(&mut fields, symbol, count);
-        fields.close();
         let turns = turning.is_some();
         Some(Push { name, at: at?, force_n: force?, direction_deg: direction?, turns, toward_m, blow })
     }
@@ -341,7 +330,6 @@ impl SceneReader<'_> {
             }
         };
         let name = own_name(&mut fields, "spring", count);
-        fields.close();
         let (to, acts) = (StrutEnd::Twist, Acts::Both);
         let at = at.filter(|spot| {
             let turns = bodies[spot.body].turns;
@@ -368,7 +356,6 @@ impl SceneReader<'_> {
                 let mut fields = Fields::open(n, "a guide (along, through)", f)?;
                 let through = self.ground(fields.get("through"));
                 let along = fields.need("along", "horizontal").and_then(|n| self.direction(n, &LINES));
-                fields.close();
                 through
                     .zip(along)
                     .map(|(through_m, direction_deg)| StrutEnd::Guide { through_m, direction_deg })
@@ -381,7 +368,6 @@ impl SceneReader<'_> {
         let acts = fields.get("only").and_then(|n| self.word(n, "what the spring does", &words));
         let acts = acts.unwrap_or_default();
         let name = own_name(&mut fields, "spring", count);
-        fields.close();
         Some(Strut { name, at: at?, to: to?, stiffness_n_m: stiffness?, rest: rest?, acts })
     }
 

@@ -129,7 +129,6 @@ impl SceneReader<'_> {
         if word == "slides" {
             let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
             let mu_s = self.optional(&mut fields, "mu_s", Need::FRICTION);
-            fields.close();
             if let Some(b) = body
                 && bodies[b].turns
             {
@@ -151,12 +150,10 @@ impl SceneReader<'_> {
         }
         if word == "rolls" {
             let mu_s = self.optional(&mut fields, "mu_s", Need::FRICTION);
-            fields.close();
             return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: mu_s? });
         }
         let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::FRICTION);
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
-        fields.close();
         if word == "touches" {
             let mut touches = self.touches.borrow_mut();
             touches.push((tie, mu_k?));
@@ -176,7 +173,6 @@ impl SceneReader<'_> {
             let Some(mut fields) = Fields::open(node, "a growth (rate, with)", self.faults) else { return };
             rate = fields.need("rate", "c").cloned();
             let with = fields.need("with", "t^2").and_then(|n| self.law(n, of));
-            fields.close();
             let Some(with) = with else { return };
             law = with;
         }
@@ -250,7 +246,6 @@ impl SceneReader<'_> {
         };
         let body = self.need_body(&mut fields, "body", bodies);
         let on = fields.need("on", "[front.rim, rear.rim]");
-        fields.close();
         let (Some(load), Some(on)) = (body, on) else { return Vec::new() };
         let Some(line) = bodies[load].line.filter(|_| !bodies[load].turns) else {
             let hint = "what rests on wheels only moves, `moves: along SURFACE`, without an inertia";
@@ -307,7 +302,6 @@ impl SceneReader<'_> {
         let like = "{body: front, tied at: centre, leaves: back}";
         let [from, to] =
             ["from", "to"].map(|end| fields.need(end, like).and_then(|n| self.cord_end(n, bodies)));
-        fields.close();
         let (from, to) = (from?, to?);
         // Each end by its line, and whether it leads up that.
         let up = |end: CordEnd| {
@@ -326,7 +320,7 @@ impl SceneReader<'_> {
     pub(super) fn cord(&self, node: &Node, bodies: &[Body], tie: usize) -> Option<Cord> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a cord (from, and where it goes)", f)?;
-        let name = self.tie_name(fields.get("name"), UNNAMED[0])?;
+        let name = self.tie_name(fields.get("name"), UNNAMED[0]);
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}")
             .and_then(|n| self.cord_end(n, bodies));
@@ -340,7 +334,6 @@ impl SceneReader<'_> {
         }
         let [pulled, to, spring, held] = ends;
         let growing = fields.get("growing by");
-        fields.close();
         if let (Some(n), None) = (growing, pulled) {
             f.hint(n, "what is not given does not grow", "`growing by` stands beside `pulled with`");
         }
@@ -367,7 +360,7 @@ impl SceneReader<'_> {
         {
             return f.refuse(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
         }
-        Some(Cord { name, from: from?, to: far?, made: Made::Cord })
+        Some(Cord { name: name?, from: from?, to: far?, made: Made::Cord })
     }
 
     pub(super) fn spring(&self, node: &Node) -> Option<Far> {
@@ -381,7 +374,6 @@ impl SceneReader<'_> {
                 &[("by the cord", false), ("cord", false), ("rigidly", true), ("rigid", true)],
             )
         });
-        fields.close();
         Some(Far::Spring { stiffness_n_m: stiffness?, stretch_m: stretch?, rigid: rigid? })
     }
 
@@ -393,7 +385,6 @@ impl SceneReader<'_> {
         let tied = fields.get("tied at");
         let leaves = fields.need("leaves", if tied.is_some() { "forward" } else { "top forward" });
         let tilted = fields.get("at an angle");
-        fields.close();
         let index = body?;
         let body = &bodies[index];
         let tilt = tilted.and_then(|n| self.number(n, Need::TILT));

@@ -24,6 +24,10 @@ use std::collections::BTreeMap;
 /// Markdown with formulas to HTML within a line.
 pub type Rich<'r> = &'r mut dyn FnMut(&str) -> String;
 
+/// Names of all tables.
+pub const TABLES: &str =
+    "asked attempts credit fairness matches methods parts slips totals unreadable verdicts";
+
 /// Rows of a long table on the page; its file has all.
 const SHOWN: usize = 20;
 /// Tables that may be long.
@@ -124,7 +128,7 @@ impl ClassReporter<'_> {
             let most = if LONG.contains(&table.name) { SHOWN } else { usize::MAX };
             (table.name, Some(table.view(words, most)))
         });
-        let none = tables::NAMES.split(' ').map(|name| (name, None));
+        let none = TABLES.split(' ').map(|name| (name, None));
         let (about_fairness, compared) = self.fairness();
         json!({
             "language": words.language(),

@@ -10,10 +10,6 @@ use crate::template;
 use crate::words::plain::plain;
 use std::collections::BTreeMap;
 
-/// Names of all tables.
-pub const NAMES: &str =
-    "asked attempts credit fairness matches methods parts slips totals unreadable verdicts";
-
 /// Cells of one verdict and reason: how many, of which parts, with examples.
 #[derive(Default)]
 struct Reason<'t> {

@@ -145,7 +145,6 @@ impl Marks {
     pub fn points(&self, student: usize, part: usize) -> f64 {
         self.given[student * self.class.parts.len() + part].unwrap_or(0.0)
     }
-    /// The cell of a student and a part.
     pub fn cell(&self, student: usize, part: usize) -> &MarkedCell {
         &self.cells[student * self.class.parts.len() + part]
     }

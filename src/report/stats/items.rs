@@ -130,7 +130,7 @@ mod tests {
     fn equal_marks_have_no_number() {
         let flat = Matrix { rows: vec![vec![1.0, 0.0, 2.0]; 30], items: 3 };
         assert!(flat.alpha().is_err() && flat.discrimination(1).is_err());
-        // One total for all, though parts differ.
+        // Parts differ, but all have the same total.
         let rows = (0..30).map(|i| if i % 2 == 0 { vec![1.0, 0.0] } else { vec![0.0, 1.0] }).collect();
         let against = Matrix { rows, items: 2 };
         assert!(against.alpha().is_err());

@@ -60,7 +60,7 @@ pub fn spearman(xs: &[f64], ys: &[f64]) -> Option<Spearman> {
     }
     let rho = pearson(&ranks(xs), &ranks(ys))?;
     let n = xs.len() as f64 - 3.0;
-    // At +-1 Fisher's z has no end.
+    // At +-1 Fisher's z is infinite.
     let inside = rho.clamp(-1.0 + 1e-12, 1.0 - 1e-12);
     let z = 0.5 * trig::ln((1.0 + inside) / (1.0 - inside));
     let reach = NORMAL_95 * ((1.0 + rho * rho / 2.0) / n).sqrt();

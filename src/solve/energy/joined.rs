@@ -21,7 +21,8 @@ use crate::scene::{
 use crate::solve::outcome::{self, Course, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::{Cell, RefCell};
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
+use std::rc::Rc;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
@@ -71,8 +72,17 @@ struct Account<'a, T: Real> {
     drive: Cell<Option<T>>,
     /// Where guides rub: the way as far as its balance has been solved.
     solved: RefCell<Vec<Stretch<T>>>,
+    /// Where it has looked for events.
+    seen: RefCell<Vec<Rc<Seen<T>>>>,
     /// At how many places it has looked.
     looked: Cell<u64>,
+}
+
+/// A place of the way to the end: several events are looked for at the same ones.
+struct Seen<T> {
+    way: T,
+    poses: Poses<T>,
+    half_square: T,
 }
 
 /// A part of the way on which the balance has been solved by collocation.
@@ -85,6 +95,8 @@ struct Stretch<T> {
     gains: PerNode<T>,
 }
 
+/// The forces of a joint, each with the sum of the magnitudes of its terms.
+type Forces<T> = SmallVec<[(T, f64); 2]>;
 /// For each joint: the rows of its conditions.
 type OfJoint = SmallVec<[SmallVec<[usize; 2]>; 4]>;
 
@@ -212,6 +224,7 @@ impl<'a, T: Real> Account<'a, T> {
             open: Cell::new(false),
             drive: Cell::new(None),
             solved: RefCell::new(Vec::new()),
+            seen: RefCell::new(Vec::new()),
             looked: Cell::new(0),
         };
         let poses = account.placed()?;
@@ -367,9 +380,9 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// What the joints forbid: the rows of their conditions, where a guide rubs that of its normal force with its friction.
     /// `held` is the motion that the last rows keep from: the leading angle, and a drift.
-    fn conditions(&self, poses: &Poses<T>, virtually: bool) -> (Equations<T>, OfJoint) {
+    fn conditions(&self, poses: &Poses<T>, virtually: bool, rights: usize) -> (Equations<T>, OfJoint) {
         let columns = 3 * self.scene.bodies.len();
-        let mut rows = Equations::new(columns);
+        let mut rows = Equations::with_rights(columns, rights);
         let mut of_joint = OfJoint::new();
         let mut count = 0;
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
@@ -496,10 +509,10 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// The virtual motion in which normal forces and their friction do no work: that of the bodies where nothing rubs.
     fn across_friction(&self, poses: &Poses<T>) -> Result<Motion<T>, Refusal> {
-        if self.rubs.iter().all(|s| *s == 0.0) {
+        if !self.is_rubbed() {
             return Ok(self.rates(poses));
         }
-        let (mut rows, _) = self.conditions(poses, true);
+        let (mut rows, _) = self.conditions(poses, true, 1);
         self.no_drift(poses, &mut rows);
         self.leading(poses, &mut rows, self.unit(poses));
         let reduced = self.settled(|| rows.reduce(&[]));
@@ -699,14 +712,40 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(work.cleared(size))
     }
 
+    fn is_rubbed(&self) -> bool {
+        self.rubs.iter().any(|s| *s != 0.0)
+    }
+
     /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
-    fn half_square(&self, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
-        if self.rubs.iter().any(|s| *s != 0.0) {
-            return self.collocated(way, from);
+    fn half_square(&self, way: T, from: (&Poses<T>, T)) -> Result<T, Refusal> {
+        if self.is_rubbed() {
+            return self.collocated(way, from.1);
+        }
+        self.half_square_at(&self.poses(way)?, way, from)
+    }
+    /// The same where nothing rubs and everything is so after that way.
+    fn half_square_at(&self, poses: &Poses<T>, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+        let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
+        Ok(kinetic.balance(self.work(first, poses, way)?) / self.inertia(poses))
+    }
+    /// A place at which an event is looked for.
+    fn there(&self, way: T, from: (&Poses<T>, T)) -> Result<Rc<Seen<T>>, Refusal> {
+        if let Some(seen) = self.seen.borrow().iter().find(|seen| seen.way.same(way)) {
+            return Ok(Rc::clone(seen));
         }
         let poses = self.poses(way)?;
-        let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
-        Ok(kinetic.balance(self.work(first, &poses, way)?) / self.inertia(&poses))
+        let half_square = match self.is_rubbed() {
+            true => self.collocated(way, from.1)?,
+            false => self.half_square_at(&poses, way, from)?,
+        };
+        let seen = Rc::new(Seen { way, poses, half_square });
+        self.seen.borrow_mut().push(Rc::clone(&seen));
+        Ok(seen)
+    }
+    /// [`Self::normal`] there.
+    fn normal_there(&self, joint: usize, way: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        let seen = self.there(way, from)?;
+        self.normal(&seen.poses, seen.half_square.scale2(1), joint)
     }
 
     /// The same where guides rub: the balance of virtual motions, `dy/dq = (force - 2 bend y) / inertia`, by collocation.
@@ -787,24 +826,42 @@ impl<'a, T: Real> Account<'a, T> {
         joint: usize,
         acceleration: &dyn Fn(usize, T) -> Vector<T>,
         blows: bool,
-    ) -> Option<SmallVec<[(T, f64); 2]>> {
-        let (rows, of_joint) = self.conditions(poses, true);
+    ) -> Option<Forces<T>> {
+        self.reactions(poses, joint..joint + 1, acceleration, blows).pop()?
+    }
+
+    /// The same of several joints: with one matrix, for the rows of all of them.
+    fn reactions(
+        &self,
+        poses: &Poses<T>,
+        joints: Range<usize>,
+        acceleration: &dyn Fn(usize, T) -> Vector<T>,
+        blows: bool,
+    ) -> Vec<Option<Forces<T>>> {
         let columns = 3 * self.scene.bodies.len();
-        let mut forces = SmallVec::new();
-        for own in of_joint.get(joint)? {
-            let mut rows = rows.clone();
-            rows.right_of(*own)[columns] = T::of(1.0);
-            let free = rows.clone();
-            self.leading(poses, &mut rows, T::zero());
-            self.no_drift(poses, &mut rows);
-            let held = || self.conditions(poses, false).0.reduce(&[]).open().is_empty();
+        let rights = self.scene.joints[joints.clone()].iter().map(|j| j.kind.forces().len()).sum();
+        if rights == 0 {
+            return joints.map(|_| Some(Forces::new())).collect();
+        }
+        let (mut rows, of_joint) = self.conditions(poses, true, rights);
+        for (right, row) in of_joint[joints.clone()].iter().flatten().enumerate() {
+            rows.right_of(*row)[columns + right] = T::of(1.0);
+        }
+        let free = rows.clone();
+        self.leading(poses, &mut rows, T::zero());
+        self.no_drift(poses, &mut rows);
+        let held = || self.conditions(poses, false, 1).0.reduce(&[]).open().is_empty();
+        let (mut reduced, mut loose) = (self.settled(|| rows.reduce(&[])), None);
+        let mut right = 0..rights;
+        let mut force = || {
+            let right = right.next()?;
             let motion = self.settled(|| {
-                let mut reduced = rows.reduce(&[]);
+                let mut reduced = reduced.with_right(right);
                 if !reduced.repeats() && (self.layout.poses::<Jet<T>>(T::zero(), false).is_none() || held()) {
                     // What leads is held, as a crate is that stands on two corners.
-                    reduced = free.reduce(&[]);
+                    reduced = loose.get_or_insert_with(|| free.clone().reduce(&[])).with_right(right);
                 }
-                reduced.repeats().then(|| self.motion(&reduced))
+                reduced.repeats().then(|| self.motion(reduced))
             })?;
             let (mut missing, mut size) = (T::zero(), 0.0);
             let mut add = |x: T| {
@@ -822,9 +879,13 @@ impl<'a, T: Real> Account<'a, T> {
             for power in self.powers(poses, &motion, blows) {
                 add(-power);
             }
-            forces.push((missing.cleared(size), size));
-        }
-        Some(forces)
+            Some((missing.cleared(size), size))
+        };
+        let of = |own: &SmallVec<[usize; 2]>| {
+            let forces: SmallVec<[Option<(T, f64)>; 2]> = own.iter().map(|_| force()).collect();
+            forces.into_iter().collect()
+        };
+        of_joint[joints].iter().map(of).collect()
     }
 
     // -- where it ends --------------------------------------------------------------------------------------------------
@@ -881,7 +942,8 @@ impl<'a, T: Real> Account<'a, T> {
                 let side = value(T::constant(middle + Dd::new(by)))?;
                 Ok::<_, Refusal>(if decided(side) { side.sign() } else { 0.0 })
             };
-            if side(-width)? * side(width)? < 0.0 {
+            let before = side(-width)?;
+            if before != 0.0 && before * side(width)? < 0.0 {
                 return Ok(T::constant(middle).widened(|| width));
             }
         }
@@ -902,8 +964,7 @@ impl<'a, T: Real> Account<'a, T> {
             }
             let side = if pushes { 1.0 } else { self.rubs[j] * self.slides[j] };
             let force = |way: T| {
-                let square = self.half_square(way, from)?.scale2(1);
-                let force = self.normal(&self.poses(way)?, square, j)?;
+                let force = self.normal_there(j, way, from)?;
                 Ok(force.map_or_else(|| T::of(1.0), |force| force.signed(side)))
             };
             if self.first(far, false, &force)?.is_some() {
@@ -978,7 +1039,8 @@ impl<'a, T: Real> Account<'a, T> {
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
         // Where it comes to rest within a way.
-        let turning = |far: T| self.first(far, false, &|way| self.half_square(way, from));
+        let half_square = |way: T| Ok::<_, Refusal>(self.there(way, from)?.half_square);
+        let turning = |far: T| self.first(far, false, &half_square);
         // What is met beyond the turning point is not met.
         let before_rest = |found: Option<T>| match found {
             Some(way) => Ok::<_, Refusal>(turning(way)?.is_none().then_some(way)),
@@ -990,13 +1052,10 @@ impl<'a, T: Real> Account<'a, T> {
             End::TurningPoint(_) => turning(far)?,
             End::Speed(_, w) => {
                 let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
-                before_rest(
-                    self.first(far, from.1.below(level), &|way| Ok(self.half_square(way, from)? - level))?,
-                )?
+                before_rest(self.first(far, from.1.below(level), &|way| Ok(half_square(way)? - level))?)?
             }
             End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
-                let square = self.half_square(way, from)?.scale2(1);
-                Ok(self.normal(&self.poses(way)?, square, joint)?.unwrap_or_else(T::zero))
+                Ok(self.normal_there(joint, way, from)?.unwrap_or_else(T::zero))
             })?)?,
             End::Time(_, t) => {
                 let t = self.n.get(t);
@@ -1050,7 +1109,7 @@ impl<'a, T: Real> Account<'a, T> {
         let open = |x: T| {
             if proves && matches!(scene.end, End::Time(..)) { x.widened(|| f64::INFINITY) } else { x }
         };
-        let half_square = if rest { T::zero() } else { self.half_square(way, from)? };
+        let half_square = if rest { T::zero() } else { half_square(way)? };
         let mut say = |quantity, of, value: T| self.say(road, quantity, of, value);
         if wanted.quantities.has(Quantity::T) {
             let time = match scene.end {
@@ -1204,7 +1263,7 @@ impl<'a, T: Real> Account<'a, T> {
     fn sets_off(&self, poses: &Poses<T>, blows: bool) -> Result<Motion<T>, Refusal> {
         let bodies = self.scene.bodies.len();
         let modes = |virtually: bool| -> Vec<Motion<T>> {
-            let reduced = self.settled(|| self.conditions(poses, virtually).0.reduce(&[]));
+            let reduced = self.settled(|| self.conditions(poses, virtually, 1).0.reduce(&[]));
             let mode = |which: usize| {
                 (0..bodies).map(|b| [0, 1, 2].map(|i| reduced.in_mode(which, 3 * b + i))).collect()
             };
@@ -1344,9 +1403,10 @@ impl<'a, T: Real> Account<'a, T> {
     /// The impulses of the joints at blows that give this motion.
     fn tell_blow(&self, poses: &Poses<T>, jump: &Motion<T>, road: &mut Road<T>) {
         let moves = |b: usize, along: T| self.velocity(poses, jump, b, along);
-        for (j, joint) in self.scene.joints.iter().enumerate() {
+        let all = self.reactions(poses, 0..self.scene.joints.len(), &moves, true);
+        for (j, (joint, impulses)) in self.scene.joints.iter().zip(all).enumerate() {
             let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
-            match self.reaction(poses, j, &moves, true) {
+            match impulses {
                 Some(impulses) => {
                     for (quantity, (impulse, _)) in quantities.iter().zip(&impulses) {
                         self.say(road, *quantity, of, *impulse);
@@ -1419,10 +1479,11 @@ impl<'a, T: Real> Account<'a, T> {
     /// The forces of joints and springs, with these accelerations of points.
     fn tell_forces(&self, poses: &Poses<T>, moves: &dyn Fn(usize, T) -> Vector<T>, road: &mut Road<T>) {
         let scene = self.scene;
-        for (j, joint) in scene.joints.iter().enumerate() {
+        let all = self.reactions(poses, 0..scene.joints.len(), moves, false);
+        for (j, (joint, forces)) in scene.joints.iter().zip(all).enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
-            let Some(forces) = self.reaction(poses, j, moves, false) else {
+            let Some(forces) = forces else {
                 road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
                 continue;
             };

@@ -83,6 +83,8 @@ struct Motion<'m, 'a, T: Real> {
     pendulum: Option<Pendulum<T>>,
     /// How fine its panels are.
     fine: Fine,
+    /// Is the time asked for, or where it is at a time?
+    timed: bool,
 }
 
 /// The panels of a motion, and the shares below which the last Legendre coefficients of its rate and of its time are smooth.
@@ -282,6 +284,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         panels: Cell::new(PANELS),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, teller.pinned.is_some()),
+        timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
     };
     // Friction may hold what would set off without it.
     let (a, b) = if rubbed { mechanism.leading(&mechanism.respond(&state, &motion.rubs)?) } else { (a, b) };
@@ -423,8 +426,12 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if self.near.is_zero() {
             return way.root();
         }
-        let sine = way.f64().sqrt() / self.near.f64();
-        let mut x = T::of(trig::ln(sine + (1.0 + sine * sine).sqrt())) * self.near;
+        let near = self.near.f64();
+        let rough = |way: f64| {
+            let sine = way.sqrt() / near;
+            (trig::ln(sine + (1.0 + sine * sine).sqrt()), 0.0)
+        };
+        let mut x = way.each(rough).0 * self.near;
         for _ in 0..2 {
             let (here, slope) = self.way(x);
             x = if slope.is_zero() { x } else { x + (way - here) / slope };
@@ -436,7 +443,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if self.rests() && !self.is_rubbed() {
             let beside = self.mechanism.state(self.angle(T::of(BESIDE)), true)?;
             let (first, then) = (self.mechanism.drive(begin), self.mechanism.drive(&beside));
-            let doubled = first.f64() * 2.0 * BESIDE / (then - first).f64();
+            let doubled = T::leading(|| first.f64() * 2.0 * BESIDE / (then - first).f64());
             if doubled > 0.0 && doubled < NEAR {
                 self.near = T::of(doubled.sqrt());
             }
@@ -670,14 +677,16 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             }
             if let Some((x, why)) = first {
                 let share = (x - a) / (b - a);
-                let fine = why != Why::Rest && rule.rough(&panel.times, self.fine.rate, 0.0) <= 1.0;
+                let timed = self.timed && why != Why::Rest;
+                let fine = timed && rule.rough(&panel.times, self.fine.rate, 0.0) <= 1.0;
                 let half_square = if why == Why::Rest { T::zero() } else { rule.at(&panel.squares, share) };
                 let time = fine.then(|| rule.until(&panel.times, share));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
             for (joint, force) in now {
                 if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
-                    (least.1, least.2) = (f64::min(least.1, force.f64()), f64::max(least.2, force.size()));
+                    let now = T::leading(|| force.f64());
+                    (least.1, least.2) = (f64::min(least.1, now), f64::max(least.2, force.size()));
                 }
             }
             before = x;
@@ -1095,7 +1104,7 @@ struct Teller<'t, 'a, T: Real> {
 
 impl<T: Real> Teller<'_, '_, T> {
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
-        self.say_scaled(quantity, of, value, value.f64().abs());
+        self.say_scaled(quantity, of, value, value.size());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
         use Quantity::{AX, AY, VX, VY};
@@ -1268,6 +1277,7 @@ impl<T: Real> Teller<'_, '_, T> {
             panels: Cell::new(PANELS),
             pendulum: None,
             fine: Fine::of::<T>(self.scene, self.pinned.is_some()),
+            timed: false,
         };
         let motion = motion.set_off(&begin)?;
         motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
@@ -1284,7 +1294,7 @@ impl<T: Real> Teller<'_, '_, T> {
             let first =
                 meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
             let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
-            self.road.held.push(Held::Met(s, met, way.f64()));
+            self.road.held.push(Held::Met(s, met, T::leading(|| way.f64())));
         }
         Ok(())
     }
@@ -1294,7 +1304,7 @@ impl<T: Real> Teller<'_, '_, T> {
         for (j, _) in self.scene.joints.iter().enumerate().filter(|(_, j)| j.kind.is_one_sided()) {
             if let Some(force) = self.mechanism.reaction(response, j, square) {
                 let force = self.n.publish(Quantity::Normal, force[0]);
-                self.road.held.push(Held::Touching(j, force.f64(), force.size()));
+                self.road.held.push(Held::Touching(j, T::leading(|| force.f64()), force.size()));
             }
         }
     }
@@ -1471,7 +1481,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 self.tell_along(state, response, square, [x, y]);
                 let force = (x.square() + y.square()).root();
                 self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
-                if !force.is_zero() {
+                if self.asked.quantities.has(Quantity::PinAngle) && !force.is_zero() {
                     self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
                 }
             }

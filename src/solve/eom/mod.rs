@@ -49,15 +49,26 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
     }
 }
 
-/// What they say of what is asked with each of several sets of data, in doubles; `None` where they say nothing. Scenes of constant
-/// velocity ratios are walked for several sets at once.
+/// What they say of what is asked with each of several sets of data, in doubles; `None` where they say nothing. Many scenes are walked
+/// for several sets at once; those of joined bodies have to be near the first one, whose panels they share.
 pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
     let alone = |data: &Set| road_of(scene, data, asked).ok().map(Told::Alone);
     #[cfg(feature = "program")]
-    if sets.len() > 1 && side_by_side(scene) {
-        return sets.chunks(lanes::LANES).flat_map(|sets| together(scene, sets, asked, &alone)).collect();
+    if let Some(least) = least_together(scene) {
+        let walked = |sets: &[Set]| match sets.len() < least {
+            true => sets.iter().map(alone).collect(),
+            false => together(scene, sets, asked, &alone),
+        };
+        return sets.chunks(lanes::LANES).flat_map(walked).collect();
     }
     sets.iter().map(alone).collect()
+}
+
+/// So many sets of data are walked together at less cost than one by one, if any are.
+#[cfg(feature = "program")]
+fn least_together(scene: &Scene) -> Option<usize> {
+    let joined = is_given(scene) && scene.lead().is_some() && !scene.is_still();
+    if side_by_side(scene) { Some(2) } else { joined.then_some(4) }
 }
 
 /// The same of so many sets as go side by side.
@@ -68,9 +79,9 @@ fn together(
     asked: Scope,
     alone: &dyn Fn(&Set) -> Option<Told>,
 ) -> Vec<Option<Told>> {
-    let walk = |data: &[f64]| Walk::<Lanes>::new(scene, Numbers::new(scene, data), asked)?.walk();
+    let walk = |data: &[f64]| of_kind::<Lanes>(scene, Numbers::new(scene, data), asked);
     let (road, astray) = lanes::side_by_side(sets, walk);
-    let road = road.map(|(road, _)| Rc::new(road.telling(scene)));
+    let road = road.map(|road| Rc::new(road.telling(scene)));
     let of = |(lane, data)| match &road {
         Ok(road) if astray >> lane & 1 == 0 => Some(Told::Lane(Rc::clone(road), lane)),
         _ => alone(data),
@@ -80,9 +91,13 @@ fn together(
 
 /// Is it walked for several sets of data at once? A motion on lines and axles, with all data given and nothing asked by formulas.
 pub fn side_by_side(scene: &Scene) -> bool {
-    let given = scene.formulas.found.is_none() && scene.formulas.asked.is_empty();
     let placed = scene.lead().is_some() || scene.pinned().is_some() || scene.thrown().is_some();
-    cfg!(feature = "program") && given && !placed && !matches!(scene.end, End::AtOnce)
+    cfg!(feature = "program") && is_given(scene) && !placed && !matches!(scene.end, End::AtOnce)
+}
+
+/// Is nothing of it found from a measurement, and nothing asked by formulas?
+fn is_given(scene: &Scene) -> bool {
+    scene.formulas.found.is_none() && scene.formulas.asked.is_empty()
 }
 
 /// [`road`] with all data given.

@@ -23,6 +23,7 @@ use crate::scene::pose::{self, Layout};
 use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
 use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
+use std::cell::RefCell;
 
 /// Are joints looked through for what they do not say or hold, and motions for where they cannot be followed? Not in a page, whose sheet
 /// was drawn from a scene that was looked through.
@@ -62,6 +63,8 @@ pub struct Mechanism<'a, T: Real> {
     natural: SmallVec<[T; 2]>,
     /// Of each torsion spring the direction of the axis of its body at which it is relaxed.
     relaxed: SmallVec<[Vector<T>; 2]>,
+    /// Room for the equations of the bodies, which are made anew at each place.
+    factors: RefCell<Factors<T>>,
 }
 
 /// Where all bodies are.
@@ -179,6 +182,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
             levers: (0..scene.bodies.len()).map(levers).collect(),
             natural: SmallVec::new(),
             relaxed: SmallVec::new(),
+            factors: RefCell::new(Factors::none()),
         };
         if scene.struts.is_empty() {
             return Ok(mechanism);
@@ -581,7 +585,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let forces = self.forces(&state.poses, false);
         let terms = forces.iter().flatten().zip(state.rates.iter().flatten());
         let (mut sum, mut size) = (T::zero(), 0.0);
-        for (force, rate) in terms.filter(|(force, rate)| !force.is_zero() && !rate.is_zero()) {
+        for (force, rate) in terms.filter(|(force, rate)| !force.is_nothing() && !rate.is_nothing()) {
             let power = *force * *rate;
             (sum, size) = (sum + power, size + power.size());
         }
@@ -693,10 +697,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
         }
         let count = self.columns;
         let mut bends: Rates<T> = smallvec![[T::zero(); 3]; forces.len()];
-        let mut bend: SmallVec<[T; 12]> = inward.iter().copied().collect();
+        let mut bend: SmallVec<[T; 12]> = smallvec![T::zero(); inward.len()];
+        bend.copy_from_slice(inward);
         state.kinematics.solve(&mut bend);
         self.per_body(&bend, &mut bends);
-        let mut factors = Factors::none();
+        let mut factors = self.factors.borrow_mut();
         factors.room(count);
         let mut rights: [SmallVec<[T; 12]>; 2] = [smallvec![T::zero(); count], smallvec![T::zero(); count]];
         for (b, force) in forces.iter().enumerate() {
