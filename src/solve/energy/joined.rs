@@ -5,19 +5,23 @@
 //! of half its mass, as far from its mass centre on either side along its axis as its radius of gyration (equimomental particles):
 //! no angular velocity comes in. Where a guide rubs, the balance is drawn up for virtual motions in which normal force and friction
 //! together do no work, and solved by collocation. Time is a quadrature in an angle whose cosine is the place: the root
-//! singularities at the ends of the way are gone.
+//! singularities at the ends of the way are gone. A body on a pin is one of them; under its weight alone it has closed forms.
 //! Source: Routh, *Dynamics of a System of Rigid Bodies*, elementary part, article 33 (equimomental bodies).
 use crate::num::dd::pow2;
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::{self, PerNode, Unsettled};
+use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Pose};
 use crate::scene::{
-    Acts, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Push, Quantity, Rest, Scene, Spot, Strut,
-    StrutEnd,
+    Acts, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Push, Quantity, Ray, Rest, Scene, Spot,
+    Strut, StrutEnd,
 };
+use crate::solve::energy::pendulum::Pendulum;
+use crate::solve::energy::quadrature::Leg;
+use crate::solve::method::Method;
 use crate::solve::outcome::{self, Course, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::{Cell, RefCell};
@@ -44,6 +48,29 @@ fn decided<T: Real>(value: T) -> bool {
 type Vector<T> = [T; 2];
 /// Where all bodies are, with derivatives by the leading angle.
 type Poses<T> = pose::Poses<Jet<T>>;
+/// A place: the way to it, and if the leading angle there is known better than by that, the angle.
+type At<T> = (T, Option<Half<T>>);
+
+/// Where everything is at two places; of a leading body on a fixed pin how far it has moved from the one to the other.
+struct Between<'p, T> {
+    from: &'p Poses<T>,
+    to: &'p Poses<T>,
+    swung: Option<(usize, Pose<T>)>,
+}
+
+impl<T: Real> Between<'_, T> {
+    /// How far the point at these distances along the axis of a body and to its left has moved.
+    fn shift(&self, body: usize, at: [T; 2]) -> Vector<T> {
+        if let Some((_, pose)) = self.swung.as_ref().filter(|(lead, _)| *lead == body) {
+            return pose.point(at);
+        }
+        let [from, to] = [self.from, self.to].map(|poses| {
+            let Pose { origin, axis } = &poses[body];
+            Pose { origin: origin.map(|x| x.value), axis: axis.map(|x| x.value) }.point(at)
+        });
+        [to[0] - from[0], to[1] - from[1]]
+    }
+}
 
 /// Bodies, forces and joints as an account of work.
 struct Account<'a, T: Real> {
@@ -61,6 +88,9 @@ struct Account<'a, T: Real> {
     meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
     sense: f64,
+    /// Is it a body on a pin, of which all is told as its own, and what has it in closed form?
+    pinned: bool,
+    pendulum: Option<Pendulum<T>>,
     /// For each joint: sense in which its point slides where it rubs, else 0.
     slides: SmallVec<[f64; 4]>,
     /// The same times the side to which its guide pushes, 1 or -1, if it holds on both.
@@ -73,6 +103,8 @@ struct Account<'a, T: Real> {
     solved: RefCell<Vec<Stretch<T>>>,
     /// At how many places it has looked.
     looked: Cell<u64>,
+    /// Points of quadratures that are asked for.
+    points: Option<usize>,
 }
 
 /// A part of the way on which the balance has been solved by collocation.
@@ -122,10 +154,22 @@ fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: V
 }
 
 /// Everything that work and energy say of a scene of joined bodies, the time only if it is asked, and at how many places they looked.
+/// With `points`, speed and time of a body on a pin come from the work of its forces, summed by quadratures of so many points.
 ///
-/// Errors: joints that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<(Road<T>, Count), Refusal> {
-    let mut account = Account::new(scene, n)?;
+/// Errors: joints that do not determine the motion, a quadrature that does not settle, points for other bodies.
+pub fn road<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    asked: Scope,
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
+    let plane = scene.in_the_plane();
+    let mut account = Account::new(&plane, n)?;
+    account.pinned = scene.pinned().is_some();
+    account.points = points;
+    if points.is_some() && !account.pinned {
+        return Err(Refusal::NoMethod { method: Method::Gauss });
+    }
     let mut road = account.road(asked)?;
     if account.open.get() {
         road.said.iter_mut().for_each(|said| said.value = said.value.widened(|| f64::INFINITY));
@@ -138,6 +182,9 @@ impl<T: Real> Account<'_, T> {
         let scene = self.scene;
         let mut spin = self.layout.start_rate().ok_or(Refusal::Freedoms(2))?;
         let mut road = Road::new(asked);
+        if self.pinned {
+            self.tell_lasting(spin, asked, &mut road)?;
+        }
         if matches!(scene.end, End::AtOnce) {
             self.instant(spin, &mut road)?;
             return Ok(road);
@@ -174,6 +221,7 @@ impl<T: Real> Account<'_, T> {
             / rubbed.inertia.signed(self.sense);
         if self.sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
             road.course = Some(Course::at_rest());
+            self.tell_standing(&first, T::zero(), &mut road)?;
             return Ok(road);
         }
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
@@ -207,12 +255,15 @@ impl<'a, T: Real> Account<'a, T> {
             relaxed: SmallVec::new(),
             meets: SmallVec::new(),
             sense: 1.0,
+            pinned: false,
+            pendulum: None,
             slides: scene.joints.iter().map(|_| 0.0).collect(),
             rubs: scene.joints.iter().map(|_| 0.0).collect(),
             open: Cell::new(false),
             drive: Cell::new(None),
             solved: RefCell::new(Vec::new()),
             looked: Cell::new(0),
+            points: None,
         };
         let poses = account.placed()?;
         for (s, strut) in scene.struts.iter().enumerate() {
@@ -229,6 +280,19 @@ impl<'a, T: Real> Account<'a, T> {
     fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
         self.looked.set(self.looked.get() + 1);
         self.layout.poses(way.signed(self.sense), false).ok_or(Refusal::Freedoms(2))
+    }
+    /// Where everything is at a place.
+    fn at(&self, (way, angle): &At<T>) -> Result<Poses<T>, Refusal> {
+        let mut poses = self.poses(*way)?;
+        if let Some(pose) = angle.and_then(|angle| self.layout.hung(&angle)) {
+            poses[self.lead] = pose;
+        }
+        Ok(poses)
+    }
+    /// The start and a place, where everything lies so.
+    fn between<'p>(&self, from: &'p Poses<T>, to: &'p Poses<T>, (way, angle): &At<T>) -> Between<'p, T> {
+        let swung = self.layout.swung(way.signed(self.sense), angle.as_ref());
+        Between { from, to, swung: swung.map(|pose| (self.lead, pose)) }
     }
     /// Where everything is at the start.
     fn placed(&self) -> Result<Poses<T>, Refusal> {
@@ -308,6 +372,9 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// The motion of unit rate of the leading angle.
     fn rates(&self, poses: &Poses<T>) -> Motion<T> {
+        if self.pinned {
+            return smallvec![[T::zero(), T::zero(), T::of(self.counts(self.lead))]];
+        }
         poses.iter().map(|p| [p.origin[0].first, p.origin[1].first, p.turn().0]).collect()
     }
     /// Velocity of a point at a distance along the axis of a body in a motion.
@@ -510,7 +577,11 @@ impl<'a, T: Real> Account<'a, T> {
     fn balance(&self, poses: &Poses<T>, motion: &Motion<T>) -> Result<Balance<T>, Refusal> {
         let zero = T::zero();
         let mut balance = Balance { inertia: zero, bend: zero, force: zero, size: 0.0 };
-        for (b, numbers) in self.n.bodies.iter().enumerate() {
+        if self.pinned {
+            // About a fixed pin it does not change.
+            balance.inertia = self.inertia(poses);
+        }
+        for (b, numbers) in self.n.bodies.iter().enumerate().filter(|_| !self.pinned) {
             let (centre, gyration) = self.centres[b];
             let half = numbers.mass.scale2(-1);
             for (particle, along) in
@@ -533,6 +604,12 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Twice the kinetic energy at unit rate of the leading angle.
     fn inertia(&self, poses: &Poses<T>) -> T {
+        if self.pinned {
+            let (numbers, (arm, _)) = (&self.n.bodies[self.lead], self.centres[self.lead]);
+            let carried =
+                plant!("energy: speed of the mass centre about the pin", numbers.mass * arm.square());
+            return carried + plant!("energy: rotation about the pin", numbers.inertia);
+        }
         let mut sum = T::zero();
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let half = plant!("energy: inertia over the angle", numbers.mass.scale2(-1));
@@ -550,14 +627,8 @@ impl<'a, T: Real> Account<'a, T> {
     /// Powers of weights, forces, couples and springs in a motion; or what the blows at the start do in it.
     fn powers(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> SmallVec<[T; 6]> {
         let mut powers: SmallVec<[T; 6]> = SmallVec::new();
-        let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| p.blow == blows);
-        let pushed = pushes.map(|(push, direction)| {
-            let u = self.push(poses, push, *direction);
-            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
-            p * dot(u, self.of_spot(poses, motion, push.at))
-        });
         if blows {
-            return pushed.collect();
+            return self.pushed(poses, motion, true).collect();
         }
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let velocity = self.velocity(poses, motion, b, self.centres[b].0);
@@ -569,7 +640,23 @@ impl<'a, T: Real> Account<'a, T> {
             let shared = self.n.carried.map(|a| numbers.mass * dot(a, velocity));
             powers.extend(shared.map(|x| -plant!("energy: power shared with the carrier", x)));
         }
-        powers.extend(pushed);
+        powers.extend(self.applied(poses, motion));
+        powers
+    }
+
+    /// Powers of forces, or what blows do.
+    fn pushed(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> impl Iterator<Item = T> {
+        let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(move |(p, _)| p.blow == blows);
+        pushes.map(move |(push, direction)| {
+            let u = self.push(poses, push, *direction);
+            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
+            p * dot(u, self.of_spot(poses, motion, push.at))
+        })
+    }
+
+    /// Powers of forces, couples and springs.
+    fn applied(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[T; 6]> {
+        let mut powers: SmallVec<[T; 6]> = self.pushed(poses, motion, false).collect();
         powers.extend(self.drive.get().map(|moment| moment * motion[self.lead][2]));
         for c in &self.scene.couples {
             let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
@@ -639,21 +726,19 @@ impl<'a, T: Real> Account<'a, T> {
         if self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 }
     }
 
-    /// Work of all forces from the start to a place.
-    fn work(&self, from: &Poses<T>, to: &Poses<T>, way: T) -> Result<T, Refusal> {
+    /// Work of all forces between two places, so far apart.
+    fn work(&self, places: &Between<T>, way: T) -> Result<T, Refusal> {
+        let Between { from, to, .. } = *places;
         let (mut work, mut size) = (T::zero(), 0.0);
         let mut add = |w: T| {
             work = work + w;
             size += w.size();
         };
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let place =
-                |at: &Poses<T>, i: usize| at[b].origin[i].value + at[b].axis[i].value * self.centres[b].0;
-            let back = |i: usize| place(from, i) - place(to, i);
-            let fallen = back(1);
+            let [aside, fallen] = places.shift(b, [self.centres[b].0, T::zero()]).map(|x| -x);
             add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
             if let Some(a) = self.n.carried {
-                let shared = dot(a, [back(0), fallen]);
+                let shared = dot(a, [aside, fallen]);
                 add(plant!("energy: energy shared with the carrier in the plane", numbers.mass * shared));
             }
         }
@@ -671,8 +756,7 @@ impl<'a, T: Real> Account<'a, T> {
                 let terms = pose::size(self.scene, self.n);
                 add(p * gauss::integral_of_terms(power, (T::zero(), way), terms)?);
             } else {
-                let (a, b) = (self.point(from, push.at), self.point(to, push.at));
-                add(p * dot(self.push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
+                add(p * dot(self.push(from, push, *direction), self.shift(places, push.at)));
             }
         }
         for c in &self.scene.couples {
@@ -686,27 +770,61 @@ impl<'a, T: Real> Account<'a, T> {
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
             add(moment * if c.forward { turned } else { -turned });
         }
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            // Where it does not act, it is as if it had its natural length.
-            let [a, b] = [from, to].map(|poses| self.length(poses, s).value);
-            let [a, b] = [a, b].map(|length| if self.bears(s, length) { length } else { *natural });
-            // (x0 - x1)(x0 + x1) of the stretches.
-            let stored = (a - b) * ((a - *natural) + (b - *natural));
+        for (s, strut) in self.scene.struts.iter().enumerate() {
             let stiffness =
                 plant!("energy: work of a spring in the plane", self.n.massive(strut.stiffness_n_m));
-            add((stiffness * stored).scale2(-1));
+            add((stiffness * self.released(s, places)).scale2(-1));
         }
         Ok(work.cleared(size))
     }
 
+    /// How far a point has moved.
+    fn shift(&self, places: &Between<T>, spot: Spot) -> Vector<T> {
+        places.shift(spot.body, pose::of_spot(self.scene, self.n, spot))
+    }
+
+    /// By how much the square of the stretch of a spring has shrunk, as `(x0 - x1)(x0 + x1)`; the difference of two lengths is that
+    /// of their squares over their sum.
+    fn released(&self, s: usize, places: &Between<T>) -> T {
+        let (strut, natural) = (&self.scene.struts[s], self.natural[s]);
+        let ends = [places.from, places.to];
+        let lengths = ends.map(|poses| self.length(poses, s).value);
+        // Where it does not act, it is as if it had its natural length.
+        let [a, b] = lengths.map(|length| if self.bears(s, length) { length } else { natural });
+        let near = self.shift(places, strut.at);
+        let far = match strut.to {
+            StrutEnd::Twist => None,
+            StrutEnd::Ground(_) => Some([T::zero(); 2]),
+            StrutEnd::Spot(spot) => Some(self.shift(places, spot)),
+            StrutEnd::Guide { direction_deg, .. } => {
+                let along = pose::direction(self.n, direction_deg);
+                Some(along.map(|u| u * dot(near, along)))
+            }
+        };
+        let whole = lengths.iter().all(|length| self.bears(s, *length)) && (a + b).size() > 0.0;
+        let shorter = match far.filter(|_| whole) {
+            Some(far) => {
+                let [first, last] = ends.map(|poses| self.apart(poses, s).map(|x| x.value));
+                let change = [near[0] - far[0], near[1] - far[1]];
+                dot(change, [first[0] + last[0], first[1] + last[1]]) / (a + b)
+            }
+            None => a - b,
+        };
+        shorter * ((a - natural) + (b - natural))
+    }
+
     /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
-    fn half_square(&self, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+    fn half_square(&self, way: T, start: (&Poses<T>, T)) -> Result<T, Refusal> {
+        self.half_square_at(&(way, None), start)
+    }
+    fn half_square_at(&self, place: &At<T>, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
         if self.rubs.iter().any(|s| *s != 0.0) {
-            return self.collocated(way, from);
+            return self.collocated(place.0, from);
         }
-        let poses = self.poses(way)?;
+        let poses = self.at(place)?;
         let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
-        Ok(kinetic.balance(self.work(first, &poses, way)?) / self.inertia(&poses))
+        let work = self.work(&self.between(first, &poses, place), place.0)?;
+        Ok(kinetic.balance(work) / self.inertia(&poses))
     }
 
     /// The same where guides rub: the balance of virtual motions, `dy/dq = (force - 2 bend y) / inertia`, by collocation.
@@ -845,10 +963,13 @@ impl<'a, T: Real> Account<'a, T> {
                 Self::around(root, sure, value).map(Some)
             };
             let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
+            // What sets off from rest beside a balance may turn in the first hair of the way.
+            let mut step = if seen[0].1.is_zero() { STEP / 32.0 } else { STEP };
             while let Some((before, _)) = seen.last().copied()
                 && before.below(far)
             {
-                let next = before + T::of(STEP);
+                let next = before + T::of(step);
+                step = f64::min(2.0 * step, STEP);
                 let next = if next.below(far) { next } else { far };
                 let now = value(next)?;
                 if gone(now) {
@@ -923,10 +1044,15 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(true)
     }
 
-    /// Time over a way: in an angle whose cosine is the place.
-    fn time(&self, way: T, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
+    /// Time to a place, where it rests or not: in an angle whose cosine is the place.
+    fn time(&self, place: &At<T>, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
+        let way = place.0;
         if way.is_zero() {
             return Ok(T::zero());
+        }
+        if let Some(pendulum) = &self.pendulum {
+            let speed = if rest { T::zero() } else { self.half_square_at(place, from)?.scale2(1).root() };
+            return Ok(pendulum.time(way, &self.angle(place), speed));
         }
         // A quadrature settles, it proves nothing.
         let open = T::of(1.0).widened(|| f64::INFINITY);
@@ -953,12 +1079,98 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(plant!("energy: time of joined bodies", time))
     }
 
+    /// The leading angle at a place.
+    fn angle(&self, (way, angle): &At<T>) -> Half<T> {
+        let start = || self.scene.start_angle(self.n);
+        angle.unwrap_or_else(|| start().plus(Half::of_radians(way.signed(self.sense))))
+    }
+
+    /// Where it comes to rest within a way.
+    fn turning(&self, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        match &self.pendulum {
+            Some(pendulum) => Ok(pendulum.turning().map(|(way, _)| way).filter(|way| way.at_most(far))),
+            None => self.first(far, false, &|way| self.half_square(way, from)),
+        }
+    }
+
+    /// The way to the end within `far`, if it gets there before it comes to rest.
+    fn reached(&self, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        // What is met beyond the turning point is not met.
+        let before_rest = |found: Option<T>| match found {
+            Some(way) => {
+                let rest = self.turning(way, from)?;
+                Ok::<_, Refusal>(rest.is_none_or(|rest| rest.side(way) == 0.0).then_some(way))
+            }
+            None => Ok(None),
+        };
+        match self.scene.end {
+            End::Angle(..) => before_rest(Some(far)),
+            End::TurningPoint(_) => self.turning(far, from),
+            End::Speed(_, w) => {
+                let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
+                if self.pinned && level.side(from.1) == 0.0 {
+                    return Ok(Some(T::zero()));
+                }
+                before_rest(
+                    self.first(far, from.1.below(level), &|way| Ok(self.half_square(way, from)? - level))?,
+                )
+            }
+            End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
+                let square = self.half_square(way, from)?.scale2(1);
+                Ok(self.normal(&self.poses(way)?, square, joint)?.unwrap_or_else(T::zero))
+            })?),
+            End::Time(_, t) => self.after(self.n.get(t), far, from),
+            _ => Ok(None),
+        }
+    }
+
+    /// The way that takes this time, if it takes it before it comes to rest.
+    fn after(&self, t: T, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        let rest = self.turning(far, from)?;
+        let limit = rest.unwrap_or(far);
+        let most = self.time(&(limit, None), from, rest.is_some())?;
+        if self.proves() && self.pendulum.is_none() {
+            return Ok(None);
+        }
+        match t.side(most) {
+            0.0 => return Ok(Some(limit)),
+            side if side > 0.0 => return Ok(None),
+            _ => {}
+        }
+        let speed = |way: T| Ok::<_, Refusal>(self.half_square(way, from)?.scale2(1).root());
+        let late = |way: T| Ok::<_, Refusal>(self.time(&(way, None), from, false)? - t);
+        let way = ball::unwatched(|| {
+            root::between(T::zero(), limit, true, |way| {
+                Ok::<_, Refusal>((late(way)?, T::of(1.0) / speed(way)?))
+            })
+        })?;
+        // The data take part in one step more.
+        Ok(Some(if T::ENCLOSES { way - late(way)? * speed(way)? } else { way }))
+    }
+
+    /// Are numbers kept account of? A quadrature proves nothing.
+    fn proves(&self) -> bool {
+        T::of(1.0).widened(|| f64::INFINITY).radius() > 0.0
+    }
+
+    /// The powers at the start for and against the motion, the friction among them: for margins alone.
+    fn push_and_hold(&self, rubbed: T) -> Result<(T, T), Refusal> {
+        let first = self.poses(T::zero())?;
+        let (mut push, mut hold) = (T::zero(), T::zero());
+        for power in self.powers(&first, &self.rates(&first), false) {
+            let power = power.signed(self.sense);
+            if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
+        }
+        if rubbed.sign() > 0.0 {
+            hold = hold + rubbed;
+        }
+        Ok((push, hold))
+    }
+
     fn settle(&self, spin: T, drive: (T, T), (wanted, road): (Scope, &mut Road<T>)) -> Result<(), Refusal> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
-        let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
-        let proves = T::of(1.0).widened(|| f64::INFINITY).radius() > 0.0;
-        let mut far = horizon;
+        let mut far = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
         let asked = match scene.end {
             End::Angle(_, angle) => {
                 let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
@@ -977,51 +1189,13 @@ impl<'a, T: Real> Account<'a, T> {
         let begin = self.poses(T::zero())?;
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
-        // Where it comes to rest within a way.
-        let turning = |far: T| self.first(far, false, &|way| self.half_square(way, from));
-        // What is met beyond the turning point is not met.
-        let before_rest = |found: Option<T>| match found {
-            Some(way) => Ok::<_, Refusal>(turning(way)?.is_none().then_some(way)),
-            None => Ok(None),
-        };
-        let found = match scene.end {
-            _ if backward => None,
-            End::Angle(..) => before_rest(Some(far))?,
-            End::TurningPoint(_) => turning(far)?,
-            End::Speed(_, w) => {
-                let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
-                before_rest(
-                    self.first(far, from.1.below(level), &|way| Ok(self.half_square(way, from)? - level))?,
-                )?
-            }
-            End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
-                let square = self.half_square(way, from)?.scale2(1);
-                Ok(self.normal(&self.poses(way)?, square, joint)?.unwrap_or_else(T::zero))
-            })?)?,
-            End::Time(_, t) => {
-                let t = self.n.get(t);
-                let rest = turning(far)?;
-                let limit = rest.unwrap_or(far);
-                let most = self.time(limit, from, rest.is_some())?;
-                if proves {
-                    None
-                } else if t.at_most(most) {
-                    Some(root::between(T::zero(), limit, true, |way| {
-                        let speed = self.half_square(way, from)?.scale2(1).root();
-                        Ok::<_, Refusal>((self.time(way, from, false)? - t, T::of(1.0) / speed))
-                    })?)
-                } else {
-                    None
-                }
-            }
-            _ => None,
-        };
+        let found = if backward { None } else { self.reached(far, from)? };
         let winds = match limit {
             Some(_) if matches!(scene.end, End::Angle(..)) => found.is_some(),
-            Some(_) => found.is_none() && turning(far)?.is_none(),
+            Some(_) => found.is_none() && self.turning(far, from)?.is_none(),
             None => false,
         };
-        if winds && !backward && !proves && self.stays_in_touch(far, from)? {
+        if winds && !backward && !self.proves() && self.stays_in_touch(far, from)? {
             return Err(Refusal::Unsupported(Unsupported::Overwound));
         }
         // What leaves another surface on the way does not get there.
@@ -1029,47 +1203,207 @@ impl<'a, T: Real> Account<'a, T> {
             Some(way) if !self.stays_in_touch(way, from)? => None,
             found => found,
         };
-        // Only margins hang on the drive.
-        let drive = ball::unwatched(|| {
-            let first = self.poses(T::zero())?;
-            let (mut push, mut hold) = (T::zero(), T::zero());
-            for power in self.powers(&first, &self.rates(&first), false) {
-                let power = power.signed(self.sense);
-                if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
-            }
-            let rubbed = drive.0 - drive.1;
-            if rubbed.sign() > 0.0 {
-                hold = hold + rubbed;
-            }
-            Ok::<_, Refusal>((push, hold))
-        })?;
+        let drive = ball::unwatched(|| self.push_and_hold(drive.0 - drive.1))?;
         let course = Course { sense: self.sense, drive, asked, farthest: far, reached: found.is_some() };
         road.course = Some(course);
-        let Some(way) = found else { return Ok(()) };
-        let rest = matches!(scene.end, End::TurningPoint(_));
-        let open = |x: T| {
-            if proves && matches!(scene.end, End::Time(..)) { x.widened(|| f64::INFINITY) } else { x }
-        };
-        let half_square = if rest { T::zero() } else { self.half_square(way, from)? };
-        let mut say = |quantity, of, value: T| self.say(road, quantity, of, value);
-        if wanted.quantities.has(Quantity::T) {
-            let time = match scene.end {
-                End::Time(_, t) => self.n.get(t),
-                _ => self.time(way, from, rest)?,
-            };
-            say(Quantity::T, Owner::Scene, time);
+        match found {
+            Some(way) => self.tell_end(way, from, (wanted, road)),
+            None => self.tell_standing(&begin, spin.square(), road),
         }
-        say(Quantity::Phi, Owner::Body(self.lead), open(way));
-        let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
+    }
+
+    /// Everything at the end, after this way.
+    fn tell_end(
+        &self,
+        way: T,
+        from: (&Poses<T>, T),
+        (wanted, road): (Scope, &mut Road<T>),
+    ) -> Result<(), Refusal> {
+        let scene = self.scene;
+        let turns = matches!(scene.end, End::TurningPoint(_));
+        let angle = match (scene.end, &self.pendulum) {
+            // The angle itself is printed; the way to it would round it.
+            (End::Angle(_, angle), _) if self.pinned => Some(Half::of_degrees(self.n.get(angle))),
+            // A hair from the top the way to it would round off the hair.
+            (_, Some(pendulum)) => pendulum
+                .turning()
+                .filter(|(limit, _)| turns || way.side(*limit) == 0.0)
+                .map(|(_, place)| place),
+            _ => None,
+        };
+        let place = (way, angle);
+        let timed = self.proves() && self.pendulum.is_none() && matches!(scene.end, End::Time(..));
+        let open = |x: T| if timed { x.widened(|| f64::INFINITY) } else { x };
+        let searched = self.looked.replace(0);
+        let half_square = if turns { T::zero() } else { self.half_square_at(&place, from)? };
+        let rest = turns || !T::ENCLOSES && half_square.is_zero();
+        let mut rate = open(half_square).scale2(1).root();
+        let mut time = match scene.end {
+            End::Time(_, t) => Some(self.n.get(t)),
+            _ if !wanted.quantities.has(Quantity::T) || self.points.is_some() => None,
+            _ => Some(match &self.pendulum {
+                Some(pendulum) => pendulum.time(way, &self.angle(&place), rate),
+                None => self.time(&place, from, rest)?,
+            }),
+        };
+        if let Some(points) = self.points {
+            let summed = self.summed(way, rest, from, points)?;
+            (rate, time) = (summed.0, Some(summed.1));
+        }
+        let looked = self.looked.get();
+        if let Some(time) = time.filter(|_| wanted.quantities.has(Quantity::T)) {
+            self.say(road, Quantity::T, Owner::Scene, time);
+        }
+        self.say(road, Quantity::Phi, Owner::Body(self.lead), open(way));
+        let poses = self.at(&place)?;
+        let places = self.between(from.0, &poses, &place);
         for (b, body) in scene.bodies.iter().enumerate() {
             if body.planar.is_some() {
-                let risen = self.centre(&poses, b)[1].value - self.centre(&first, b)[1].value;
-                say(Quantity::Rise, Owner::Body(b), open(plant!("energy: rise in the plane", risen)));
+                let [_, risen] = places.shift(b, [self.centres[b].0, T::zero()]);
+                let risen = open(plant!("energy: rise in the plane", risen));
+                self.say(road, Quantity::Rise, Owner::Body(b), risen);
             }
         }
-        let rate = open(half_square).scale2(1).root().signed(self.sense);
+        if let Some(moment) = self.couple().filter(|_| self.pinned) {
+            self.say(road, Quantity::WorkCouple, Owner::Body(self.lead), moment * way.signed(self.sense));
+        }
+        let rate = rate.signed(self.sense);
         let (second, _) = self.acceleration(&poses, rate.square())?;
-        self.tell(&poses, rate, second, road)
+        self.tell(&poses, rate, second, road)?;
+        // Of a body on a pin what speed and time take is counted, not the search.
+        self.looked.set(if self.pinned { looked } else { searched + self.looked.get() });
+        Ok(())
+    }
+
+    // -- a body on a pin ------------------------------------------------------------------------------------------------
+
+    /// The couples on it, as its angle counts, if there are any.
+    fn couple(&self) -> Option<T> {
+        let each = self.scene.couples.iter().map(|c| {
+            let moment = self.n.massive(c.moment_n_m);
+            if c.forward { moment } else { -moment }
+        });
+        each.reduce(T::balance)
+    }
+
+    /// What holds whatever the end, with this spin at the start.
+    fn tell_lasting(&mut self, spin: T, asked: Scope, road: &mut Road<T>) -> Result<(), Refusal> {
+        let (poses, of) = (self.poses(T::zero())?, Owner::Body(self.lead));
+        let inertia = self.inertia(&poses);
+        self.say(road, Quantity::IO, of, inertia);
+        let numbers = &self.n.bodies[self.lead];
+        let weight = plant!("energy: weight of a pendulum", numbers.mass * self.n.gravity);
+        let frequency = (weight * self.centres[self.lead].0 / inertia).root();
+        if !self.scene.couples.is_empty() || !self.scene.struts.is_empty() || frequency.is_zero() {
+            return Ok(());
+        }
+        let force = self.balance(&poses, &self.rates(&poses))?.force;
+        let sense = if spin.is_zero() { force.sign() } else { spin.sign() };
+        let upright = self.scene.planar(self.lead).is_some_and(|p| p.from == Ray::Up);
+        let start = (self.scene.start_angle(self.n), upright);
+        let pendulum = Pendulum::new(start, sense, spin, frequency);
+        self.say(road, Quantity::OmegaSmall, of, frequency);
+        self.say(road, Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+        if asked.any(&[Quantity::Period, Quantity::OmegaMax]) {
+            let (period, fastest) = pendulum.period();
+            self.say(road, Quantity::Period, of, period);
+            self.say(road, Quantity::OmegaMax, of, fastest);
+        }
+        self.pendulum = Some(pendulum);
+        Ok(())
+    }
+
+    /// Its acceleration and forces where it stands, at this square of its rate.
+    fn tell_standing(&self, poses: &Poses<T>, square: T, road: &mut Road<T>) -> Result<(), Refusal> {
+        if self.pinned {
+            let (second, _) = self.acceleration(poses, square)?;
+            self.say(road, Quantity::Alpha, Owner::Body(self.lead), second);
+            self.tell_pin(poses, second, square, road);
+            self.tell_springs(poses, road);
+        }
+        Ok(())
+    }
+
+    /// What it has at this rate beside what every body has.
+    fn tell_spin(&self, poses: &Poses<T>, rate: T, road: &mut Road<T>) {
+        let (of, inertia) = (Owner::Body(self.lead), self.inertia(poses));
+        self.say(road, Quantity::AngularMomentum, of, inertia * rate.abs());
+        if !rate.is_zero() {
+            let own = self.n.bodies[self.lead].inertia;
+            self.say(road, Quantity::RotationalFraction, Owner::Scene, own / inertia);
+        }
+        if let Some(moment) = self.couple().filter(|_| road.course.is_some()) {
+            self.say(road, Quantity::PowerCouple, of, moment * rate);
+        }
+    }
+
+    /// The force of its pin: along its axis and across from virtual displacements of the body without a turn, in which the pin's force
+    /// does work, to the right and up from both.
+    fn tell_pin(&self, poses: &Poses<T>, second: T, square: T, road: &mut Road<T>) {
+        let (b, zero) = (self.lead, T::zero());
+        let (numbers, arm, sense) = (&self.n.bodies[b], self.centres[b].0, self.counts(b));
+        let [c, s] = poses[b].axis.map(|x| x.value);
+        let lacks = |powers: SmallVec<[T; 6]>, needed: T| {
+            let size = powers.iter().fold(needed.size(), |sum, p| sum + p.size());
+            (powers.into_iter().fold(needed, |sum, p| sum - p).cleared(size), size)
+        };
+        let kept = plant!("energy: centripetal term", numbers.mass * arm) * square;
+        let (outward, _) = lacks(self.powers(poses, &smallvec![[c, s, zero]], false), -kept);
+        let speeding = plant!("energy: speeding up of the mass centre", numbers.mass * arm) * second;
+        let aside = [-s, c].map(|x| x.signed(sense));
+        let mut across = lacks(self.powers(poses, &smallvec![[aside[0], aside[1], zero]], false), speeding);
+        if !arm.is_zero() {
+            // The same force from a virtual turn about the mass centre, in which the weight does no work: of a body whose mass sits
+            // there the force across is a small difference of weight and speeding up, but no difference here.
+            let own = plant!("energy: rotation in a turn about the mass centre", numbers.inertia);
+            let turn = T::of(1.0) / arm;
+            let about = smallvec![[-aside[0], -aside[1], turn.signed(sense)]];
+            let about = lacks(self.applied(poses, &about), own * second / arm);
+            if about.1 < across.1 {
+                across = (-about.0, about.1);
+            }
+        }
+        let across = across.0;
+        let of = Owner::Body(b);
+        self.say(road, Quantity::PinRadial, of, -outward);
+        self.say(road, Quantity::PinTangential, of, across);
+        let force = (outward.square() + across.square()).root();
+        self.say(road, Quantity::PinForce, of, force);
+        let turned = across.signed(sense);
+        let side = plant!("energy: pin in a displacement to the side", (outward * c).balance(-(turned * s)));
+        let lift = plant!("energy: pin in a displacement upward", (outward * s).balance(turned * c));
+        self.say(road, Quantity::PinX, of, side);
+        self.say(road, Quantity::PinY, of, lift);
+        // A pin on which nothing acts: its force has no angle, and nothing else hangs on that.
+        if !ball::unwatched(|| force.is_zero()) {
+            self.say(road, Quantity::PinAngle, of, trig::angle(lift, side));
+        }
+    }
+
+    /// Rate and time at the end of a way, at which it rests or not, by the work of all forces over the angle.
+    fn summed(&self, way: T, rest: bool, from: (&Poses<T>, T), points: usize) -> Result<(T, T), Refusal> {
+        let far = match self.scene.end {
+            End::Angle(..) => way.scale2(1),
+            _ => T::constant(Dd::PI * Dd::new(2.0 * TURNS)),
+        };
+        let turning = self.turning(far, from)?;
+        self.looked.set(0);
+        let force = |way: T| {
+            let force = self.poses(way).and_then(|poses| self.balance(&poses, &self.rates(&poses)));
+            force.map_or_else(|_| T::of(f64::NAN), |balance| balance.force.signed(self.sense))
+        };
+        let leg = Leg { force: &force, doubled: self.inertia(from.0), points };
+        let energy = leg.doubled * from.1;
+        let work = way * leg.mean(T::zero(), way);
+        let speed = if rest { T::zero() } else { leg.speed(energy.balance(work)) };
+        let time = if way.is_zero() {
+            T::zero()
+        } else if energy.is_zero() {
+            leg.from_rest(way, turning)
+        } else {
+            leg.onward((T::zero(), leg.speed(energy)), (way, speed), turning)
+        };
+        Ok((speed, time))
     }
 
     /// Does each joint that can only push do so at the start, with more than this share of all weights?
@@ -1103,6 +1437,12 @@ impl<'a, T: Real> Account<'a, T> {
     }
 
     fn say(&self, road: &mut Road<T>, quantity: Quantity, of: Owner, value: T) {
+        use Quantity::{AX, AY, VX, VY};
+        let apart = matches!(quantity, VX | VY | AX | AY) || matches!(of, Owner::Spot(_));
+        if apart && self.pinned {
+            return;
+        }
+        let of = if self.pinned && matches!(of, Owner::Strut(_)) { Owner::Body(self.lead) } else { of };
         road.said.push(Said::of(self.n, Label { quantity, of }, value, value.size()));
     }
 
@@ -1113,9 +1453,16 @@ impl<'a, T: Real> Account<'a, T> {
         let moves = |b: usize, along: T| self.accelerates(poses, b, along, second, square);
         let turning = |b: usize| {
             let (first, bend) = poses[b].turn();
-            (first * second).balance(bend * square)
+            if self.pinned { second.signed(self.counts(b)) } else { (first * second).balance(bend * square) }
         };
         let moving = rates.iter().map(|r| r.map(|x| x * rate)).collect();
+        if self.pinned {
+            self.tell_motion(poses, &moving, Some((&moves, &turning)), road);
+            self.tell_spin(poses, rate, road);
+            self.tell_pin(poses, second, square, road);
+            self.tell_springs(poses, road);
+            return Ok(());
+        }
         self.all(poses, &moving, &moves, &turning, road)
     }
 
@@ -1138,7 +1485,7 @@ impl<'a, T: Real> Account<'a, T> {
         if let Some(alpha) = self.scene.driven() {
             return self.driven(spin, self.n.get(alpha), road);
         }
-        if !spin.is_zero() {
+        if !spin.is_zero() || self.pinned {
             let poses = self.poses(T::zero())?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
             self.slides = self.sliding(&poses, &motion);
@@ -1375,7 +1722,11 @@ impl<'a, T: Real> Account<'a, T> {
                     + plant!("energy: kinetic energy of the particles", self.n.bodies[b].mass.scale2(-1))
                         * dot(v, v);
             }
-            self.say(road, Quantity::V, of, (vx.square() + vy.square()).root());
+            let speed = match self.pinned {
+                true => (centre * motion[b][2]).abs(),
+                false => (vx.square() + vy.square()).root(),
+            };
+            self.say(road, Quantity::V, of, speed);
             self.say(road, Quantity::VX, of, vx);
             self.say(road, Quantity::VY, of, vy);
             if let Some((moves, _)) = rates {
@@ -1398,6 +1749,9 @@ impl<'a, T: Real> Account<'a, T> {
                 let [x, y] = self.of_spot(poses, motion, spot);
                 self.say(road, Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root());
             }
+        }
+        if self.pinned {
+            energy = self.inertia(poses) * motion[self.lead][2].square();
         }
         self.say(road, Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
     }
@@ -1447,7 +1801,12 @@ impl<'a, T: Real> Account<'a, T> {
                 }
             }
         }
-        for (s, (strut, natural)) in scene.struts.iter().zip(&self.natural).enumerate() {
+        self.tell_springs(poses, road);
+    }
+
+    /// The forces and moments of springs.
+    fn tell_springs(&self, poses: &Poses<T>, road: &mut Road<T>) {
+        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
             let length = self.length(poses, s).value;
             let stretch = if self.bears(s, length) { length.balance(-*natural) } else { T::zero() };
             let force = self.n.massive(strut.stiffness_n_m) * stretch;
