@@ -1863,7 +1863,8 @@ impl<'d, 'a> Account<'d, 'a> {
             })
             .filter(|e| *e != ZERO)
             .collect();
-        if !self.spins() || masses.is_empty() || !self.straight() || matches!(self.scene.end, End::Speed(..)) {
+        if !self.spins() || masses.is_empty() || !self.straight() || matches!(self.scene.end, End::Speed(..))
+        {
             return;
         }
         let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);

@@ -38,11 +38,6 @@ impl<T: Real> Pendulum<T> {
         Self { start, upright, sense, frequency, first: Bob { sine, cosine, pace } }
     }
 
-    /// Angular frequency of small swings.
-    pub const fn frequency(&self) -> T {
-        self.frequency
-    }
-
     /// Energy from the lowest place as a share of that at the top: `k^2`, and `1 - k^2` with its root.
     fn share(&self) -> (T, T, T) {
         let Bob { sine, cosine, pace } = self.first;
