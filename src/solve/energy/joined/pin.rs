@@ -1,8 +1,8 @@
 //! A body on a pin: what work and energy say of it beside what all joined bodies have.
-use super::{Account, Poses, TURNS};
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
 use crate::scene::{End, Owner, Quantity, Ray};
+use crate::solve::energy::joined::{Account, Poses, TURNS};
 use crate::solve::energy::pendulum::Pendulum;
 use crate::solve::energy::quadrature::Leg;
 use crate::solve::outcome::{Refusal, Road, Scope};

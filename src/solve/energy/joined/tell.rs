@@ -1,9 +1,9 @@
 //! What work and energy say of joined bodies at a place, and of the equilibrium toward which they set off.
-use super::{Accelerations, Account, Motion, Poses, STEP, Vector, dot};
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, trig};
 use crate::scene::pose;
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot};
+use crate::solve::energy::joined::{Accelerations, Account, Motion, Poses, STEP, Vector, dot};
 use crate::solve::outcome::{Course, Refusal, Road, Said, Unsupported};
 
 impl<T: Real> Account<'_, T> {

@@ -1,12 +1,12 @@
 //! A body on a pin: how far it gets and where it ends, in closed form under its weight alone, and what is told of it beside what all
 //! joined bodies have.
-use super::{Fine, Gain, Motion, PANELS, Panel, Stop, Teller, Why, horizon};
 use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real};
 use crate::scene::{End, Owner, Quantity, Ray, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
+use crate::solve::eom::joined::{Fine, Gain, Motion, PANELS, Panel, Stop, Teller, Why, horizon};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::outcome::Refusal;

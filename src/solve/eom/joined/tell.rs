@@ -1,9 +1,9 @@
 //! What the equations of motion say of joined bodies at a place, with the units put back.
-use super::{BESIDE, Fine, Gain, Motion, PANELS, PUSHES, SHORTEST, Teller, look};
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
+use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PANELS, PUSHES, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
 use std::cell::Cell;
