@@ -70,8 +70,8 @@ pub fn signs(tex: &str) -> usize {
     count
 }
 
-/// The text within the braces at the start, and what follows.
-fn group(text: &str) -> (&str, &str) {
+/// The text within the braces at the start, or the first sign, and what follows.
+pub fn group(text: &str) -> (&str, &str) {
     let text = text.trim_start();
     let Some(inner) = text.strip_prefix('{') else {
         let end = text.chars().next().map_or(0, char::len_utf8);

@@ -1,6 +1,5 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
-use crate::num::linear::Linear;
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie,
 };
@@ -13,7 +12,9 @@ use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, BodyTerms, Carrying, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::terms::{
+    Action, BodyTerms, Carrying, ForceKind, ForceSource, Freedom, Terms, mark_of, tagged,
+};
 use crate::solution::text::SolutionSection;
 
 /// The spring of a scene.
@@ -431,7 +432,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.m.of(c).inertia.iter().map(move |i| i.times(&square))
             })
             .collect();
-        gathered(Sum::of(terms).terms())
+        Sum::of(terms).expr()
     }
 
     /// A new quantity.
@@ -710,9 +711,14 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What the ties demand of the accelerations, both sides without a minus in front.
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
+        self.tied(|freedom| freedom.a)
+    }
+
+    /// What the ties demand of these rates.
+    fn tied(&self, rate: impl Fn(&Freedom) -> Option<SymbolId>) -> Vec<(Expr, Expr)> {
         let each = |(tie, _): (usize, SymbolId)| {
             let terms = self.m.tied(tie).into_iter();
-            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.of(c).a?)));
+            let terms = terms.filter_map(|(c, share)| Some(share.by(rate(self.m.of(c))?)));
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
             if left.is_empty() { (right, ZERO) } else { (sum(left), right) }
@@ -724,7 +730,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn together(&mut self) -> Result<(), DerivationStop> {
         let Some(solution) = self.rows_solved() else { return unfound() };
         for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
-            let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
+            let (Some(value), None) = (value, self.known(label)) else { continue };
             // What is 0 but for rounding.
             let value = if value.abs() < SLACK * self.value(&self.m.g) { 0.0 } else { value };
             self.symbols.settle(symbol, value, 0.0);
@@ -733,34 +739,22 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
-    /// The velocities of an instant, from those of the start and from what the ties demand.
+    /// The velocities of an instant, from those of the start and from what the ties demand: the start may say more than is needed.
     fn velocities_together(&mut self) -> Result<(), DerivationStop> {
-        let all: Vec<Coordinate> = self.scene.coordinates().collect();
-        let place = |c: Coordinate| all.iter().position(|o| *o == c);
-        let given: Vec<(Coordinate, Num)> = self.scene.start_speeds().collect();
-        let given: Vec<(Coordinate, Expr)> =
-            given.into_iter().map(|(c, v)| (c, self.given_start(c, v))).collect();
-        let tied = self.m.reactions().into_iter().map(|(tie, _)| {
-            let terms = self.m.tied(tie).into_iter();
-            let terms = terms.filter_map(|(c, share)| Some((place(c)?, self.value(&share.expr()))));
-            (terms.collect::<Vec<_>>(), 0.0)
-        });
-        let given = given.into_iter().filter_map(|(c, v)| Some((vec![(place(c)?, 1.0)], self.value(&v))));
-        // The start may say more than is needed, in agreement with the ties: least squares take all.
-        let mut system: Linear<f64> = Linear::new(all.len(), 1);
-        for (terms, right) in tied.chain(given) {
-            for (row, share) in &terms {
-                terms.iter().for_each(|(column, other)| system.term(*row, *column, share * other));
-                system.right(*row, 0, share * right);
-            }
+        let moving = self.scene.coordinates().filter_map(|c| Some((speed_of(c), self.m.of(c).v?)));
+        let (labels, unknowns): (Vec<Label>, Vec<SymbolId>) = moving.unzip();
+        let mut all = self.tied(|freedom| freedom.v);
+        for (c, given) in self.scene.start_speeds() {
+            let given = self.given_start(c, given);
+            all.extend(self.m.of(c).v.map(|v| (v.into(), given)));
         }
         let rest = self.scene.start_speeds().next().is_none();
-        let Ok(solution) = system.solve() else { return unfound() };
-        for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
-            let Some(symbol) = self.m.of(*c).v else { continue };
-            let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
-            self.symbols.settle(symbol, v, 0.0);
-            self.found(speed_of(*c), symbol, symbol.into());
+        let found = self.page.solved(&all, &unknowns).ok_or(Beyond::Unfound)?;
+        for ((label, symbol), v) in labels.into_iter().zip(unknowns).zip(found) {
+            if let Some(v) = if rest { Some(0.0) } else { v.map(f64::abs) } {
+                self.symbols.settle(symbol, v, 0.0);
+                self.found(label, symbol, symbol.into());
+            }
         }
         Ok(())
     }
@@ -1200,10 +1194,14 @@ impl<'d, 'a> Account<'d, 'a> {
         sum(self.m.of(c).inertia.iter().map(|i| i.by(&by)))
     }
 
+    fn known(&self, label: Label) -> Option<SymbolId> {
+        self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol)
+    }
+
     /// A quantity: looked up, or derived.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
-            return Ok(*symbol);
+        if let Some(symbol) = self.known(label) {
+            return Ok(symbol);
         }
         // The force between two rims is asked as a magnitude.
         if let (Quantity::RimForce, Owner::Tie(tie)) = (label.quantity, label.of) {
@@ -1218,14 +1216,13 @@ impl<'d, 'a> Account<'d, 'a> {
             return self.reaction(label, body).or_else(|_| {
                 self.solving.clear();
                 self.together()?;
-                let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
-                found.ok_or(Beyond::Unfound.into())
+                self.known(label).ok_or(Beyond::Unfound.into())
             });
         }
         let from = self.derived(label, body)?;
         // What belongs together was found together.
-        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
-            return Ok(*symbol);
+        if let Some(symbol) = self.known(label) {
+            return Ok(symbol);
         }
         let own = match label.quantity {
             Quantity::A | Quantity::Alpha => self.m.of(coordinate(label.quantity, body)).a,
@@ -1424,20 +1421,13 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Whose reaction a tie has.
     pub fn label_of_tie(&self, tie: usize) -> Label {
-        match &self.scene.ties[tie] {
-            Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
-                of_body(Quantity::Friction, *body)
-            }
-            Tie::Cord(_) => of_tie(Quantity::Tension, tie),
-        }
+        let touching = self.scene.ties[tie].touching();
+        touching.map_or(of_tie(Quantity::Tension, tie), |body| of_body(Quantity::Friction, body))
     }
 
     /// The contact of a body.
     pub fn contact_of(&self, body: usize) -> Option<usize> {
-        self.scene.ties.iter().position(|t| match t {
-            Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
-            Tie::Cord(_) => false,
-        })
+        self.scene.ties.iter().position(|t| t.touching() == Some(body))
     }
 
     /// The radius of the contact of a body.
@@ -1458,7 +1448,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
-        let known = |t: usize| self.known.iter().any(|(l, _)| *l == self.label_of_tie(t));
+        let known = |t: usize| self.known(self.label_of_tie(t)).is_some();
         let rows = self.scene.coordinates().filter(|c| self.open(*c).any(|(t, _)| t == tie));
         let rows = rows.map(|c| {
             let others = self.open(c).map(|(t, _)| t).filter(|t| *t != tie && !known(*t));
@@ -1476,8 +1466,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // Another one may have taken all equations together.
         let label = self.label_of_tie(tie);
-        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
-            return Ok(*symbol);
+        if let Some(symbol) = self.known(label) {
+            return Ok(symbol);
         }
         let Some(symbol) = self.m.force_of(tie) else { return unfound() };
         let from = self.solved(c, symbol)?;
@@ -1852,24 +1842,6 @@ impl ClosedFriction {
             _ => positive_first(self.terms.iter().map(|t| over(t).over(&self.under))),
         }
     }
-}
-
-/// The sum of these, with the factors that all have in front: `m (1 + k^2/r^2)`.
-pub fn gathered(terms: &[Factors]) -> Expr {
-    let [first, others @ ..] = terms else { return ZERO };
-    if others.is_empty() {
-        return first.expr();
-    }
-    let common = others.iter().fold(first.clone(), |common, t| common.shared(t));
-    if common.is_one() {
-        return sum(terms.iter().map(Factors::expr));
-    }
-    let inner = terms.iter().map(|t| t.per(&common));
-    if inner.clone().all(|i| i.is_number()) {
-        let whole = terms.iter().skip(1).fold(first.clone(), |all, t| all.plus(t));
-        return whole.expr();
-    }
-    common.expr() * sum(inner.map(|i| i.expr()))
 }
 
 /// The sum of these, each with its share.

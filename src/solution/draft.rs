@@ -284,11 +284,6 @@ impl<'a> Draft<'a> {
         degrees * self.pi() / half
     }
 
-    /// A phrase of the lists, its places filled in.
-    pub fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
-        self.words.say(name, pieces)
-    }
-
     /// The data as they are told, each a formula without dollars.
     pub fn told(&self) -> &[String] {
         &self.told
@@ -331,9 +326,14 @@ impl<'a> Draft<'a> {
         self.found.iter().find(|(l, _)| *l == label).map(|(_, answer)| *answer)
     }
 
+    /// What has to be known for what is asked.
+    pub fn needed(&self) -> Vec<Label> {
+        asked::needed(self.scene, self.problem)
+    }
+
     /// Is this quantity asked, of anything?
     pub fn asks(&self, quantity: Quantity) -> bool {
-        asked::needed(self.scene, self.problem).iter().any(|label| label.quantity == quantity)
+        self.needed().iter().any(|label| label.quantity == quantity)
     }
 
     /// Does what is to move stay where it is?
@@ -345,13 +345,13 @@ impl<'a> Draft<'a> {
     pub fn forces_asked(&self) -> bool {
         use Quantity::{PowerCouple, PowerPull, Value};
         let forced = |q| is_rate(q) || matches!(q, PowerCouple | PowerPull | Value);
-        asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
+        self.needed().iter().any(|label| forced(label.quantity))
     }
 
     /// Are forces and accelerations that stay the same all that is asked of a motion?
     pub fn rates_alone(&self) -> bool {
         let s = self.scene;
-        let asked = asked::needed(s, self.problem);
+        let asked = self.needed();
         let steady = s.end != End::AtOnce && s.spring().is_none() && s.growths.is_empty();
         self.as_if.is_none() && steady && s.thrown().is_none() && asked.iter().all(|l| is_rate(l.quantity))
     }

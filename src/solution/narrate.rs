@@ -6,7 +6,6 @@ use crate::scene::{
     Tie,
 };
 use crate::solution::account::{Account, marked, of_body, of_scene, of_tie, speed_of};
-use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
@@ -75,6 +74,17 @@ pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     fn limits(&mut self) -> Result<(), DerivationStop>;
     /// A question to go on with, by name.
     fn onward(&self) -> &'static str;
+
+    // As those of the page; named here so that what they are given may look at the account.
+    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        Page::say(self, name, pieces);
+    }
+    fn formula(&mut self, tex: String) {
+        Page::formula(self, tex);
+    }
+    fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
+        Page::tell(self, symbols);
+    }
 }
 
 /// Writes the sections, one after the other.
@@ -90,7 +100,7 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     n.begin_as("rest", if measured { "measured" } else { "rest" });
     n.skip_new();
     let (ground, own): (Vec<Label>, Vec<Label>) =
-        asked::needed(n.scene, n.problem).into_iter().partition(|l| n.is_grounded(l.quantity));
+        n.needed().into_iter().partition(|l| n.is_grounded(l.quantity));
     for labels in [own, ground] {
         for label in labels {
             if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
@@ -482,7 +492,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if !self.forced() {
             return Ok(());
         }
-        let asked = asked::needed(self.scene, self.problem);
+        let asked = self.needed();
         let rolling = self.rolling();
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
             self.get(*label)?;
@@ -628,13 +638,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
 }
 
 impl<'d, 'a> Account<'d, 'a> {
-    // As those of the page; named here so that what they are given may look at the account.
-    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.page.say(name, pieces);
-    }
-    fn formula(&mut self, tex: String) {
-        self.page.formula(tex);
-    }
     /// Is the place given at which it ends?
     fn placed(&self) -> bool {
         matches!(self.scene.end, End::Travel(..) | End::Position(..))
@@ -644,9 +647,6 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     fn forced(&self) -> bool {
         self.short != Short::Instant || self.forces_asked()
-    }
-    fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
-        self.page.tell(symbols);
     }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
@@ -801,7 +801,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if !place && (self.asks(Quantity::V) || self.asks(Quantity::Omega)) {
             self.forget(v);
         }
-        for label in asked::needed(self.scene, self.problem) {
+        for label in self.needed() {
             if matches!(label.quantity, Quantity::V | Quantity::Omega) {
                 let _ = self.get(label);
             }

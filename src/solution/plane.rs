@@ -679,7 +679,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Wave::Way => size.times(self.turned()),
             _ => size.times(self.wave(*turn, *wave, which)),
         });
-        let waves = Sum::of(waves.collect::<Vec<_>>());
+        let waves = waves.collect();
         line.fixed.plus(&waves)
     }
     /// By how much it grows on the way.
@@ -938,8 +938,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.ratio(turn, |this, which| {
                 let across = this.places(across, which);
                 let over = product(&this.rates(apart, which), &across);
-                let over = over.times(Factors::one().signed(sense)).expr();
-                over.over(product(&this.rates(own, which), &across).expr())
+                over.signed(sense).expr().over(product(&this.rates(own, which), &across).expr())
             });
         }
     }
@@ -1285,14 +1284,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn tie(&mut self, line: &Line, right: &Line) {
         let (left, right) = (self.at(line, END), self.at(right, END));
-        let all = left.plus(&right.opposite());
-        let (plus, minus): (Vec<Factors>, Vec<Factors>) = all
-            .terms()
-            .iter()
-            .cloned()
-            .partition(|t| !matches!(t.expr(), Expr::Minus(_) | Expr::Number(i64::MIN..0, _)));
-        let (left, right) = (Sum::of(plus).expr(), Sum::of(minus).opposite().expr());
-        let sides = [self.tex(&left), self.tex(&right)];
+        let sides = left.plus(&right.opposite()).sides();
+        let sides = sides.each_ref().map(|side| self.tex(side));
         self.loops.push(sides);
     }
     /// Gives an angle its rate, as a ratio that has a name; at the start without one.
@@ -1328,7 +1321,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let lever = self.lever(body, point);
         // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
         let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
-        let turn = cross(&self.frame(&lever), &along).times(Factors::one().signed(hand));
+        let turn = cross(&self.frame(&lever), &along).signed(hand);
         Pull { body, unknown, size, along, turn }
     }
 
@@ -1830,8 +1823,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn equations(&self, body: usize) -> Vec<(Expr, Expr)> {
         let it = &self.bodies[body];
         let share = |p: &Pull, of: &Sum, sense: i8| {
-            let size = p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense);
-            of.terms().iter().map(|t| size.times(t)).collect::<Vec<_>>()
+            p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense).each(of)
         };
         let mut all = Vec::new();
         let a = match &self.pivot {
@@ -1840,14 +1832,13 @@ impl<'d, 'a> Plane<'d, 'a> {
             Some(pivot) => [0, 1].map(|i| self.component(pivot, i)),
         };
         for (i, a) in a.into_iter().enumerate() {
-            let left = self.on(body).map(|p| Sum::of(share(p, &p.along[i], 1)).expr());
+            let left = self.on(body).map(|p| share(p, &p.along[i], 1).expr());
             all.push((positive_first(left), it.mass.by(a)));
         }
         if let Some(alpha) = it.alpha {
             let moments = |which: &dyn Fn(&Pull) -> bool| {
                 let each = self.on(body).filter(|p| which(p));
-                let each = each.flat_map(|p| share(p, &p.turn, self.sense_of(body)));
-                Sum::of(each.collect::<Vec<_>>()).expr()
+                each.map(|p| share(p, &p.turn, self.sense_of(body))).sum::<Sum>().expr()
             };
             let couple = |p: &Pull| p.along.iter().all(Sum::is_zero);
             let of_spring = |p: &Pull| p.size.expr().uses().iter().any(|s| self.springs.contains(s));
@@ -1871,9 +1862,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let mut left = Vec::new();
             for pull in &h.pulls {
                 let it = &self.bodies[pull.body];
-                let sense = Factors::one().signed(self.sense_of(pull.body));
                 left.extend([0, 1].map(|i| pull.along[i].times(it.a[i]).expr()));
-                left.extend(it.alpha.map(|a| pull.turn.times(&sense).times(a).expr()));
+                left.extend(it.alpha.map(|a| pull.turn.signed(self.sense_of(pull.body)).times(a).expr()));
             }
             let rate = if self.moves { h.inward.times(square(self.rate)).expr() } else { ZERO };
             (positive_first(left), rate + &h.given)
@@ -1994,9 +1984,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 [] if !pulled => Sum::default(),
                 [hold] if hold.pulls[0].along[1 - i].is_zero() => {
                     let pull = &hold.pulls[0];
-                    let sense = Factors::one().signed(self.sense_of(0));
-                    let per = sense.per(pull.along[i].expr()).opposite();
-                    pull.turn.times(per)
+                    pull.turn.times(Factors::one().per(pull.along[i].expr())).signed(-self.sense_of(0))
                 }
                 _ => return,
             };
@@ -2059,25 +2047,23 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres; at the start in the symbols of the places.
     pub fn inertia(&self, which: usize, speeds: &[Expr]) -> Sum {
-        let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
+        let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let centre = self.centre(b);
             let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, which));
             let named = |speed: &&Expr| self.bodies.len() > 1 || matches!(speed, Expr::Symbol(_));
             let own = speeds.get(b).filter(named).map_or_else(|| product(&v, &v), |v| Sum::one(square(v)));
-            let moving = Sum::of(own.terms().iter().map(|v| it.mass.times(v)));
-            let spin = self.spin_at(b, which);
-            let turning = it.inertia.iter().map(move |i| i.times(square(&spin)));
-            moving.terms().iter().cloned().chain(turning).collect::<Vec<_>>()
+            it.mass.each(&own).plus(&self.turning(b, which))
         });
-        Sum::of(each.collect::<Vec<_>>())
+        each.sum()
+    }
+    /// Share of the rotation about the mass centre of a body in [`Self::inertia`].
+    fn turning(&self, body: usize, which: usize) -> Sum {
+        let spin = square(self.spin_at(body, which));
+        self.bodies[body].inertia.iter().map(|i| i.times(&spin)).collect()
     }
     /// Share of the rotation about the mass centres in the kinetic energy.
     pub fn rotation(&self) -> Sum {
-        let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
-            let spin = self.spin(b);
-            it.inertia.iter().map(move |i| i.times(square(&spin)))
-        });
-        Sum::of(each.collect::<Vec<_>>())
+        (0..self.bodies.len()).map(|body| self.turning(body, END)).sum()
     }
     /// Of a single body, what is left when the forces of the joints are eliminated, `J q'' = Q - B q'^2`: `Q` and `B`.
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
@@ -2093,11 +2079,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let bends = [self.bend(&centre[0]), self.bend(&centre[1])];
         let bend = if free || !self.moves { Sum::default() } else { product(&v, &bends).times(&mass) };
         let spin = self.spin(0).factors().signed(self.sense_of(0));
-        let powers = self.pulls.iter().flat_map(|p| {
-            let power = product(&p.along, &v).plus(&p.turn.times(&spin));
-            power.terms().iter().map(|t| p.size.times(t)).collect::<Vec<_>>()
-        });
-        Some([Sum::of(powers.collect::<Vec<_>>()), bend])
+        let powers =
+            self.pulls.iter().map(|p| p.size.each(&product(&p.along, &v).plus(&p.turn.times(&spin))));
+        Some([powers.sum(), bend])
     }
 
     /// Where a single body leaves what pushes it: both sides of the equation of motion along that force, which is 0, with the
@@ -2111,10 +2095,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let bends = product(&unit, &[self.bend(&centre[0]), self.bend(&centre[1])]).times(&mass);
         let ahead = if self.value(&ahead.expr()).abs() < NOTHING { Sum::default() } else { ahead };
         let ahead = ahead.times(mass.per(j));
-        let given = self.pulls.iter().flat_map(|p| {
-            product(&p.along, &unit).terms().iter().map(|t| t.times(&p.size)).collect::<Vec<_>>()
-        });
-        let given = Sum::of(given.collect::<Vec<_>>());
+        let given: Sum = self.pulls.iter().map(|p| product(&p.along, &unit).times(&p.size)).sum();
         // The other joints may not push along this force.
         let others = self.holds.iter().filter(|h| h.joint != joint).map(|h| &h.pulls[0].along);
         if others
@@ -2127,27 +2108,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         let by_rest = ahead.by(&power).plus(&given.opposite());
         let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
         let spread = |sum: &Sum, by: &Expr| {
-            let all = by
-                .terms()
-                .into_iter()
-                .flat_map(|b| sum.terms().iter().map(|t| t.times(&b)).collect::<Vec<_>>());
-            all.flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
+            let all: Sum = by.terms().into_iter().map(|b| sum.times(&b)).sum();
+            all.terms().iter().flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
         let shared = |all: Vec<Factors>| {
             let common = all.iter().skip(1).fold(all.first().cloned()?, |common, t| common.shared(t));
-            Some(Sum::of(all.iter().map(|t| t.per(&common)).collect::<Vec<_>>()))
+            Some(all.iter().map(|t| t.per(&common)).collect::<Sum>())
         };
         let rest = spread(&by_rest, &ONE);
         let with_rate = shared([spread(&by_rate, &square(self.rate)), rest.clone()].concat())?;
-        let (plus, minus): (Vec<Factors>, Vec<Factors>) =
-            with_rate.terms().iter().cloned().partition(|t| !matches!(t.expr(), Expr::Minus(_)));
+        let [plus, minus] = with_rate.sides();
         let whole = shared([spread(&by_rate, &squared), rest].concat())?;
         let whole = sum(whole.terms().iter().map(Factors::expr));
         let waves = [cosine(symbol), sine(symbol)];
         let (wave, is) =
             waves.into_iter().find_map(|w| Some((w.clone(), self.isolated(&(whole.clone(), ZERO), w)?)))?;
         let closed = !self.page.expanded(&is).uses().contains(&symbol);
-        closed.then(|| [Sum::of(plus).expr(), Sum::of(minus).opposite().expr(), wave, is])
+        closed.then(|| [plus, minus, wave, is])
     }
 
     /// The quantity of a label once the place that is asked is solved.
@@ -2367,10 +2344,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let spin = b.alpha.map_or(ZERO, |w| sum(b.inertia.iter().map(Factors::expr)) * square(w));
                     straight.into_iter().chain([spin])
                 });
-                (
-                    ["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned),
-                    ratio(1, 2) * sum(each.collect::<Vec<_>>()),
-                )
+                (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), ratio(1, 2) * sum(each))
             }
             _ => return None,
         };
@@ -2398,8 +2372,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The moment of all couples, positive with a growing angle.
     fn couple(&mut self) -> Expr {
         let couples = self.scene.couples.iter();
-        let each = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
-        positive_first(each.collect::<Vec<_>>())
+        positive_first(couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward)))
     }
     /// What is made of the same scene, its asked angle as one that varies, so much away.
     pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
@@ -2483,10 +2456,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The lengths of light rods and cords that guide a body on its way.
     pub fn lengths(&self) -> Vec<SymbolId> {
         self.turns.iter().filter_map(|t| t.link).map(|(_, length)| length).collect()
-    }
-    /// What has to be known for what is asked.
-    pub fn labels(&self) -> Vec<Label> {
-        asked::needed(self.scene, self.problem)
     }
 }
 
