@@ -302,11 +302,11 @@ impl<'d, 'a> Account<'d, 'a> {
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
             // Of a first value `M_0` the last one is `M_1`.
             let base = name.strip_suffix("_0").unwrap_or(&name);
-            let last = self.page.find(&[&marked(base, "1")], unit, &first + gain);
+            let last = self.page.find(&[marked(base, "1")], unit, &first + gain);
             let mean = (growth.law.with == Grows::Place).then(|| {
                 let h = i64::from(growth.law.halves);
                 let mean = weighed([(&first, (h, h + 2)), (&last.into(), (2, h + 2))]);
-                self.page.find(&[&marked(base, r"\mathrm{m}")], unit, mean)
+                self.page.find(&[marked(base, r"\mathrm{m}")], unit, mean)
             });
             for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
                 action.force = mean.unwrap_or(last).into();
@@ -407,7 +407,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
-            let symbol = self.new_symbol(&[&tagged(r"\gamma", &tag), &tagged("n", &tag)], "1");
+            let symbol = self.new_symbol(&[tagged(r"\gamma", &tag), tagged("n", &tag)], "1");
             self.settle(symbol, &is);
             self.gammas.push((tie, symbol, is));
         }
@@ -436,10 +436,8 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// A new quantity.
-    pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
-        let tex = self.free(names);
-        let mark = mark_of(&self.page, self.rolled);
-        let tex = if mark.is_empty() { tex } else { marked(&tex, mark) };
+    pub fn new_symbol(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
+        let tex = marked(&self.free(names), mark_of(&self.page, self.rolled));
         self.unknown(&tex, unit)
     }
 
@@ -550,16 +548,15 @@ impl<'d, 'a> Account<'d, 'a> {
         let symbol = match from {
             Expr::Symbol(same) if matches!(label.quantity, Quantity::A | Quantity::ARolling) => same,
             from => {
-                let tag = if self.m.parts.len() > 1 { self.m.parts[body].tag.clone() } else { String::new() };
-                let tag = if matches!(label.of, Owner::Scene) { String::new() } else { tag };
+                let alone = self.m.parts.len() == 1 || matches!(label.of, Owner::Scene);
+                let tag = if alone { String::new() } else { self.m.parts[body].tag.clone() };
                 let names = match label.quantity {
                     Quantity::A => ["a", "a_G"],
                     Quantity::ARolling => [r"a_{\mathrm{r}}", "a_2"],
                     Quantity::V => ["v", "u"],
                     other => names_of(other),
                 };
-                let names = names.map(|n| if tag.is_empty() { n.to_owned() } else { marked(n, &tag) });
-                self.page.find(&[&names[0], &names[1]], label.quantity.unit(), from)
+                self.page.find(&names.map(|n| marked(n, &tag)), label.quantity.unit(), from)
             }
         };
         self.seen.push((label, symbol));
@@ -824,7 +821,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn new_found(&mut self, label: Label, from: Expr) -> SymbolId {
         let tag = self.tag_of(label);
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
-        let tex = self.free(&[&names[0], &names[1]]);
+        let tex = self.free(&names);
         let mut mark = String::new();
         if self.symbols.named(&[&tex]).is_some() {
             // Another body or cord bears it already.
@@ -834,8 +831,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => "*".to_owned(),
             };
         }
-        let tex = if mark.is_empty() { tex } else { marked(&tex, &mark) };
-        let symbol = self.new_symbol(&[&tex], label.quantity.unit());
+        let symbol = self.new_symbol(&[marked(&tex, &mark)], label.quantity.unit());
         self.found(label, symbol, from)
     }
 
@@ -1697,7 +1693,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let v = self.get(speed_of(c))?;
-            all.extend(inertia.iter().map(|i| i.times(square(v)).by(ratio(1, 2))));
+            all.push(half_squares(&inertia, v));
         }
         Ok(sum(all))
     }
@@ -1705,15 +1701,12 @@ impl<'d, 'a> Account<'d, 'a> {
     fn rotational(&mut self) -> Result<Expr, DerivationStop> {
         let mut turning = Vec::new();
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
-        for body in 0..self.m.parts.len() {
-            let c = turn(body);
-            for i in self.m.of(c).inertia.clone() {
-                if slips {
-                    let omega = self.get(of_body(Quantity::Omega, body))?;
-                    turning.push(ratio(1, 2) * i.expr() * square(omega));
-                } else {
-                    turning.push(i.by(self.m.of(c).ratio.squared()));
-                }
+        for c in (0..self.m.parts.len()).map(turn) {
+            let Freedom { inertia, ratio, .. } = self.m.of(c).clone();
+            if slips && !inertia.is_empty() {
+                turning.push(half_squares(&inertia, self.get(speed_of(c))?));
+            } else {
+                turning.extend(inertia.iter().map(|i| i.by(ratio.squared())));
             }
         }
         // The speed cancels in the share.
@@ -1844,6 +1837,17 @@ impl ClosedFriction {
     }
 }
 
+/// The kinetic energy of masses or moments of inertia at a rate.
+pub fn half_squares(inertia: &[Factors], rate: impl Into<Expr>) -> Expr {
+    let square = square(rate);
+    sum(inertia.iter().map(|i| i.times(&square).by(ratio(1, 2))))
+}
+
+/// What a spring gives off from one stretch to another.
+pub fn stored(stiffness: &Expr, first: &Expr, last: &Expr) -> Expr {
+    ratio(1, 2) * stiffness * (square(first) - square(last))
+}
+
 /// The sum of these, each with its share.
 fn weighed<const N: usize>(terms: [(&Expr, (i64, i64)); N]) -> Expr {
     Sum::of(terms.map(|(of, (over, under))| of.factors().times(ratio(over, under)))).expr()
@@ -1851,6 +1855,9 @@ fn weighed<const N: usize>(terms: [(&Expr, (i64, i64)); N]) -> Expr {
 
 /// A symbol with a mark below it, behind what stands there already.
 pub fn marked(tex: &str, mark: &str) -> String {
+    if mark.is_empty() {
+        return tex.to_owned();
+    }
     let (base, raised) = tex.split_at(tex.find('^').unwrap_or(tex.len()));
     // An index within an accent belongs to what the accent stands on.
     let whole = |symbol: &str| symbol.matches('{').count() == symbol.matches('}').count();

@@ -251,12 +251,9 @@ impl<'a> Draft<'a> {
     }
 
     /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
-    pub fn free(&self, candidates: &[&str]) -> String {
-        let taken = |tex: &str| self.problem.data.iter().any(|d| d.tex == tex);
-        match candidates.iter().find(|c| !taken(c)) {
-            Some(tex) => (*tex).to_owned(),
-            None => candidates.last().map_or_else(String::new, |tex| format!("{tex}^{{*}}")),
-        }
+    pub fn free(&self, candidates: &[impl AsRef<str>]) -> String {
+        let candidates: Vec<String> = candidates.iter().map(|tex| tex.as_ref().to_owned()).collect();
+        names::free(self.problem, &candidates)
     }
 
     /// A quantity that is not known yet, in the unit (ASCII) given.
@@ -265,10 +262,10 @@ impl<'a> Draft<'a> {
     }
 
     /// The same, by the first of these symbols that is free.
-    pub fn named(&mut self, names: &[&str], unit: &str) -> SymbolId {
+    pub fn named(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
         // A constant may bear it already.
         let told = |tex: &str| self.told.iter().any(|d| d.starts_with(&format!("{tex} =")));
-        let open: Vec<&str> = names.iter().copied().filter(|tex| !told(tex)).collect();
+        let open: Vec<&str> = names.iter().map(AsRef::as_ref).filter(|tex| !told(tex)).collect();
         let tex = if open.is_empty() { format!("{}^{{*}}", self.free(names)) } else { self.free(&open) };
         self.unknown(&tex, unit)
     }

@@ -73,12 +73,12 @@ impl<'d, 'a> Page<'d, 'a> {
         symbol
     }
     /// A new quantity, the first of these names that is free, and what it is equal to. The unit is ASCII.
-    pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
+    pub fn find(&mut self, names: &[impl AsRef<str>], unit: &str, from: impl Into<Expr>) -> SymbolId {
         let symbol = self.named(names, unit);
         self.step(symbol, from.into())
     }
     /// The same, or what is equal to this already.
-    pub fn find_once(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
+    pub fn find_once(&mut self, names: &[impl AsRef<str>], unit: &str, from: Expr) -> SymbolId {
         let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
         known.unwrap_or_else(|| self.find(names, unit, from))
     }
@@ -169,10 +169,10 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn add(&mut self, sentence: String) {
         self.open.push(sentence);
     }
-    /// A table, first row the head.
-    pub fn table(&mut self, rows: Vec<Vec<String>>) {
+    /// Markdown that is no paragraph.
+    pub fn markdown(&mut self, text: String) {
         self.stop();
-        self.out.blocks.push(Block::Table(rows));
+        self.out.blocks.push(Block::Markdown(text));
     }
     /// A displayed formula `v = ... = 4.94 m/s`, with this behind it.
     pub fn display(&mut self, symbol: SymbolId, from: &Expr, behind: &str) {

@@ -9,7 +9,7 @@ use crate::scene::{
     Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Rest,
     RotaryInertia, Spot, Strut, StrutEnd, Surface,
 };
-use crate::solution::account::START_NAMES;
+use crate::solution::account::{START_NAMES, stored};
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -435,7 +435,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let plain = names::joint(self.scene, 0);
         let force = [["R", "O_r", "X"], ["S", "O_t", "Y"]].map(|[one, two, plane]| match radial {
             true => self.named(&[one, two], "N"),
-            false => self.named(&[&tagged(plane, &plain)], "N"),
+            false => self.named(&[tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
         let (up, name) = (self.turns[0].from[1] > 0.0, format!("${name}$"));
@@ -474,7 +474,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let Some(poses) = self.poses(0.0, true) else { return beyond() };
             let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
             let tag = format!("{},0", self.bodies[c.body].tag);
-            let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
+            let symbol = self.named(&[tagged("n", &tag), tagged("i", &tag)], "1");
             self.symbols.settle(symbol, ratio, 0.0);
             self.spun = Some(symbol);
             symbol.into()
@@ -501,7 +501,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.here = if scene.end == End::AtOnce { END } else { START };
         for (body, it) in kept.iter().enumerate() {
             let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
-                this.named(&[&tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
+                this.named(&[tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
             };
             let v = ["x", "y"].map(|way| named(self, "v", way, "m/s"));
             let omega = it.alpha.map(|_| named(self, r"\omega", "", "rad/s"));
@@ -555,17 +555,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             let centre = planar.map_or(ZERO, |p| self.length(i, &tag, p.centre)).factors();
             let a = ["x", "y"].map(|way| {
                 let below = terms::relative(self, &format!("{tag}{way}"));
-                self.named(&[&tagged("a", &below)], "m/s^2")
+                self.named(&[tagged("a", &below)], "m/s^2")
             });
             let named = |this: &mut Self, names: [&str; 2], unit| {
-                let names = names.map(|n| tagged(n, &own));
-                body.turns.then(|| this.named(&[&names[0], &names[1]], unit))
+                body.turns.then(|| this.named(&names.map(|n| tagged(n, &own)), unit))
             };
             let alpha = named(self, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
             let omega = named(self, [r"\omega", r"\Omega"], "rad/s");
             let below = terms::relative(self, if several { &tag } else { "G" });
-            let v = [tagged("v", &below), tagged("u", &below)];
-            let v = self.named(&[&v[0], &v[1]], "m/s");
+            let v = self.named(&["v", "u"].map(|n| tagged(n, &below)), "m/s");
             let name = names::body_within(self.words, scene, i);
             self.bodies.push(PlaneBody {
                 name,
@@ -888,7 +886,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let apart = less(&self.spot(at), &self.ground(place));
         let apart = self.places(&apart, START);
         let is = self.size(&apart);
-        let length = self.page.find(&[&tagged(r"\ell", &plain)], "m", is);
+        let length = self.page.find(&[tagged(r"\ell", &plain)], "m", is);
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
         let at = self.free_angle(&tag, degrees);
         let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
@@ -1048,7 +1046,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     _ => self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?,
                 };
                 let at = at + self.varies.unwrap_or(0.0);
-                let name = self.free(&[&format!("{name}_1"), &format!("{name}_2")]);
+                let name = self.free(&[format!("{name}_1"), format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
                 symbol.into()
@@ -1298,8 +1296,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             return;
         }
         let tag = self.turns[turn].tag.clone();
-        let symbol = self.page.find(&[&tagged("n", &tag), &tagged("i", &tag)], "1", is);
-        self.turns[turn].rate[END] = symbol.into();
+        self.turns[turn].rate[END] = self.named_by(["n", "i"], &tag, "1", is);
     }
 
     // -- forces ---------------------------------------------------------------------------------------------------------
@@ -1386,7 +1383,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let Some(turn) = self.bodies[couple.body].turn else { return beyond() };
                     let [first, last] = self.turns[turn].at.clone();
                     let is = self.draft.radians(last - first);
-                    self.page.find(&[&tagged(r"\Delta\psi", &i.to_string())], "rad", is)
+                    self.page.find(&[tagged(r"\Delta\psi", &i.to_string())], "rad", is)
                 };
                 self.works.push(size.signed(own).by(turned));
             }
@@ -1537,9 +1534,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         unit: &str,
     ) -> SymbolId {
         if let [first, last] = stretch {
-            self.works.push(ratio(1, 2) * stiffness * (square(first) - square(last)));
+            self.works.push(stored(stiffness, first, last));
         }
-        let force = self.page.find(&[&names[0], &names[1]], unit, stiffness * &stretch[stretch.len() - 1]);
+        let force = self.page.find(&names, unit, stiffness * &stretch[stretch.len() - 1]);
         self.springs.push(force);
         force
     }
@@ -1570,8 +1567,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// A new quantity by the first of these letters that is free with this below it.
     fn named_by(&mut self, letters: [&str; 2], below: &str, unit: &str, is: Expr) -> Expr {
-        let names = letters.map(|l| tagged(l, below));
-        self.page.find(&[&names[0], &names[1]], unit, is).into()
+        self.page.find(&letters.map(|l| tagged(l, below)), unit, is).into()
     }
     /// The length of a vector.
     fn size(&self, of: &Vector) -> Expr {
@@ -1683,7 +1679,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let is = self.size(&apart);
                     let length: Expr = match is {
                         Expr::Symbol(s) => s.into(),
-                        is => self.page.find(&[&tagged(r"\ell", &plain)], "m", is).into(),
+                        is => self.page.find(&[tagged(r"\ell", &plain)], "m", is).into(),
                     };
                     let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
                     let along = self.unit(&apart, &length, ["u", "w"], &tag);
@@ -2038,7 +2034,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 is
             } else {
                 let tag = self.bodies[body].tag.clone();
-                self.page.find(&[&tagged("e", &tag), &tagged("c", &tag)], "m", is).into()
+                self.named_by(["e", "c"], &tag, "m", is)
             };
             all.push(is);
         }
@@ -2186,7 +2182,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let glides = self.glides.as_ref().map(|speed| self.positive(speed));
                 let is = glides.unwrap_or_else(|| self.speed_of(&point, &rate));
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
-                let known = self.symbols.named(&[&tagged("v", name)]).is_some();
+                let known = self.symbols.named(&[tagged("v", name)]).is_some();
                 let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
                 let tag = format!("{name}{tag}");
                 (letters(["v", "u"], &tag), is)
@@ -2217,7 +2213,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let several = self.scene.struts.len() > 1;
                 let name =
                     if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
-                return Ok(self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment));
+                return Ok(self.page.find(&[tagged("M", &name)], "N m", ZERO - moment));
             }
             (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
             (Q::KineticEnergy, _) => {
@@ -2231,7 +2227,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::T, _) => return self.time(key).ok_or_else(none),
             _ => return Err(none()),
         };
-        Ok(self.page.find(&[&names[0], &names[1]], label.quantity.unit(), is))
+        Ok(self.page.find(&names, label.quantity.unit(), is))
     }
 
     /// The time up to the end: given, or that of the key.
@@ -2348,7 +2344,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             _ => return None,
         };
-        Some(self.page.find_once(&[&names[0], &names[1]], label.quantity.unit(), is))
+        Some(self.page.find_once(&names, label.quantity.unit(), is))
     }
     /// The impulse of a joint, to the right or up where it has both.
     fn impulse_of(
@@ -2413,7 +2409,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Quantity::PinAngle => {
                 let [x, y, ..] = own[..] else { return None };
                 let angle = self.angle_of(x, y);
-                Some(self.page.find(&[&tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
+                Some(self.page.find(&[tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),
