@@ -211,7 +211,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.carried_on() => "onward.other",
             _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.springs.is_empty() => "joined.onward_spring",
+            _ if !self.springs.is_empty() && !self.instant() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
             _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",

@@ -511,8 +511,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let size = self.number(push.force_n, "J", "N s").factors();
             let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
             let along = self.frame(&vector(&unit));
-            let pull = self.pull(push.at.body, &point, size, along, None);
-            self.pulls.push(pull);
+            self.add_pull(push.at.body, &point, size, along);
         }
         self.moves = false;
         self.hold();
@@ -1322,6 +1321,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         Pull { body, unknown, size, along, turn }
     }
 
+    /// A known force at a point of a body.
+    fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
+        let pull = self.pull(body, point, size, along, None);
+        self.pulls.push(pull);
+    }
+
     /// Weights, forces, couples and springs, with their works.
     fn act(&mut self) -> Result<(), DerivationStop> {
         let scene = self.scene;
@@ -1406,8 +1411,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             for body in 0..self.bodies.len() {
                 let (force, centre) = (self.bodies[body].mass.times(&rate), self.centre(body));
                 let against = self.frame(&vector(&unit).map(|x| x.opposite()));
-                let pull = self.pull(body, &centre, force.clone(), against, None);
-                self.pulls.push(pull);
+                self.add_pull(body, &centre, force.clone(), against);
                 if self.scene.end == End::AtOnce {
                     continue;
                 }
@@ -1452,8 +1456,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["n", "u"], tag);
-        let pull = self.pull(at.body, &near, size.clone(), along, None);
-        self.pulls.push(pull);
+        self.add_pull(at.body, &near, size.clone(), along);
         if let [first, last] = lengths.as_slice() {
             self.works.push(size.by(first - last));
         }
@@ -1511,11 +1514,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
         let back = along.clone().map(|x| x.opposite());
-        let pull = self.pull(it.at.body, &near, force.factors(), along, None);
-        self.pulls.push(pull);
+        self.add_pull(it.at.body, &near, force.factors(), along);
         if let StrutEnd::Spot(spot) = it.to {
-            let pull = self.pull(spot.body, &far, force.factors(), back, None);
-            self.pulls.push(pull);
+            self.add_pull(spot.body, &far, force.factors(), back);
         }
         Ok(())
     }
@@ -1641,19 +1642,17 @@ impl<'d, 'a> Plane<'d, 'a> {
                 })
                 .collect();
             match joint.kind {
-                JointKind::Pin { at, .. } => {
+                JointKind::Pin { .. } | JointKind::Hinge { .. } => {
+                    let ends = || joint.kind.spots().zip([1, -1]);
                     for (force, u) in forces.iter().zip(axes()) {
-                        self.add_hold(j, *force, &[(at, u)], None);
-                    }
-                }
-                JointKind::Hinge { one, other, .. } => {
-                    for (force, u) in forces.iter().zip(axes()) {
-                        let back = u.clone().map(|x| x.opposite());
-                        self.add_hold(j, *force, &[(one, u), (other, back)], None);
+                        let along = |sense: i8| u.each_ref().map(|x| x.signed(sense));
+                        let ends: Vec<_> = ends().map(|(spot, sense)| (spot, along(sense))).collect();
+                        self.add_hold(j, *force, &ends, None);
                     }
                     if let Some(couple) = forces.get(2) {
-                        let on = |body, sense| Pull::couple(body, Some(*couple), Factors::one(), sense);
-                        self.holds.push(Hold::of(j, *couple, vec![on(one.body, 1), on(other.body, -1)]));
+                        let on = |sense, body| Pull::couple(body, Some(*couple), Factors::one(), sense);
+                        let both = ends().map(|(spot, sense)| on(sense, spot.body));
+                        self.holds.push(Hold::of(j, *couple, both.collect()));
                     }
                 }
                 JointKind::Guide { at, direction_deg, mu_k, .. } => {
