@@ -1339,6 +1339,10 @@ impl<'d, 'a> Account<'d, 'a> {
         if upright {
             terms.push(self.m.parts[body].mass.expr() * &self.m.g);
         }
+        if let Some(carrier) = &self.m.carrier {
+            let way = &carrier.acceleration * &carrier.direction[usize::from(upright)];
+            terms.push(self.m.parts[body].mass.expr() * way);
+        }
         for (tie, aim) in pulls {
             let share = self.m.component(self.page.draft, aim, upright);
             if share.is_zero() {
@@ -1623,7 +1627,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.get(rate_of(self.lead()))?;
         Ok(if self.value(&a.into()) == 0.0 {
             &self.s / &self.v0
-        } else if self.v0 == ZERO {
+        } else if self.v0 == ZERO && self.short != Short::Motion {
             number(2) * self.distance() / &self.v
         } else {
             (in_sense(self.v.clone(), self.sense) - &self.v0) / a

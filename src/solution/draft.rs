@@ -347,10 +347,23 @@ impl<'a> Draft<'a> {
 
     /// Are forces and accelerations that stay the same all that is asked of a motion?
     pub fn rates_alone(&self) -> bool {
+        self.as_if.is_none() && self.steady() && self.needs_only(is_rate)
+    }
+
+    /// Is the time to a speed asked, and no place, while all forces are constant?
+    pub fn times_alone(&self) -> bool {
+        let at_speed = matches!(self.scene.end, End::Speed(..) | End::TurningPoint(_));
+        at_speed && self.steady() && self.needs_only(|q| q == Quantity::T || is_rate(q))
+    }
+
+    /// Are all forces of a motion constant, and no contact slips at first?
+    fn steady(&self) -> bool {
         let s = self.scene;
-        let asked = self.needed();
-        let steady = s.end != End::AtOnce && s.spring().is_none() && s.growths.is_empty();
-        self.as_if.is_none() && steady && s.thrown().is_none() && asked.iter().all(|l| is_rate(l.quantity))
+        s.end != End::AtOnce && s.spring().is_none() && s.growths.is_empty() && s.thrown().is_none()
+    }
+
+    fn needs_only(&self, wanted: impl Fn(Quantity) -> bool) -> bool {
+        self.needed().iter().all(|l| wanted(l.quantity))
     }
 
     /// Is this label asked?

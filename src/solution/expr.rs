@@ -87,7 +87,15 @@ pub fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
                 waiting.push(*inner);
             }
             Expr::Product(inner) => waiting.extend(inner.into_iter().rev()),
-            other => kept.push(other),
+            other => {
+                // A weight: the g of W / g and the g after it.
+                let over =
+                    kept.iter().position(|k| matches!(k, Expr::Quotient(_, under) if **under == other));
+                match over.map(|at| kept.remove(at)) {
+                    Some(Expr::Quotient(over, _)) => waiting.push(*over),
+                    _ => kept.push(other),
+                }
+            }
         }
     }
     if constant.0 == 0 {

@@ -642,7 +642,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let late = self.steps[self.steps_of[0]..before].iter().map(|s| s.symbol).filter(own).collect();
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
         let sprung = !wanted.is_empty() && !self.springs.is_empty();
-        if !wanted.is_empty() {
+        let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }));
+        if !wanted.is_empty() && (corded || !self.springs.is_empty()) {
             let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.springs.is_empty(), self.units.is_empty()) {
                 (true, _) if self.joint(|k| matches!(k, JointKind::Cord { rod: true, .. })) => {
@@ -964,11 +965,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let rest = t.find(&names, "1", rest);
         let mut b = t.symbols.value(rest);
         t.tell_new();
-        let mut pairs = Vec::new();
+        let (mut pairs, mut alike) = (Vec::new(), false);
         for _ in 0..40 {
             (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            if pairs.len() < 3 {
-                let [a, b] = [a, b].map(|x| t.digits(x, FIGURES));
+            let printed = [a, b].map(|x| t.digits(x, FIGURES));
+            if pairs.len() < 3 && !alike {
+                let [a, b] = &printed;
+                alike = a == b;
                 pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
             }
             if (a - b).abs() <= 1e-15 * a {

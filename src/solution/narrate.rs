@@ -2,8 +2,8 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity, Slope, Span,
-    Start, Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity,
+    RotaryInertia, Slope, Span, Start, Thrown, Tie,
 };
 use crate::solution::account::{Account, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored};
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
@@ -155,6 +155,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ if !rolled.is_empty() && alone => Short::Neither,
         _ if !rolled.is_empty() => Short::Together,
         End::Time(..) => Short::Motion,
+        _ if account.times_alone() => Short::Motion,
         _ => Short::Energy,
     };
     (account.short, account.supposed) = (short, rolled);
@@ -429,7 +430,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Neither, End::Rolling(_)) => "thrown.idea",
             (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
             (Short::Neither, _) => "idea.slips",
-            (Short::Motion, _) => "idea.time",
+            (Short::Motion, End::Time(..)) => "idea.time",
+            (Short::Motion, _) => "idea.time_asked",
             (Short::Energy, _) if self.placed() && spring => "idea.spring",
             (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
@@ -716,6 +718,10 @@ impl<'d, 'a> Account<'d, 'a> {
             _ => None,
         })
     }
+    /// Is neither way shorter, as no reaction has to be eliminated and no force changes with the place?
+    fn alike(&self) -> bool {
+        self.hidden().is_empty() && self.spring.is_none()
+    }
     fn hidden(&self) -> Vec<SymbolId> {
         self.m.reactions().into_iter().map(|(_, f)| f).collect()
     }
@@ -763,7 +769,8 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Work and energy: how far each point goes, the balance, what follows.
     fn energy(&mut self) {
-        self.begin_as("short", "short_energy");
+        let title = if self.alike() { "one_energy" } else { "short_energy" };
+        self.begin_as("short", title);
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
         let directed = self.asks(Quantity::Direction);
@@ -944,7 +951,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let _ = self.get(of_body(Quantity::VMax, self.lead().body));
             if let (Some(spring), Ok(rest)) = (self.spring.clone(), self.get(of_scene(Quantity::XEq))) {
                 let (k, x) = (&spring.stiffness, &spring.stretch);
-                let pull = -(k * spring.gamma.by(rest));
+                let pull = in_sense(-(k * spring.gamma.by(rest)), self.sense);
                 let works = stored(k, x, &rest.into()) - k * rest * (x - rest);
                 let all = ratio(1, 2) * k * square(x - rest);
                 let (others, all) = (self.inline(&pull), format!("${}$", self.equation(&works, &all)));
@@ -990,6 +997,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let title = match (id, self.short) {
             (_, Short::Instant) if self.starts() => "one_motion",
             (_, Short::Instant) => "motion",
+            ("long", _) if self.alike() => "other_motion",
             ("long", _) => "long_motion",
             (_, Short::Neither | Short::Together | Short::Rates) => "one_motion",
             _ => "short_motion",
@@ -1185,6 +1193,13 @@ impl<'d, 'a> Account<'d, 'a> {
         match self.scene.end {
             _ if self.short == Short::Rates => {}
             End::Time(..) if self.spring.is_some() => {}
+            End::Speed(..) | End::TurningPoint(_) if self.short == Short::Motion => {
+                self.say("motion.over_time", &pieces);
+                self.skip_new();
+                if let Ok(t) = self.get(of_scene(Quantity::T)) {
+                    self.tell([t]);
+                }
+            }
             End::Time(..) => {
                 let grown: Vec<SymbolId> = self.grown.iter().map(|g| g.last).chain(self.first_rate).collect();
                 if grown.is_empty() {
@@ -1221,7 +1236,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 }
             }
         }
-        let magnitudes = self.short == Short::Energy && self.sense < 0.0;
+        let magnitudes = self.short == Short::Energy && self.sense < 0.0 && self.placed();
         if again && magnitudes {
             self.say("motion.signed", &[]);
         }
@@ -1551,7 +1566,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        let even = self.hidden().is_empty() && self.spring.is_none();
+        let even = self.alike();
         self.begin_as("why", if even { "which" } else { "why" });
         let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, mut speeds, own) = (self.accelerations(), self.speeds(), self.speed());
@@ -1632,9 +1647,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let k0 = self.get(of_body(Quantity::KBound, body))?;
             self.say("friction.bound", &[("way", &up)]);
             self.tell_new();
-            let outer = self.scene.bodies[body].radii_m.iter().map(|(_, r)| *r);
-            let outer = outer.max_by(|a, b| self.datum(*a).total_cmp(&self.datum(*b)));
-            if let Some(r) = outer
+            if let Some(r) = self.rim(body)
                 && self.symbols.value(k0) >= self.datum(r)
             {
                 let r = self.number(r, "R", "m");
@@ -1656,7 +1669,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             let name = match action.source {
                 _ if vanishes => "friction.none",
-                _ if subtracts(&whole) => "friction.changes",
+                _ if subtracts(&whole) && self.either_way(body, &whole) => "friction.changes",
                 ForceSource::Weight(_) => "friction.weight",
                 _ => "friction.force",
             };
@@ -1664,6 +1677,20 @@ impl<'d, 'a> Account<'d, 'a> {
             let factor = if vanishes { self.tex(&whole) } else { self.inline(&whole) };
             self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
         }
+    }
+
+    /// The largest radius of a body.
+    fn rim(&self, body: usize) -> Option<Num> {
+        let radii = self.scene.bodies[body].radii_m.iter().map(|(_, r)| *r);
+        radii.max_by(|a, b| self.datum(*a).total_cmp(&self.datum(*b)))
+    }
+
+    /// Can this term have either sign, with the mass of the body near its axis or far out?
+    fn either_way(&mut self, body: usize, term: &Expr) -> bool {
+        let Some(RotaryInertia::Gyration(k)) = self.scene.bodies[body].inertia else { return true };
+        let (Expr::Symbol(k), Some(rim)) = (self.number(k, "k", "m"), self.rim(body)) else { return true };
+        let rim = self.number(rim, "R", "m");
+        self.value(&term.put(k, &ZERO)) * self.value(&term.put(k, &rim)) < 0.0
     }
 
     fn word(&mut self, label: Label, word: Word) {
@@ -1791,7 +1818,8 @@ impl<'d, 'a> Account<'d, 'a> {
         } else {
             end
         };
-        self.say("holds.taut_spring", &[("t", &least)]);
+        let name = if self.value(&first) == 0.0 { "holds.taut_spring_from" } else { "holds.taut_spring" };
+        self.say(name, &[("t", &least)]);
         if self.scene.span == Span::ToTurningPoint
             && let Ok((slack, true)) = self.turning_or_slack()
         {
@@ -1848,7 +1876,8 @@ impl<'d, 'a> Account<'d, 'a> {
             })
             .filter(|e| *e != ZERO)
             .collect();
-        if !self.spins() || masses.is_empty() || !self.straight() {
+        if !self.spins() || masses.is_empty() || !self.straight() || matches!(self.scene.end, End::Speed(..))
+        {
             return;
         }
         let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
