@@ -1,5 +1,5 @@
 //! Expressions in LaTeX, in symbols or with the numbers put in, and how wide that is in print.
-use crate::sheet::formula::group;
+use crate::picture::symbol::group;
 use crate::solution::expr::{Expr, Function, SymbolId};
 use crate::solution::symbols::Symbols;
 
