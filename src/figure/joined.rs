@@ -607,7 +607,8 @@ fn angles(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
     let zero = vec2(x, y);
     let sense = if planar.clockwise { -1.0 } else { 1.0 };
     // On a cylinder the angle is that of the mass centre, seen from the axis.
-    let axis = view.scene.joints.iter().find_map(|joint| match joint.kind {
+    let mut leading = (0..view.scene.joints.len()).filter(|joint| view.scene.leads_on_arc(*joint));
+    let axis = leading.find_map(|joint| match view.scene.joints[joint].kind {
         JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, .. } if at.body == lead => {
             Some((at, ground(view, centre_m) * plane.scale))
         }

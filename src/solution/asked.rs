@@ -3,7 +3,7 @@
 use crate::bank::{Problem, Question};
 use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
-use crate::scene::{AsIf, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
+use crate::scene::{AsIf, Degree, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
 use crate::solution::derive;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -145,8 +145,12 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
 /// What a motion that follows takes over, from what was found of the one before it: its numbers, and the data with it.
 fn hand_over(draft: &mut Draft, next: &Scene) -> Result<(), DerivationStop> {
     let first = draft.scene.ending_coordinate();
-    let way = Label { quantity: Quantity::Displacement, of: Owner::Body(first.body) };
-    // Bodies on lines; the way of one has the sense of its motion.
+    let quantity = match first.degree {
+        Degree::Along => Quantity::Displacement,
+        Degree::Turn => Quantity::Phi,
+    };
+    let way = Label { quantity, of: Owner::Body(first.body) };
+    // Bodies on lines and on fixed axles; the way of one has the sense of its motion.
     let Some(way) = draft.variant.solved.get(way).map(Entry::value) else { return Err(Beyond::Next.into()) };
     let given = draft.values.len();
     let mut taken: Vec<Expr> = Vec::new();

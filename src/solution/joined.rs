@@ -216,6 +216,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",
             _ if self.single() => "joined.onward",
+            _ if self.evenly() => "onward.other",
             _ => "joined.onward_linkage",
         }
     }
@@ -224,6 +225,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
 impl<'d, 'a> Plane<'d, 'a> {
     fn instant(&self) -> bool {
         self.scene.end == End::AtOnce
+    }
+    /// Do all bodies turn in ratios that do not change on the way, as gears and welded rods do?
+    fn evenly(&self) -> bool {
+        self.turns.iter().all(|turn| {
+            let [first, last] = [START, END].map(|at| self.value(&turn.rate[at]));
+            (first - last).abs() <= AGREEMENT_REL
+        })
     }
     /// The joint whose contact ends the motion.
     fn leaves(&self) -> Option<usize> {

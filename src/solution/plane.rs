@@ -442,9 +442,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.pivot = Some(Pivot { name, h, own, about, force, radial, up, place });
     }
 
-    /// The cylinder that a body touches: its point, the radius there, the axis, the radius; from inside? Does it roll?
+    /// The cylinder on which a body has its place by the leading angle: its point, the radius there, the axis, the radius; from inside?
+    /// Does it roll?
     fn arc_of(&self, body: usize) -> Option<(Spot, Num, [Num; 2], Num, bool, bool)> {
-        self.scene.joints.iter().find_map(|j| match j.kind {
+        let mut leading = (0..self.scene.joints.len()).filter(|j| self.scene.leads_on_arc(*j));
+        leading.find_map(|j| match self.scene.joints[j].kind {
             JointKind::Contact {
                 at,
                 radius_m,
@@ -869,6 +871,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let joints = self.scene.joints.iter().enumerate();
         let links = joints.filter_map(|(j, joint)| match joint.kind {
             JointKind::Cord { at, place_m, .. } if at.body == body => Some((at, place_m, j)),
+            // The point of a rod is held at the axis of a cylinder as by a rod that is as long as the radius.
+            JointKind::Contact { at, surface: Surface::Arc { centre_m, .. }, rolls: false, .. }
+                if at.body == body && !self.scene.leads_on_arc(j) =>
+            {
+                Some((at, centre_m, j))
+            }
             _ => None,
         });
         links.collect()
@@ -882,20 +890,37 @@ impl<'d, 'a> Plane<'d, 'a> {
             trig::atan2(w - y, u - x).to_degrees()
         });
         let plain = names::joint(self.scene, joint);
-        let apart = less(&self.spot(at), &self.ground(place));
-        let apart = self.places(&apart, START);
-        let is = self.size(&apart);
-        let length = self.page.find(&[tagged(r"\ell", &plain)], "m", is);
+        let is = match self.scene.joints[joint].kind {
+            JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
+                let [own, arc] = [(radius_m, "r"), (arc, "R")].map(|(n, name)| self.number(n, name, "m"));
+                self.apart(&own.factors(), &arc.factors(), inside).expr()
+            }
+            _ => {
+                let apart = less(&self.spot(at), &self.ground(place));
+                let apart = self.places(&apart, START);
+                self.size(&apart)
+            }
+        };
+        let length = match is {
+            Expr::Symbol(radius) => radius,
+            is => self.page.find(&[tagged(r"\ell", &plain)], "m", is),
+        };
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
         let at = self.free_angle(&tag, degrees);
         let (from, across, link) = ([1.0, 0.0], [0.0, 1.0], Some((joint, length)));
         self.turns.push(Turn { at, rate: [ONE, ONE], from, across, tag, link });
         Some((self.turns.len() - 1, Factors::of(&length.into())))
     }
+    /// The angle of what leads this joint's point on a circle.
+    fn linked(&self, joint: usize) -> Option<usize> {
+        self.turns.iter().position(|t| t.link.is_some_and(|(of, _)| of == joint))
+    }
     /// Places the leading body, whose angle is known, where a light rod or a cord holds it, and a guide or another one of them.
     fn place_on_links(&mut self, body: usize, axis: &Point) -> Option<()> {
         let links = self.links(body);
-        self.bodies[body].origin = self.scene.planar(body)?.origin_m.map(|place| self.ground(place))?;
+        if let Some(place) = self.scene.planar(body)?.origin_m {
+            self.bodies[body].origin = self.ground(place);
+        }
         let first = *links.first()?;
         let (own, (turn, length)) = (self.of_spot(first.0), self.link(first)?);
         let second = match links.get(1) {
@@ -1090,7 +1115,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
             return Ok(());
         }
-        if self.moves && held.is_none() && !self.links(body).is_empty() {
+        let links = self.links(body);
+        // At an instant what hangs on cords or rods lies where it is placed.
+        let told = self.moves || origin.is_none();
+        if told && held.is_none() && !links.is_empty() {
             return self.place_on_links(body, &axis).ok_or(Beyond::Mechanism.into());
         }
         let guided = self.guided(body, &none);
@@ -1666,8 +1694,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     self.touch(j, &forces, at, radius_m, surface)
                 }
                 JointKind::Cord { at, place_m, .. } => {
-                    let link = self.turns.iter().position(|t| t.link.is_some_and(|(of, _)| of == j));
-                    let apart = match link {
+                    let apart = match self.linked(j) {
                         Some(turn) => {
                             let length = self.turns[turn].link.map_or(ZERO, |(_, length)| length.into());
                             times(&self.axis(turn), &(-length).into())
@@ -1705,9 +1732,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             Surface::Line { direction_deg, .. } => (vector(&left(&self.direction(direction_deg))), None, own),
             Surface::Arc { centre_m, radius_m: arc, inside } => {
                 let arc = self.number(arc, "R", "m").factors();
-                let out = less(&self.spot(at), &self.ground(centre_m));
-                let out = self.places(&out, self.here);
                 let apart = self.apart(&own, &arc, inside);
+                let out = match self.linked(joint) {
+                    Some(turn) => times(&self.axis(turn), &apart),
+                    None => less(&self.spot(at), &self.ground(centre_m)),
+                };
+                let out = self.places(&out, self.here);
                 let sense = Factors::one().signed(if inside { -1 } else { 1 });
                 let turned = inside && self.value(&arc.expr()) < self.value(&own.expr());
                 let radius = if turned { own.opposite() } else { own };
@@ -2119,7 +2149,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let (wave, is) =
             waves.into_iter().find_map(|w| Some((w.clone(), self.isolated(&(whole.clone(), ZERO), w)?)))?;
         let closed = !self.page.expanded(&is).uses().contains(&symbol);
-        closed.then(|| [plus, minus, wave, is])
+        closed.then_some([plus, minus, wave, is])
     }
 
     /// The quantity of a label once the place that is asked is solved.
@@ -2450,7 +2480,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The lengths of light rods and cords that guide a body on its way.
     pub fn lengths(&self) -> Vec<SymbolId> {
-        self.turns.iter().filter_map(|t| t.link).map(|(_, length)| length).collect()
+        let cords = self.turns.iter().filter_map(|t| t.link);
+        let cords = cords.filter(|(j, _)| matches!(self.scene.joints[*j].kind, JointKind::Cord { .. }));
+        cords.map(|(_, length)| length).collect()
     }
 }
 
