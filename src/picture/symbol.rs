@@ -118,6 +118,27 @@ pub fn plain(runs: &[TextRun]) -> String {
     out
 }
 
+/// Of LaTeX the text within the braces at the start, or the first sign, and what follows.
+pub fn group(text: &str) -> (&str, &str) {
+    let text = text.trim_start();
+    let Some(inner) = text.strip_prefix('{') else {
+        let end = text.chars().next().map_or(0, char::len_utf8);
+        return text.split_at(end);
+    };
+    let mut depth = 1;
+    for (i, c) in inner.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return (&inner[..i], &inner[i + 1..]);
+        }
+    }
+    (inner, "")
+}
+
 /// A symbol in LaTeX as runs: `\mu_s`, `\omega_0`, `v_x`, `m_{\mathrm{max}}`. What it does not know, it writes as it stands.
 pub fn symbol(tex: &str) -> Vec<TextRun> {
     let chars: Vec<char> = tex.chars().collect();

@@ -205,7 +205,11 @@ pub fn upward<T: Real>([c, s]: [T; 2]) -> f64 {
 
 /// Direction of an axis at this angle, as the angle of the body counts.
 fn axis<T: Real>(planar: &Planar, angle: &Half<T>) -> [T; 2] {
-    let [c, s] = [angle.full_cosine(), angle.full_sine().signed(sense(planar))];
+    facing(planar, [angle.full_cosine(), angle.full_sine()])
+}
+/// The same at the angle of this cosine and sine.
+fn facing<T: Real>(planar: &Planar, [c, s]: [T; 2]) -> [T; 2] {
+    let s = s.signed(sense(planar));
     match planar.from {
         Ray::Right => [c, s],
         Ray::Up => [-s, c],
@@ -763,6 +767,32 @@ impl<'a, T: Real> Layout<'a, T> {
         let planar = self.scene.bodies[self.lead].planar.as_ref()?;
         let direction = axis(planar, &self.start.plus(Half::of_radians(turned)));
         Some(turning(direction, rate.signed(sense(planar)), T::zero()))
+    }
+
+    /// How the leading body is held, if it hangs on a fixed pin.
+    fn pinned(&self) -> Option<(&Planar, [T; 2], [T; 2])> {
+        match self.steps.as_ref()?.first()? {
+            (_, Step::Leads(Held { at, place: Known::Fixed(place) })) => {
+                Some((self.scene.planar(self.lead)?, *at, *place))
+            }
+            _ => None,
+        }
+    }
+    /// Where the leading body is at this angle, if it hangs on a fixed pin.
+    pub fn hung<X: Followed<T>>(&self, angle: &Half<T>) -> Option<Pose<X>> {
+        let (planar, at, place) = self.pinned()?;
+        let direction = turning(axis(planar, angle), T::of(sense(planar)), T::zero());
+        Some(Pose::through(direction, at, fixed(place)))
+    }
+    /// How far it has moved from the start with this change of its angle, to this angle: a difference of two directions is a product,
+    /// which keeps the digits of a short way.
+    pub fn swung(&self, turned: T, angle: Option<&Half<T>>) -> Option<Pose<T>> {
+        let (planar, at, _) = self.pinned()?;
+        let step = Half::of_radians(turned);
+        let middle = angle.map_or_else(|| self.start.plus(step), |angle| *angle).plus(self.start);
+        let by = step.sine.scale2(1).signed(sense(planar));
+        let axis = left(facing(planar, [middle.cosine, middle.sine])).map(|x| x * by);
+        Some(Pose { origin: from_origin(axis, at).map(|x| -x), axis })
     }
 
     /// The pose of a body beside those that are placed before it; of a pair the second one is placed too.

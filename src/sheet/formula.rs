@@ -1,5 +1,6 @@
 //! Formulas of TeX: what may stand in one, how wide one is, and each as MathML.
 use crate::picture::svg::escaped;
+use crate::picture::symbol::group;
 use crate::sheet::document::MARKDOWN;
 use pulldown_cmark::{Event, Parser};
 use pulldown_latex::config::DisplayMode;
@@ -68,27 +69,6 @@ pub fn signs(tex: &str) -> usize {
         rest = &rest[c.len_utf8()..];
     }
     count
-}
-
-/// The text within the braces at the start, and what follows.
-fn group(text: &str) -> (&str, &str) {
-    let text = text.trim_start();
-    let Some(inner) = text.strip_prefix('{') else {
-        let end = text.chars().next().map_or(0, char::len_utf8);
-        return text.split_at(end);
-    };
-    let mut depth = 1;
-    for (i, c) in inner.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 {
-            return (&inner[..i], &inner[i + 1..]);
-        }
-    }
-    (inner, "")
 }
 
 /// A formula within a line, or on a line of its own, as MathML.

@@ -1,6 +1,5 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
-use crate::num::linear::Linear;
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie,
 };
@@ -13,7 +12,9 @@ use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, BodyTerms, Carrying, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::terms::{
+    Action, BodyTerms, Carrying, ForceKind, ForceSource, Freedom, Terms, mark_of, tagged,
+};
 use crate::solution::text::SolutionSection;
 
 /// The spring of a scene.
@@ -301,11 +302,11 @@ impl<'d, 'a> Account<'d, 'a> {
                 if let Expr::Symbol(s) = first { self.symbols.tex(s).to_owned() } else { "P".to_owned() };
             // Of a first value `M_0` the last one is `M_1`.
             let base = name.strip_suffix("_0").unwrap_or(&name);
-            let last = self.page.find(&[&marked(base, "1")], unit, &first + gain);
+            let last = self.page.find(&[marked(base, "1")], unit, &first + gain);
             let mean = (growth.law.with == Grows::Place).then(|| {
                 let h = i64::from(growth.law.halves);
                 let mean = weighed([(&first, (h, h + 2)), (&last.into(), (2, h + 2))]);
-                self.page.find(&[&marked(base, r"\mathrm{m}")], unit, mean)
+                self.page.find(&[marked(base, r"\mathrm{m}")], unit, mean)
             });
             for action in self.m.actions.iter_mut().filter(|a| a.source == source) {
                 action.force = mean.unwrap_or(last).into();
@@ -406,7 +407,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
-            let symbol = self.new_symbol(&[&tagged(r"\gamma", &tag), &tagged("n", &tag)], "1");
+            let symbol = self.new_symbol(&[tagged(r"\gamma", &tag), tagged("n", &tag)], "1");
             self.settle(symbol, &is);
             self.gammas.push((tie, symbol, is));
         }
@@ -431,14 +432,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.m.of(c).inertia.iter().map(move |i| i.times(&square))
             })
             .collect();
-        gathered(Sum::of(terms).terms())
+        Sum::of(terms).expr()
     }
 
     /// A new quantity.
-    pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
-        let tex = self.free(names);
-        let mark = mark_of(&self.page, self.rolled);
-        let tex = if mark.is_empty() { tex } else { marked(&tex, mark) };
+    pub fn new_symbol(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
+        let tex = marked(&self.free(names), mark_of(&self.page, self.rolled));
         self.unknown(&tex, unit)
     }
 
@@ -549,16 +548,15 @@ impl<'d, 'a> Account<'d, 'a> {
         let symbol = match from {
             Expr::Symbol(same) if matches!(label.quantity, Quantity::A | Quantity::ARolling) => same,
             from => {
-                let tag = if self.m.parts.len() > 1 { self.m.parts[body].tag.clone() } else { String::new() };
-                let tag = if matches!(label.of, Owner::Scene) { String::new() } else { tag };
+                let alone = self.m.parts.len() == 1 || matches!(label.of, Owner::Scene);
+                let tag = if alone { String::new() } else { self.m.parts[body].tag.clone() };
                 let names = match label.quantity {
                     Quantity::A => ["a", "a_G"],
                     Quantity::ARolling => [r"a_{\mathrm{r}}", "a_2"],
                     Quantity::V => ["v", "u"],
                     other => names_of(other),
                 };
-                let names = names.map(|n| if tag.is_empty() { n.to_owned() } else { marked(n, &tag) });
-                self.page.find(&[&names[0], &names[1]], label.quantity.unit(), from)
+                self.page.find(&names.map(|n| marked(n, &tag)), label.quantity.unit(), from)
             }
         };
         self.seen.push((label, symbol));
@@ -710,9 +708,14 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What the ties demand of the accelerations, both sides without a minus in front.
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
+        self.tied(|freedom| freedom.a)
+    }
+
+    /// What the ties demand of these rates.
+    fn tied(&self, rate: impl Fn(&Freedom) -> Option<SymbolId>) -> Vec<(Expr, Expr)> {
         let each = |(tie, _): (usize, SymbolId)| {
             let terms = self.m.tied(tie).into_iter();
-            let terms = terms.filter_map(|(c, share)| Some(share.by(self.m.of(c).a?)));
+            let terms = terms.filter_map(|(c, share)| Some(share.by(rate(self.m.of(c))?)));
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
             if left.is_empty() { (right, ZERO) } else { (sum(left), right) }
@@ -724,7 +727,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn together(&mut self) -> Result<(), DerivationStop> {
         let Some(solution) = self.rows_solved() else { return unfound() };
         for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
-            let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
+            let (Some(value), None) = (value, self.known(label)) else { continue };
             // What is 0 but for rounding.
             let value = if value.abs() < SLACK * self.value(&self.m.g) { 0.0 } else { value };
             self.symbols.settle(symbol, value, 0.0);
@@ -733,34 +736,22 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
-    /// The velocities of an instant, from those of the start and from what the ties demand.
+    /// The velocities of an instant, from those of the start and from what the ties demand: the start may say more than is needed.
     fn velocities_together(&mut self) -> Result<(), DerivationStop> {
-        let all: Vec<Coordinate> = self.scene.coordinates().collect();
-        let place = |c: Coordinate| all.iter().position(|o| *o == c);
-        let given: Vec<(Coordinate, Num)> = self.scene.start_speeds().collect();
-        let given: Vec<(Coordinate, Expr)> =
-            given.into_iter().map(|(c, v)| (c, self.given_start(c, v))).collect();
-        let tied = self.m.reactions().into_iter().map(|(tie, _)| {
-            let terms = self.m.tied(tie).into_iter();
-            let terms = terms.filter_map(|(c, share)| Some((place(c)?, self.value(&share.expr()))));
-            (terms.collect::<Vec<_>>(), 0.0)
-        });
-        let given = given.into_iter().filter_map(|(c, v)| Some((vec![(place(c)?, 1.0)], self.value(&v))));
-        // The start may say more than is needed, in agreement with the ties: least squares take all.
-        let mut system: Linear<f64> = Linear::new(all.len(), 1);
-        for (terms, right) in tied.chain(given) {
-            for (row, share) in &terms {
-                terms.iter().for_each(|(column, other)| system.term(*row, *column, share * other));
-                system.right(*row, 0, share * right);
-            }
+        let moving = self.scene.coordinates().filter_map(|c| Some((speed_of(c), self.m.of(c).v?)));
+        let (labels, unknowns): (Vec<Label>, Vec<SymbolId>) = moving.unzip();
+        let mut all = self.tied(|freedom| freedom.v);
+        for (c, given) in self.scene.start_speeds() {
+            let given = self.given_start(c, given);
+            all.extend(self.m.of(c).v.map(|v| (v.into(), given)));
         }
         let rest = self.scene.start_speeds().next().is_none();
-        let Ok(solution) = system.solve() else { return unfound() };
-        for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
-            let Some(symbol) = self.m.of(*c).v else { continue };
-            let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
-            self.symbols.settle(symbol, v, 0.0);
-            self.found(speed_of(*c), symbol, symbol.into());
+        let found = self.page.solved(&all, &unknowns).ok_or(Beyond::Unfound)?;
+        for ((label, symbol), v) in labels.into_iter().zip(unknowns).zip(found) {
+            if let Some(v) = if rest { Some(0.0) } else { v.map(f64::abs) } {
+                self.symbols.settle(symbol, v, 0.0);
+                self.found(label, symbol, symbol.into());
+            }
         }
         Ok(())
     }
@@ -830,7 +821,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn new_found(&mut self, label: Label, from: Expr) -> SymbolId {
         let tag = self.tag_of(label);
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
-        let tex = self.free(&[&names[0], &names[1]]);
+        let tex = self.free(&names);
         let mut mark = String::new();
         if self.symbols.named(&[&tex]).is_some() {
             // Another body or cord bears it already.
@@ -840,8 +831,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => "*".to_owned(),
             };
         }
-        let tex = if mark.is_empty() { tex } else { marked(&tex, &mark) };
-        let symbol = self.new_symbol(&[&tex], label.quantity.unit());
+        let symbol = self.new_symbol(&[marked(&tex, &mark)], label.quantity.unit());
         self.found(label, symbol, from)
     }
 
@@ -1200,10 +1190,14 @@ impl<'d, 'a> Account<'d, 'a> {
         sum(self.m.of(c).inertia.iter().map(|i| i.by(&by)))
     }
 
+    fn known(&self, label: Label) -> Option<SymbolId> {
+        self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol)
+    }
+
     /// A quantity: looked up, or derived.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
-            return Ok(*symbol);
+        if let Some(symbol) = self.known(label) {
+            return Ok(symbol);
         }
         // The force between two rims is asked as a magnitude.
         if let (Quantity::RimForce, Owner::Tie(tie)) = (label.quantity, label.of) {
@@ -1218,14 +1212,13 @@ impl<'d, 'a> Account<'d, 'a> {
             return self.reaction(label, body).or_else(|_| {
                 self.solving.clear();
                 self.together()?;
-                let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
-                found.ok_or(Beyond::Unfound.into())
+                self.known(label).ok_or(Beyond::Unfound.into())
             });
         }
         let from = self.derived(label, body)?;
         // What belongs together was found together.
-        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
-            return Ok(*symbol);
+        if let Some(symbol) = self.known(label) {
+            return Ok(symbol);
         }
         let own = match label.quantity {
             Quantity::A | Quantity::Alpha => self.m.of(coordinate(label.quantity, body)).a,
@@ -1428,20 +1421,13 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Whose reaction a tie has.
     pub fn label_of_tie(&self, tie: usize) -> Label {
-        match &self.scene.ties[tie] {
-            Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
-                of_body(Quantity::Friction, *body)
-            }
-            Tie::Cord(_) => of_tie(Quantity::Tension, tie),
-        }
+        let touching = self.scene.ties[tie].touching();
+        touching.map_or(of_tie(Quantity::Tension, tie), |body| of_body(Quantity::Friction, body))
     }
 
     /// The contact of a body.
     pub fn contact_of(&self, body: usize) -> Option<usize> {
-        self.scene.ties.iter().position(|t| match t {
-            Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
-            Tie::Cord(_) => false,
-        })
+        self.scene.ties.iter().position(|t| t.touching() == Some(body))
     }
 
     /// The radius of the contact of a body.
@@ -1462,7 +1448,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
-        let known = |t: usize| self.known.iter().any(|(l, _)| *l == self.label_of_tie(t));
+        let known = |t: usize| self.known(self.label_of_tie(t)).is_some();
         let rows = self.scene.coordinates().filter(|c| self.open(*c).any(|(t, _)| t == tie));
         let rows = rows.map(|c| {
             let others = self.open(c).map(|(t, _)| t).filter(|t| *t != tie && !known(*t));
@@ -1480,8 +1466,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // Another one may have taken all equations together.
         let label = self.label_of_tie(tie);
-        if let Some((_, symbol)) = self.known.iter().find(|(l, _)| *l == label) {
-            return Ok(*symbol);
+        if let Some(symbol) = self.known(label) {
+            return Ok(symbol);
         }
         let Some(symbol) = self.m.force_of(tie) else { return unfound() };
         let from = self.solved(c, symbol)?;
@@ -1711,7 +1697,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let v = self.get(speed_of(c))?;
-            all.extend(inertia.iter().map(|i| i.times(square(v)).by(ratio(1, 2))));
+            all.push(half_squares(&inertia, v));
         }
         Ok(sum(all))
     }
@@ -1719,15 +1705,12 @@ impl<'d, 'a> Account<'d, 'a> {
     fn rotational(&mut self) -> Result<Expr, DerivationStop> {
         let mut turning = Vec::new();
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
-        for body in 0..self.m.parts.len() {
-            let c = turn(body);
-            for i in self.m.of(c).inertia.clone() {
-                if slips {
-                    let omega = self.get(of_body(Quantity::Omega, body))?;
-                    turning.push(ratio(1, 2) * i.expr() * square(omega));
-                } else {
-                    turning.push(i.by(self.m.of(c).ratio.squared()));
-                }
+        for c in (0..self.m.parts.len()).map(turn) {
+            let Freedom { inertia, ratio, .. } = self.m.of(c).clone();
+            if slips && !inertia.is_empty() {
+                turning.push(half_squares(&inertia, self.get(speed_of(c))?));
+            } else {
+                turning.extend(inertia.iter().map(|i| i.by(ratio.squared())));
             }
         }
         // The speed cancels in the share.
@@ -1858,22 +1841,15 @@ impl ClosedFriction {
     }
 }
 
-/// The sum of these, with the factors that all have in front: `m (1 + k^2/r^2)`.
-pub fn gathered(terms: &[Factors]) -> Expr {
-    let [first, others @ ..] = terms else { return ZERO };
-    if others.is_empty() {
-        return first.expr();
-    }
-    let common = others.iter().fold(first.clone(), |common, t| common.shared(t));
-    if common.is_one() {
-        return sum(terms.iter().map(Factors::expr));
-    }
-    let inner = terms.iter().map(|t| t.per(&common));
-    if inner.clone().all(|i| i.is_number()) {
-        let whole = terms.iter().skip(1).fold(first.clone(), |all, t| all.plus(t));
-        return whole.expr();
-    }
-    common.expr() * sum(inner.map(|i| i.expr()))
+/// The kinetic energy of masses or moments of inertia at a rate.
+pub fn half_squares(inertia: &[Factors], rate: impl Into<Expr>) -> Expr {
+    let square = square(rate);
+    sum(inertia.iter().map(|i| i.times(&square).by(ratio(1, 2))))
+}
+
+/// What a spring gives off from one stretch to another.
+pub fn stored(stiffness: &Expr, first: &Expr, last: &Expr) -> Expr {
+    ratio(1, 2) * stiffness * (square(first) - square(last))
 }
 
 /// The sum of these, each with its share.
@@ -1883,6 +1859,9 @@ fn weighed<const N: usize>(terms: [(&Expr, (i64, i64)); N]) -> Expr {
 
 /// A symbol with a mark below it, behind what stands there already.
 pub fn marked(tex: &str, mark: &str) -> String {
+    if mark.is_empty() {
+        return tex.to_owned();
+    }
     let (base, raised) = tex.split_at(tex.find('^').unwrap_or(tex.len()));
     // An index within an accent belongs to what the accent stands on.
     let whole = |symbol: &str| symbol.matches('{').count() == symbol.matches('}').count();

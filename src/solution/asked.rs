@@ -311,6 +311,7 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
 /// What is said of data that no sheet gives: what is `any`, and what is found from a measurement.
 pub fn not_given(draft: &mut Draft) {
     let mut page = Page::new(draft);
+    page.steps.clone_from(&page.draft.steps);
     page.begin("unknown");
     let any: Vec<String> = page.chosen.iter().map(|s| page.shown(*s)).collect();
     if !any.is_empty() {
@@ -346,20 +347,13 @@ fn backward(
     measured: SymbolId,
     unknown: SymbolId,
 ) -> Option<Vec<(SymbolId, Expr)>> {
-    let from = |symbol: SymbolId| {
-        let is = &page.draft.steps.iter().find(|s| s.symbol == symbol)?.from;
-        (*is != Expr::Symbol(symbol)).then_some(is)
-    };
-    let hangs = |symbol: SymbolId| {
-        let all = page.draft.steps.iter().rev().fold(Expr::from(symbol), |all, s| all.put(s.symbol, &s.from));
-        all.uses().contains(&unknown)
-    };
+    let hangs = |symbol: &SymbolId| page.expanded(&(*symbol).into()).uses().contains(&unknown);
     let (mut lines, mut known, mut at) = (Vec::new(), measured, forward);
     while at != unknown {
-        let right = from(at)?;
-        let mut open = right.uses().into_iter().filter(|s| hangs(*s));
-        let next = open.next().filter(|_| open.next().is_none())?;
-        lines.push((next, inverse(page, known.into(), right, next)?));
+        let right = page.from(at);
+        let mut open = right.uses().into_iter().filter(hangs);
+        let next = open.next().filter(|next| *next != at && open.next().is_none())?;
+        lines.push((next, inverse(page, known.into(), &right, next)?));
         (known, at) = (next, next);
     }
     Some(lines)

@@ -16,14 +16,14 @@ pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
             let part = format!("`{number}.{}`", draft.problem.questions[question].id);
             let pieces =
                 [("did", words.did.as_str()), ("part", &part), ("wrong", &wrong), ("see", &words.see)];
-            draft.words.say("solution.beware.item", &pieces)
+            format!("- {}", draft.words.say("solution.beware.item", &pieces))
         })
         .collect();
     if items.is_empty() {
         return None;
     }
     let mut section = SolutionSection::new("beware", draft.words.get("solution.title.beware"));
-    section.blocks.push(Block::List(items));
+    section.blocks.push(Block::Markdown(items.join("\n")));
     Some(section)
 }
 

@@ -251,12 +251,9 @@ impl<'a> Draft<'a> {
     }
 
     /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
-    pub fn free(&self, candidates: &[&str]) -> String {
-        let taken = |tex: &str| self.problem.data.iter().any(|d| d.tex == tex);
-        match candidates.iter().find(|c| !taken(c)) {
-            Some(tex) => (*tex).to_owned(),
-            None => candidates.last().map_or_else(String::new, |tex| format!("{tex}^{{*}}")),
-        }
+    pub fn free(&self, candidates: &[impl AsRef<str>]) -> String {
+        let candidates: Vec<String> = candidates.iter().map(|tex| tex.as_ref().to_owned()).collect();
+        names::free(self.problem, &candidates)
     }
 
     /// A quantity that is not known yet, in the unit (ASCII) given.
@@ -265,10 +262,10 @@ impl<'a> Draft<'a> {
     }
 
     /// The same, by the first of these symbols that is free.
-    pub fn named(&mut self, names: &[&str], unit: &str) -> SymbolId {
+    pub fn named(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
         // A constant may bear it already.
         let told = |tex: &str| self.told.iter().any(|d| d.starts_with(&format!("{tex} =")));
-        let open: Vec<&str> = names.iter().copied().filter(|tex| !told(tex)).collect();
+        let open: Vec<&str> = names.iter().map(AsRef::as_ref).filter(|tex| !told(tex)).collect();
         let tex = if open.is_empty() { format!("{}^{{*}}", self.free(names)) } else { self.free(&open) };
         self.unknown(&tex, unit)
     }
@@ -282,11 +279,6 @@ impl<'a> Draft<'a> {
     pub fn radians(&mut self, degrees: Expr) -> Expr {
         let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
         degrees * self.pi() / half
-    }
-
-    /// A phrase of the lists, its places filled in.
-    pub fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
-        self.words.say(name, pieces)
     }
 
     /// The data as they are told, each a formula without dollars.
@@ -331,9 +323,14 @@ impl<'a> Draft<'a> {
         self.found.iter().find(|(l, _)| *l == label).map(|(_, answer)| *answer)
     }
 
+    /// What has to be known for what is asked.
+    pub fn needed(&self) -> Vec<Label> {
+        asked::needed(self.scene, self.problem)
+    }
+
     /// Is this quantity asked, of anything?
     pub fn asks(&self, quantity: Quantity) -> bool {
-        asked::needed(self.scene, self.problem).iter().any(|label| label.quantity == quantity)
+        self.needed().iter().any(|label| label.quantity == quantity)
     }
 
     /// Does what is to move stay where it is?
@@ -345,7 +342,7 @@ impl<'a> Draft<'a> {
     pub fn forces_asked(&self) -> bool {
         use Quantity::{PowerCouple, PowerPull, Value};
         let forced = |q| is_rate(q) || matches!(q, PowerCouple | PowerPull | Value);
-        asked::needed(self.scene, self.problem).iter().any(|label| forced(label.quantity))
+        self.needed().iter().any(|label| forced(label.quantity))
     }
 
     /// Are forces and accelerations that stay the same all that is asked of a motion?
@@ -366,7 +363,7 @@ impl<'a> Draft<'a> {
     }
 
     fn needs_only(&self, wanted: impl Fn(Quantity) -> bool) -> bool {
-        asked::needed(self.scene, self.problem).iter().all(|l| wanted(l.quantity))
+        self.needed().iter().all(|l| wanted(l.quantity))
     }
 
     /// Is this label asked?

@@ -55,10 +55,6 @@ impl Factors {
     pub fn is_one(&self) -> bool {
         *self == Self::one()
     }
-    /// Is it a number?
-    pub fn is_number(&self) -> bool {
-        self.over.is_empty() && self.under.is_empty()
-    }
     /// The symbols that both have, above or below.
     #[must_use]
     pub fn shared(&self, other: &Self) -> Self {
@@ -123,6 +119,10 @@ impl Factors {
     #[must_use]
     pub fn squared(&self) -> Self {
         self.times(self)
+    }
+    /// Each term of a sum, with this in front.
+    pub fn each(&self, of: &Sum) -> Sum {
+        of.0.iter().map(|term| self.times(term)).collect()
     }
     /// The sum, over a common denominator, what both have put before it.
     #[must_use]
@@ -357,6 +357,17 @@ impl Sum {
     pub fn opposite(&self) -> Self {
         self.times(Expr::Number(-1, 1))
     }
+    /// With the sign of `sense`, which is 1 or -1.
+    #[must_use]
+    pub fn signed(&self, sense: i8) -> Self {
+        if sense < 0 { self.opposite() } else { self.clone() }
+    }
+    /// Both sides of an equation that says it is 0, without a minus in front.
+    pub fn sides(&self) -> [Expr; 2] {
+        let (plus, minus): (Vec<Factors>, Vec<Factors>) =
+            self.0.iter().cloned().partition(|t| t.constant.0 >= 0);
+        [Self::of(plus).expr(), Self::of(minus).opposite().expr()]
+    }
     /// The product, term by term.
     #[must_use]
     pub fn by(&self, other: &Self) -> Self {
@@ -399,6 +410,18 @@ impl Sum {
         let inside = Factors { constant: rest, over: over.1, under: under.1 }.times(&inner);
         let outside = outside.expr();
         if inside.is_one() { outside } else { outside.by(root(inside.expr())) }
+    }
+}
+
+impl FromIterator<Factors> for Sum {
+    fn from_iter<I: IntoIterator<Item = Factors>>(terms: I) -> Self {
+        Self::of(terms)
+    }
+}
+
+impl std::iter::Sum for Sum {
+    fn sum<I: Iterator<Item = Self>>(sums: I) -> Self {
+        sums.flat_map(|sum| sum.0).collect()
     }
 }
 

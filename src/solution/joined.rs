@@ -110,7 +110,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.forces_of_the_pin(&kinetic)?;
             return self.swings();
         }
-        let asked: Vec<Label> = self.labels().into_iter().filter(|l| kinetic(l.quantity)).collect();
+        let asked: Vec<Label> = self.needed().into_iter().filter(|l| kinetic(l.quantity)).collect();
         if asked.is_empty() {
             return Ok(());
         }
@@ -211,7 +211,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.carried_on() => "onward.other",
             _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.springs.is_empty() => "joined.onward_spring",
+            _ if !self.springs.is_empty() && !self.instant() => "joined.onward_spring",
             _ if self.pivot.is_some() => "pinned.onward",
             _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",
@@ -251,12 +251,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let joints = &self.scene.joints;
         joints.len() == 1 && matches!(joints[0].kind, JointKind::Guide { one_sided: true, .. })
     }
-    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.page.say(name, pieces);
-    }
     /// Answers what is asked of these quantities.
     fn answers(&mut self, which: &dyn Fn(Quantity) -> bool) -> Result<Vec<Label>, DerivationStop> {
-        let all: Vec<Label> = self.labels().into_iter().filter(|l| which(l.quantity)).collect();
+        let all: Vec<Label> = self.needed().into_iter().filter(|l| which(l.quantity)).collect();
         for label in &all {
             let symbol = self.get(*label)?;
             self.answer(*label, DerivedAnswer::Value(symbol));

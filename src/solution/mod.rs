@@ -137,7 +137,8 @@ fn made(
     let mut sections = std::mem::take(&mut draft.sections);
     let answers = answers(&draft, number);
     let mut first = SolutionSection::new("answers", words.get("solution.title.answers"));
-    first.blocks.push(Block::Box(answers.iter().map(|(id, answer)| format!("`{id}` {answer}")).collect()));
+    let boxed: Vec<String> = answers.iter().map(|(id, answer)| format!("`{id}` {answer}")).collect();
+    first.blocks.push(Block::Markdown(format!("> {}", boxed.join(" · "))));
     sections.insert(0, first);
     sections.insert(1, given(&draft));
     match beyond {

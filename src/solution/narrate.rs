@@ -2,11 +2,10 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Quantity, RotaryInertia, Slope,
-    Span, Thrown, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity,
+    RotaryInertia, Slope, Span, Start, Thrown, Tie,
 };
-use crate::solution::account::{Account, marked, of_body, of_scene, of_tie, speed_of};
-use crate::solution::asked;
+use crate::solution::account::{Account, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored};
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
@@ -16,7 +15,7 @@ use crate::solution::page::Page;
 use crate::solution::plane::Plane;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::FIGURES;
-use crate::solution::terms::{Action, ForceKind, ForceSource, Particles, relative, tagged};
+use crate::solution::terms::{Action, ForceKind, ForceSource, relative, tagged};
 use crate::solution::text::{LINE, SolutionSection};
 use crate::solution::way;
 use crate::solution::written::width;
@@ -75,6 +74,17 @@ pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     fn limits(&mut self) -> Result<(), DerivationStop>;
     /// A question to go on with, by name.
     fn onward(&self) -> &'static str;
+
+    // As those of the page; named here so that what they are given may look at the account.
+    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        Page::say(self, name, pieces);
+    }
+    fn formula(&mut self, tex: String) {
+        Page::formula(self, tex);
+    }
+    fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
+        Page::tell(self, symbols);
+    }
 }
 
 /// Writes the sections, one after the other.
@@ -90,7 +100,7 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     n.begin_as("rest", if measured { "measured" } else { "rest" });
     n.skip_new();
     let (ground, own): (Vec<Label>, Vec<Label>) =
-        asked::needed(n.scene, n.problem).into_iter().partition(|l| n.is_grounded(l.quantity));
+        n.needed().into_iter().partition(|l| n.is_grounded(l.quantity));
     for labels in [own, ground] {
         for label in labels {
             if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
@@ -158,14 +168,31 @@ const NOTHING: f64 = 1e-13;
 /// Words particles that move as one body: the mass centre and the rotation about it, then the sum over the particles. About any
 /// other point there is a cross term, which is shown for the particle whose velocity is known.
 fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let (1, Some(p)) = (draft.scene.bodies.len(), Particles::new(draft)) else {
+    let scene = draft.scene;
+    let given = scene.start.iter().find_map(|s| match *s {
+        Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
+            Some((&scene.bodies[body].particles, particle, [vx_m_s, vy_m_s, spin_rad_s]))
+        }
+        Start::Speed(..) => None,
+    });
+    let (1, Some((particles, k, given))) = (scene.bodies.len(), given) else {
         return Err(Beyond::Unfound.into());
     };
     let mut page = Page::new(draft);
-    let known = format!("${}$", p.names[p.known]);
-    let each = |tex, unit, of: &dyn Fn(usize) -> Expr| -> Column {
-        (tex, unit, (0..p.names.len()).map(of).collect())
+    let mut column = |of: fn(&Particle) -> Num, letter: &str, unit: &str| -> Vec<Expr> {
+        let number = |p: &Particle| page.number(of(p), &format!("{letter}_{{{}}}", p.name), unit);
+        particles.iter().map(number).collect()
     };
+    let (m, x) = (column(|p| p.mass_kg, "m", "kg"), column(|p| p.x_m, "x", "m"));
+    let y = column(|p| p.y_m, "y", "m");
+    let [ux, uy] = [page.number(given[0], "v_x", "m/s"), page.number(given[1], "v_y", "m/s")];
+    let spin = page.number(given[2], r"\omega", "rad/s");
+    // Of a point: the velocity of the particle that is known, and that of the rotation about it.
+    let velocity = |at: [&Expr; 2]| [&ux - &spin * (at[1] - &y[k]), &uy + &spin * (at[0] - &x[k])];
+    let names: Vec<String> = particles.iter().map(|p| p.name.clone()).collect();
+    let known = format!("${}$", names[k]);
+    let each =
+        |tex, unit, of: &dyn Fn(usize) -> Expr| -> Column { (tex, unit, (0..names.len()).map(of).collect()) };
     page.begin("idea");
     page.say("lamina.idea", &[]);
     page.sketch();
@@ -177,65 +204,63 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
         symbol
     };
     let mut columns = vec![
-        ("m_i", "kg", p.m.clone()),
-        ("x_i", "m", p.x.clone()),
-        ("y_i", "m", p.y.clone()),
-        each(r"m_i\,x_i", "kg m", &|i| &p.m[i] * &p.x[i]),
-        each(r"m_i\,y_i", "kg m", &|i| &p.m[i] * &p.y[i]),
+        ("m_i", "kg", m.clone()),
+        ("x_i", "m", x.clone()),
+        ("y_i", "m", y.clone()),
+        each(r"m_i\,x_i", "kg m", &|i| &m[i] * &x[i]),
+        each(r"m_i\,y_i", "kg m", &|i| &m[i] * &y[i]),
     ];
     let [mass, mx, my] = [0, 3, 4].map(|i| total(&mut page, &columns[i]));
     let mass = page.find(&["m", "M"], "kg", mass);
-    let (x, y) = (page.find(&["x_G"], "m", mx / mass), page.find(&["y_G"], "m", my / mass));
-    let arm = |i: usize| square(&p.x[i] - x) + square(&p.y[i] - y);
+    let (xg, yg) = (page.find(&["x_G"], "m", mx / mass), page.find(&["y_G"], "m", my / mass));
+    let arm = |i: usize| square(&x[i] - xg) + square(&y[i] - yg);
     columns.push(each(r"\rho_i", "m", &|i| root(arm(i))));
-    columns.push(each(r"m_i\,\rho_i^{2}", "kg m^2", &|i| &p.m[i] * arm(i)));
-    table(&mut page, &p.names, &columns);
+    columns.push(each(r"m_i\,\rho_i^{2}", "kg m^2", &|i| &m[i] * arm(i)));
+    table(&mut page, &names, &columns);
     page.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}".to_owned());
     let own = total(&mut page, &columns[6]);
     let own = page.find(&["I_G"], "kg m^2", own);
-    for symbol in [mass, x, y, own] {
+    for symbol in [mass, xg, yg, own] {
         let from = page.from(symbol);
         page.display(symbol, &from, "");
     }
-    for (quantity, symbol) in [(Quantity::XG, x), (Quantity::YG, y), (Quantity::IG, own)] {
+    for (quantity, symbol) in [(Quantity::XG, xg), (Quantity::YG, yg), (Quantity::IG, own)] {
         page.answer(of_body(quantity, 0), DerivedAnswer::Value(symbol));
     }
     page.say("lamina.velocity", &[("known", &known)]);
-    let [vx, vy] = p.velocity(&x.into(), &y.into());
+    let [vx, vy] = velocity([&xg.into(), &yg.into()]);
     let (vx, vy) = (page.find(&["v_{Gx}"], "m/s", vx), page.find(&["v_{Gy}"], "m/s", vy));
     page.tell_new();
     page.say("lamina.split", &[]);
     let half = ratio(1, 2);
-    let both = &half * mass * (square(vx) + square(vy)) + &half * own * square(&p.spin);
+    let both = &half * mass * (square(vx) + square(vy)) + &half * own * square(&spin);
     let energy = page.find(&["T", "E"], "J", both);
     page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
     page.tell_new();
     page.begin_as("long", "long_lamina");
     page.say("lamina.velocities", &[("known", &known)]);
-    let [ux, uy, spin, xk, yk] =
-        [&p.velocity[0], &p.velocity[1], &p.spin, &p.x[p.known], &p.y[p.known]].map(|e| page.tex(e));
-    page.formula(format!(r"v_{{x,i}} = {ux} - {spin}\,\left(y_i - {yk}\right)"));
-    page.formula(format!(r"v_{{y,i}} = {uy} + {spin}\,\left(x_i - {xk}\right)"));
-    let velocity = |i: usize| p.velocity(&p.x[i], &p.y[i]);
-    let speed = |i: usize| sum(velocity(i).map(square));
+    let [tx, ty, turns, xk, yk] = [&ux, &uy, &spin, &x[k], &y[k]].map(|e| page.tex(e));
+    page.formula(format!(r"v_{{x,i}} = {tx} - {turns}\,\left(y_i - {yk}\right)"));
+    page.formula(format!(r"v_{{y,i}} = {ty} + {turns}\,\left(x_i - {xk}\right)"));
+    let own = |i: usize| velocity([&x[i], &y[i]]);
+    let speed = |i: usize| sum(own(i).map(square));
     let columns = [
-        each("v_{x,i}", "m/s", &|i| velocity(i)[0].clone()),
-        each("v_{y,i}", "m/s", &|i| velocity(i)[1].clone()),
+        each("v_{x,i}", "m/s", &|i| own(i)[0].clone()),
+        each("v_{y,i}", "m/s", &|i| own(i)[1].clone()),
         each("v_i", "m/s", &|i| root(speed(i))),
-        each(r"\tfrac{1}{2}\,m_i\,v_i^{2}", "J", &|i| &half * &p.m[i] * speed(i)),
+        each(r"\tfrac{1}{2}\,m_i\,v_i^{2}", "J", &|i| &half * &m[i] * speed(i)),
     ];
-    table(&mut page, &p.names, &columns);
+    table(&mut page, &names, &columns);
     page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}".to_owned());
     let all = total(&mut page, &columns[3]);
     let again = page.find(&["T", "E"], "J", all);
     page.display(again, &all.into(), "");
     page.begin_as("why", "which");
-    let (n, count) = (p.names.len().to_string(), (2 * p.names.len()).to_string());
+    let (n, count) = (names.len().to_string(), (2 * names.len()).to_string());
     page.say("lamina.why", &[("n", &n), ("count", &count)]);
     page.say("lamina.cross", &[("known", &known)]);
-    let [ux, uy] = &p.velocity;
-    let cross = uy * (x - &p.x[p.known]) - ux * (y - &p.y[p.known]);
-    page.find(&[r"T_{\times}", r"E_{\times}"], "J", mass * &p.spin * cross);
+    let cross = &uy * (xg - &x[k]) - &ux * (yg - &y[k]);
+    page.find(&[r"T_{\times}", r"E_{\times}"], "J", mass * &spin * cross);
     page.tell_new();
     for (id, name) in [("limits", "lamina.limits"), ("onward", "lamina.onward")] {
         page.begin(id);
@@ -250,10 +275,15 @@ type Column = (&'static str, &'static str, Vec<Expr>);
 
 /// A table with a row for each particle: its name and these columns, data as they are printed.
 fn table(page: &mut Page, names: &[String], columns: &[Column]) {
-    let head = columns.iter().map(|(tex, unit, _)| format!(r"${tex}\ ({})$", tex_of(unit)));
-    let mut rows = vec![std::iter::once("$i$".to_owned()).chain(head).collect::<Vec<String>>()];
+    let mut head = columns.iter().map(|(tex, unit, _)| format!(r"${tex}\ ({})$", tex_of(unit)));
+    let row = |first: &str, cells: &mut dyn Iterator<Item = String>| {
+        let cells: Vec<String> = std::iter::once(first.to_owned()).chain(cells).collect();
+        format!("| {} |", cells.join(" | "))
+    };
+    let rule = format!("|{}|", vec![":--"; columns.len() + 1].join("|"));
+    let mut rows = vec![row("$i$", &mut head), rule];
     for (i, name) in names.iter().enumerate() {
-        let cells = columns.iter().map(|(.., cells)| match &cells[i] {
+        let mut cells = columns.iter().map(|(.., cells)| match &cells[i] {
             Expr::Symbol(s) => {
                 let shown = page.symbols.shown(*s);
                 format!("${}$", shown.split(r"\ ").next().unwrap_or_default())
@@ -264,9 +294,9 @@ fn table(page: &mut Page, names: &[String], columns: &[Column]) {
                 format!("${}$", page.digits(value, FIGURES))
             }
         });
-        rows.push(std::iter::once(format!("${name}$")).chain(cells).collect());
+        rows.push(row(&format!("${name}$"), &mut cells));
     }
-    page.table(rows);
+    page.markdown(rows.join("\n"));
 }
 
 /// Quantities of the scene as if its contacts were others: the equations of motion, solved again.
@@ -484,7 +514,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if !self.forced() {
             return Ok(());
         }
-        let asked = asked::needed(self.scene, self.problem);
+        let asked = self.needed();
         let rolling = self.rolling();
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
             self.get(*label)?;
@@ -630,13 +660,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
 }
 
 impl<'d, 'a> Account<'d, 'a> {
-    // As those of the page; named here so that what they are given may look at the account.
-    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        self.page.say(name, pieces);
-    }
-    fn formula(&mut self, tex: String) {
-        self.page.formula(tex);
-    }
     /// Is the place given at which it ends?
     fn placed(&self) -> bool {
         matches!(self.scene.end, End::Travel(..) | End::Position(..))
@@ -646,9 +669,6 @@ impl<'d, 'a> Account<'d, 'a> {
     }
     fn forced(&self) -> bool {
         self.short != Short::Instant || self.forces_asked()
-    }
-    fn tell(&mut self, symbols: impl IntoIterator<Item = SymbolId>) {
-        self.page.tell(symbols);
     }
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
@@ -808,7 +828,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if !place && (self.asks(Quantity::V) || self.asks(Quantity::Omega)) {
             self.forget(v);
         }
-        for label in asked::needed(self.scene, self.problem) {
+        for label in self.needed() {
             if matches!(label.quantity, Quantity::V | Quantity::Omega) {
                 let _ = self.get(label);
             }
@@ -864,19 +884,17 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Works on the left, kinetic energies on the right.
     fn balance(&self, d: &Expr) -> String {
-        let half = Factors::of(&ratio(1, 2));
         let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
         if let Some(s) = &self.spring {
-            works.push(ratio(1, 2) * &s.stiffness * (square(&s.stretch) - square(&self.last)));
+            works.push(stored(&s.stiffness, &s.stretch, &self.last));
         }
         let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
         works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
-            let speeds = self.coordinates().into_iter().filter_map(|c| Some((c, self.m.of(c).v?)));
-            let inertias = speeds.flat_map(|(c, v)| self.m.of(c).inertia.iter().map(move |i| (i, v)));
-            sum(inertias.map(|(i, v)| i.times(square(v)).by(&half)))
+            let freedoms = self.coordinates().into_iter().map(|c| self.m.of(c));
+            sum(freedoms.filter_map(|of| Some(half_squares(&of.inertia, of.v?))))
         } else {
             ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
         };
@@ -934,7 +952,7 @@ impl<'d, 'a> Account<'d, 'a> {
             if let (Some(spring), Ok(rest)) = (self.spring.clone(), self.get(of_scene(Quantity::XEq))) {
                 let (k, x) = (&spring.stiffness, &spring.stretch);
                 let pull = in_sense(-(k * spring.gamma.by(rest)), self.sense);
-                let works = ratio(1, 2) * k * (square(x) - square(rest)) - k * rest * (x - rest);
+                let works = stored(k, x, &rest.into()) - k * rest * (x - rest);
                 let all = ratio(1, 2) * k * square(x - rest);
                 let (others, all) = (self.inline(&pull), format!("${}$", self.equation(&works, &all)));
                 self.say("energy.fastest", &[("others", &others), ("square", &all)]);
@@ -1203,9 +1221,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 if let Some(spring) = self.spring.clone() {
                     let pull = self.tex(&spring.gamma.by(spring.tension));
                     let (k, x) = (self.tex(&spring.stiffness), r"x\,\mathrm{d}x");
-                    let stored =
-                        ratio(1, 2) * &spring.stiffness * (square(&spring.stretch) - square(&self.last));
-                    let stored = self.inline(&stored);
+                    let stored = self.inline(&stored(&spring.stiffness, &spring.stretch, &self.last));
                     let share = format!(r"${pull}\,\mathrm{{d}}s = -{k}\,{x}$");
                     let share =
                         self.phrase("motion.share_of_spring", &[("share", &share), ("stored", &stored)]);
@@ -1264,7 +1280,7 @@ impl<'d, 'a> Account<'d, 'a> {
             (self.number(thrown.radius_m, "R", "m"), self.number(thrown.spin_rad_s, r"\omega_0", "rad/s"));
         let (v0, sense) = (self.v0.clone(), self.symbols.value(slip).signum());
         let tex = self.free(&["u", "w"]);
-        let rate = self.find(&[&format!(r"\dot{{{tex}}}")], "m/s^2", a - &c * alpha);
+        let rate = self.find(&[format!(r"\dot{{{tex}}}")], "m/s^2", a - &c * alpha);
         let closes = self.symbols.value(rate) * sense < 0.0;
         self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[("u", &tex)]);
         let asked = match self.scene.end {
@@ -1302,7 +1318,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("thrown.turns_back", &[]);
         }
         let left =
-            spins.map_or(ZERO, |_| self.find(&[&format!("{tex}_1")], "m/s", slip + rate * &slid).into());
+            spins.map_or(ZERO, |_| self.find(&[format!("{tex}_1")], "m/s", slip + rate * &slid).into());
         let mean = in_sense(slip + left, sense);
         let warm = self.asks(Quantity::Heat) || self.asks(Quantity::SlipDistance);
         if warm {
@@ -1401,19 +1417,16 @@ impl<'d, 'a> Account<'d, 'a> {
         c: &Expr,
         phi: &dyn Fn(SymbolId) -> Expr,
     ) -> LegEnd {
-        let name = |n: &Self, names: &[&str]| {
-            let tex = n.free(names);
-            if mark.is_empty() { tex } else { marked(&tex, mark) }
+        let below = relative(self, "");
+        let found = |n: &mut Self, names: &[&str], unit: &str, is: Expr| {
+            let tex = marked(&n.free(names), mark);
+            n.find(&[tex], unit, is)
         };
-        let own = ["v", "v_G", "x", "x_G"].map(|n| tagged(n, &relative(self, "")));
-        let (tex, spin_tex) = (name(self, &[&own[0], &own[1]]), name(self, &[r"\omega", r"\Omega"]));
-        let v = self.find(&[&tex], "m/s", v);
-        let w = self.find(&[&spin_tex], "rad/s", spin.unwrap_or_else(|| v / c));
-        let tex = name(self, &[&own[2], &own[3]]);
-        let x = self.find(&[&tex], "m", x);
+        let v = found(self, &[&tagged("v", &below), &tagged("v_G", &below)], "m/s", v);
+        let w = found(self, &[r"\omega", r"\Omega"], "rad/s", spin.unwrap_or_else(|| v / c));
+        let x = found(self, &[&tagged("x", &below), &tagged("x_G", &below)], "m", x);
         self.tell_new();
-        let tex = name(self, &[r"\phi", r"\varphi", r"\psi"]);
-        let phi = self.find(&[&tex], "rad", phi(x));
+        let phi = found(self, &[r"\phi", r"\varphi", r"\psi"], "rad", phi(x));
         if self.asks(Quantity::Phi) {
             self.tell_new();
         }
@@ -1437,8 +1450,9 @@ impl<'d, 'a> Account<'d, 'a> {
         self.begin_as("long", "momentum");
         self.say(if level { "thrown.momentum_level" } else { "thrown.momentum" }, &[]);
         let spun = |w: &Expr, v: &Expr| own.by(w) + mass.times(c).by(v);
-        let half = ratio(1, 2);
-        let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
+        let kinetic = |w: &Expr, v: &Expr| {
+            half_squares(std::slice::from_ref(&mass), v) + half_squares(std::slice::from_ref(&own), w)
+        };
         let (w, v) = (Expr::from(end.w), Expr::from(end.v));
         self.formula(self.equation(&(spun(w0, v0) + fall.by(c).by(t)), &spun(&w, &v)));
         let warm = self.asks(Quantity::Heat) || self.asks(Quantity::SlipDistance);
@@ -1533,14 +1547,13 @@ impl<'d, 'a> Account<'d, 'a> {
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let (part, d) = (self.m.parts[body].clone(), self.distance());
         let (Some(v), Some(w)) = (part.line.v, part.spin.v) else { return Ok(()) };
-        let half = ratio(1, 2);
         let place = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
         let turn = self.symbols.value(alpha);
         let [forces, moments] =
             [Degree::Along, Degree::Turn].map(|degree| self.row_sum(Coordinate { body, degree }));
-        let (work, gain) = (in_sense(forces, place) * d, &half * part.mass.expr() * square(v));
-        let spin = sum(part.spin.inertia.iter().map(|i| &half * i.expr() * square(w)));
+        let (work, gain) = (in_sense(forces, place) * d, half_squares(&part.line.inertia, v));
+        let spin = half_squares(&part.spin.inertia, w);
         let centre = self.equation(&work, &gain);
         let rotation = self.equation(&(in_sense(moments, turn) * phi), &spin);
         let f = self.kinetic_frictions();

@@ -73,12 +73,12 @@ impl<'d, 'a> Page<'d, 'a> {
         symbol
     }
     /// A new quantity, the first of these names that is free, and what it is equal to. The unit is ASCII.
-    pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
+    pub fn find(&mut self, names: &[impl AsRef<str>], unit: &str, from: impl Into<Expr>) -> SymbolId {
         let symbol = self.named(names, unit);
         self.step(symbol, from.into())
     }
     /// The same, or what is equal to this already.
-    pub fn find_once(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
+    pub fn find_once(&mut self, names: &[impl AsRef<str>], unit: &str, from: Expr) -> SymbolId {
         let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
         known.unwrap_or_else(|| self.find(names, unit, from))
     }
@@ -90,15 +90,26 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn solved(&mut self, equations: &[(Expr, Expr)], unknowns: &[SymbolId]) -> Option<Vec<Option<f64>>> {
         let before: Vec<f64> = unknowns.iter().map(|s| self.symbols.value(*s)).collect();
         unknowns.iter().for_each(|s| self.symbols.place(*s, 0.0));
-        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
-        for (row, (left, right)) in equations.iter().enumerate().take(unknowns.len()) {
-            let rest = |page: &Self| page.value(left) - page.value(right);
-            let (none, uses) = (rest(self), [left.uses(), right.uses()].concat());
-            system.right(row, 0, -none);
+        let rest = |page: &Self, (left, right): &(Expr, Expr)| page.value(left) - page.value(right);
+        let mut rows = Vec::new();
+        for row in equations {
+            let (none, uses) = (rest(self, row), [row.0.uses(), row.1.uses()].concat());
+            let mut terms = Vec::new();
             for (column, symbol) in unknowns.iter().enumerate().filter(|(_, s)| uses.contains(s)) {
                 self.symbols.place(*symbol, FAR);
-                system.term(row, column, (rest(self) - none) / FAR);
+                terms.push((column, (rest(self, row) - none) / FAR));
                 self.symbols.place(*symbol, 0.0);
+            }
+            rows.push((terms, -none));
+        }
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        let more = rows.len() > unknowns.len();
+        for (at, (terms, right)) in rows.iter().enumerate() {
+            // Of more equations than unknowns least squares take all.
+            let own = [(at, 1.0)];
+            for (row, share) in if more { terms } else { &own[..] } {
+                terms.iter().for_each(|(column, term)| system.term(*row, *column, share * term));
+                system.right(*row, 0, share * right);
             }
         }
         unknowns.iter().zip(before).for_each(|(s, x)| self.symbols.place(*s, x));
@@ -158,10 +169,10 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn add(&mut self, sentence: String) {
         self.open.push(sentence);
     }
-    /// A table, first row the head.
-    pub fn table(&mut self, rows: Vec<Vec<String>>) {
+    /// Markdown that is no paragraph.
+    pub fn markdown(&mut self, text: String) {
         self.stop();
-        self.out.blocks.push(Block::Table(rows));
+        self.out.blocks.push(Block::Markdown(text));
     }
     /// A displayed formula `v = ... = 4.94 m/s`, with this behind it.
     pub fn display(&mut self, symbol: SymbolId, from: &Expr, behind: &str) {

@@ -9,7 +9,7 @@ use crate::scene::{
     Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Rest,
     RotaryInertia, Spot, Strut, StrutEnd, Surface,
 };
-use crate::solution::account::START_NAMES;
+use crate::solution::account::{START_NAMES, stored};
 use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
@@ -435,7 +435,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let plain = names::joint(self.scene, 0);
         let force = [["R", "O_r", "X"], ["S", "O_t", "Y"]].map(|[one, two, plane]| match radial {
             true => self.named(&[one, two], "N"),
-            false => self.named(&[&tagged(plane, &plain)], "N"),
+            false => self.named(&[tagged(plane, &plain)], "N"),
         });
         self.j = Some(about);
         let (up, name) = (self.turns[0].from[1] > 0.0, format!("${name}$"));
@@ -476,7 +476,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let Some(poses) = self.poses(0.0, true) else { return beyond() };
             let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
             let tag = format!("{},0", self.bodies[c.body].tag);
-            let symbol = self.named(&[&tagged("n", &tag), &tagged("i", &tag)], "1");
+            let symbol = self.named(&[tagged("n", &tag), tagged("i", &tag)], "1");
             self.symbols.settle(symbol, ratio, 0.0);
             self.spun = Some(symbol);
             symbol.into()
@@ -503,7 +503,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.here = if scene.end == End::AtOnce { END } else { START };
         for (body, it) in kept.iter().enumerate() {
             let named = |this: &mut Self, letter: &str, way: &str, unit: &str| {
-                this.named(&[&tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
+                this.named(&[tagged(letter, &format!("{}{way}{mark}", it.tag))], unit)
             };
             let v = ["x", "y"].map(|way| named(self, "v", way, "m/s"));
             let omega = it.alpha.map(|_| named(self, r"\omega", "", "rad/s"));
@@ -513,8 +513,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let size = self.number(push.force_n, "J", "N s").factors();
             let (point, unit) = (self.spot(push.at), self.direction(push.direction_deg));
             let along = self.frame(&vector(&unit));
-            let pull = self.pull(push.at.body, &point, size, along, None);
-            self.pulls.push(pull);
+            self.add_pull(push.at.body, &point, size, along);
         }
         self.moves = false;
         self.hold();
@@ -557,17 +556,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             let centre = planar.map_or(ZERO, |p| self.length(i, &tag, p.centre)).factors();
             let a = ["x", "y"].map(|way| {
                 let below = terms::relative(self, &format!("{tag}{way}"));
-                self.named(&[&tagged("a", &below)], "m/s^2")
+                self.named(&[tagged("a", &below)], "m/s^2")
             });
             let named = |this: &mut Self, names: [&str; 2], unit| {
-                let names = names.map(|n| tagged(n, &own));
-                body.turns.then(|| this.named(&[&names[0], &names[1]], unit))
+                body.turns.then(|| this.named(&names.map(|n| tagged(n, &own)), unit))
             };
             let alpha = named(self, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
             let omega = named(self, [r"\omega", r"\Omega"], "rad/s");
             let below = terms::relative(self, if several { &tag } else { "G" });
-            let v = [tagged("v", &below), tagged("u", &below)];
-            let v = self.named(&[&v[0], &v[1]], "m/s");
+            let v = self.named(&["v", "u"].map(|n| tagged(n, &below)), "m/s");
             let name = names::body_within(self.words, scene, i);
             self.bodies.push(PlaneBody {
                 name,
@@ -681,7 +678,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Wave::Way => size.times(self.turned()),
             _ => size.times(self.wave(*turn, *wave, which)),
         });
-        let waves = Sum::of(waves.collect::<Vec<_>>());
+        let waves = waves.collect();
         line.fixed.plus(&waves)
     }
     /// By how much it grows on the way.
@@ -906,7 +903,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let length = match is {
             Expr::Symbol(radius) => radius,
-            is => self.page.find(&[&tagged(r"\ell", &plain)], "m", is),
+            is => self.page.find(&[tagged(r"\ell", &plain)], "m", is),
         };
         let tag = if plain.is_empty() { r"\ell".to_owned() } else { plain };
         let at = self.free_angle(&tag, degrees);
@@ -963,8 +960,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.ratio(turn, |this, which| {
                 let across = this.places(across, which);
                 let over = product(&this.rates(apart, which), &across);
-                let over = over.times(Factors::one().signed(sense)).expr();
-                over.over(product(&this.rates(own, which), &across).expr())
+                over.signed(sense).expr().over(product(&this.rates(own, which), &across).expr())
             });
         }
     }
@@ -1074,7 +1070,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     _ => self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?,
                 };
                 let at = at + self.varies.unwrap_or(0.0);
-                let name = self.free(&[&format!("{name}_1"), &format!("{name}_2")]);
+                let name = self.free(&[format!("{name}_1"), format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
                 symbol.into()
@@ -1313,14 +1309,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     fn tie(&mut self, line: &Line, right: &Line) {
         let (left, right) = (self.at(line, END), self.at(right, END));
-        let all = left.plus(&right.opposite());
-        let (plus, minus): (Vec<Factors>, Vec<Factors>) = all
-            .terms()
-            .iter()
-            .cloned()
-            .partition(|t| !matches!(t.expr(), Expr::Minus(_) | Expr::Number(i64::MIN..0, _)));
-        let (left, right) = (Sum::of(plus).expr(), Sum::of(minus).opposite().expr());
-        let sides = [self.tex(&left), self.tex(&right)];
+        let sides = left.plus(&right.opposite()).sides();
+        let sides = sides.each_ref().map(|side| self.tex(side));
         self.loops.push(sides);
     }
     /// Gives an angle its rate, as a ratio that has a name; at the start without one.
@@ -1333,8 +1323,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             return;
         }
         let tag = self.turns[turn].tag.clone();
-        let symbol = self.page.find(&[&tagged("n", &tag), &tagged("i", &tag)], "1", is);
-        self.turns[turn].rate[END] = symbol.into();
+        self.turns[turn].rate[END] = self.named_by(["n", "i"], &tag, "1", is);
     }
 
     // -- forces ---------------------------------------------------------------------------------------------------------
@@ -1356,8 +1345,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         let lever = self.lever(body, point);
         // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
         let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
-        let turn = cross(&self.frame(&lever), &along).times(Factors::one().signed(hand));
+        let turn = cross(&self.frame(&lever), &along).signed(hand);
         Pull { body, unknown, size, along, turn }
+    }
+
+    /// A known force at a point of a body.
+    fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
+        let pull = self.pull(body, point, size, along, None);
+        self.pulls.push(pull);
     }
 
     /// Weights, forces, couples and springs, with their works.
@@ -1421,7 +1416,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let Some(turn) = self.bodies[couple.body].turn else { return beyond() };
                     let [first, last] = self.turns[turn].at.clone();
                     let is = self.draft.radians(last - first);
-                    self.page.find(&[&tagged(r"\Delta\psi", &i.to_string())], "rad", is)
+                    self.page.find(&[tagged(r"\Delta\psi", &i.to_string())], "rad", is)
                 };
                 self.works.push(size.signed(own).by(turned));
             }
@@ -1444,8 +1439,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             for body in 0..self.bodies.len() {
                 let (force, centre) = (self.bodies[body].mass.times(&rate), self.centre(body));
                 let against = self.frame(&vector(&unit).map(|x| x.opposite()));
-                let pull = self.pull(body, &centre, force.clone(), against, None);
-                self.pulls.push(pull);
+                self.add_pull(body, &centre, force.clone(), against);
                 if self.scene.end == End::AtOnce {
                     continue;
                 }
@@ -1490,8 +1484,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["n", "u"], tag);
-        let pull = self.pull(at.body, &near, size.clone(), along, None);
-        self.pulls.push(pull);
+        self.add_pull(at.body, &near, size.clone(), along);
         if let [first, last] = lengths.as_slice() {
             self.works.push(size.by(first - last));
         }
@@ -1549,11 +1542,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let last = self.frame(&last);
         let along = self.unit(&last, &lengths[lengths.len() - 1], ["c", "e"], &tag);
         let back = along.clone().map(|x| x.opposite());
-        let pull = self.pull(it.at.body, &near, force.factors(), along, None);
-        self.pulls.push(pull);
+        self.add_pull(it.at.body, &near, force.factors(), along);
         if let StrutEnd::Spot(spot) = it.to {
-            let pull = self.pull(spot.body, &far, force.factors(), back, None);
-            self.pulls.push(pull);
+            self.add_pull(spot.body, &far, force.factors(), back);
         }
         Ok(())
     }
@@ -1572,9 +1563,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         unit: &str,
     ) -> SymbolId {
         if let [first, last] = stretch {
-            self.works.push(ratio(1, 2) * stiffness * (square(first) - square(last)));
+            self.works.push(stored(stiffness, first, last));
         }
-        let force = self.page.find(&[&names[0], &names[1]], unit, stiffness * &stretch[stretch.len() - 1]);
+        let force = self.page.find(&names, unit, stiffness * &stretch[stretch.len() - 1]);
         self.springs.push(force);
         force
     }
@@ -1605,8 +1596,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// A new quantity by the first of these letters that is free with this below it.
     fn named_by(&mut self, letters: [&str; 2], below: &str, unit: &str, is: Expr) -> Expr {
-        let names = letters.map(|l| tagged(l, below));
-        self.page.find(&[&names[0], &names[1]], unit, is).into()
+        self.page.find(&letters.map(|l| tagged(l, below)), unit, is).into()
     }
     /// The length of a vector.
     fn size(&self, of: &Vector) -> Expr {
@@ -1680,19 +1670,17 @@ impl<'d, 'a> Plane<'d, 'a> {
                 })
                 .collect();
             match joint.kind {
-                JointKind::Pin { at, .. } => {
+                JointKind::Pin { .. } | JointKind::Hinge { .. } => {
+                    let ends = || joint.kind.spots().zip([1, -1]);
                     for (force, u) in forces.iter().zip(axes()) {
-                        self.add_hold(j, *force, &[(at, u)], None);
-                    }
-                }
-                JointKind::Hinge { one, other, .. } => {
-                    for (force, u) in forces.iter().zip(axes()) {
-                        let back = u.clone().map(|x| x.opposite());
-                        self.add_hold(j, *force, &[(one, u), (other, back)], None);
+                        let along = |sense: i8| u.each_ref().map(|x| x.signed(sense));
+                        let ends: Vec<_> = ends().map(|(spot, sense)| (spot, along(sense))).collect();
+                        self.add_hold(j, *force, &ends, None);
                     }
                     if let Some(couple) = forces.get(2) {
-                        let on = |body, sense| Pull::couple(body, Some(*couple), Factors::one(), sense);
-                        self.holds.push(Hold::of(j, *couple, vec![on(one.body, 1), on(other.body, -1)]));
+                        let on = |sense, body| Pull::couple(body, Some(*couple), Factors::one(), sense);
+                        let both = ends().map(|(spot, sense)| on(sense, spot.body));
+                        self.holds.push(Hold::of(j, *couple, both.collect()));
                     }
                 }
                 JointKind::Guide { at, direction_deg, mu_k, .. } => {
@@ -1717,7 +1705,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let is = self.size(&apart);
                     let length: Expr = match is {
                         Expr::Symbol(s) => s.into(),
-                        is => self.page.find(&[&tagged(r"\ell", &plain)], "m", is).into(),
+                        is => self.page.find(&[tagged(r"\ell", &plain)], "m", is).into(),
                     };
                     let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
                     let along = self.unit(&apart, &length, ["u", "w"], &tag);
@@ -1860,8 +1848,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn equations(&self, body: usize) -> Vec<(Expr, Expr)> {
         let it = &self.bodies[body];
         let share = |p: &Pull, of: &Sum, sense: i8| {
-            let size = p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense);
-            of.terms().iter().map(|t| size.times(t)).collect::<Vec<_>>()
+            p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense).each(of)
         };
         let mut all = Vec::new();
         let a = match &self.pivot {
@@ -1870,14 +1857,13 @@ impl<'d, 'a> Plane<'d, 'a> {
             Some(pivot) => [0, 1].map(|i| self.component(pivot, i)),
         };
         for (i, a) in a.into_iter().enumerate() {
-            let left = self.on(body).map(|p| Sum::of(share(p, &p.along[i], 1)).expr());
+            let left = self.on(body).map(|p| share(p, &p.along[i], 1).expr());
             all.push((positive_first(left), it.mass.by(a)));
         }
         if let Some(alpha) = it.alpha {
             let moments = |which: &dyn Fn(&Pull) -> bool| {
                 let each = self.on(body).filter(|p| which(p));
-                let each = each.flat_map(|p| share(p, &p.turn, self.sense_of(body)));
-                Sum::of(each.collect::<Vec<_>>()).expr()
+                each.map(|p| share(p, &p.turn, self.sense_of(body))).sum::<Sum>().expr()
             };
             let couple = |p: &Pull| p.along.iter().all(Sum::is_zero);
             let of_spring = |p: &Pull| p.size.expr().uses().iter().any(|s| self.springs.contains(s));
@@ -1901,9 +1887,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             let mut left = Vec::new();
             for pull in &h.pulls {
                 let it = &self.bodies[pull.body];
-                let sense = Factors::one().signed(self.sense_of(pull.body));
                 left.extend([0, 1].map(|i| pull.along[i].times(it.a[i]).expr()));
-                left.extend(it.alpha.map(|a| pull.turn.times(&sense).times(a).expr()));
+                left.extend(it.alpha.map(|a| pull.turn.signed(self.sense_of(pull.body)).times(a).expr()));
             }
             let rate = if self.moves { h.inward.times(square(self.rate)).expr() } else { ZERO };
             (positive_first(left), rate + &h.given)
@@ -2024,9 +2009,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 [] if !pulled => Sum::default(),
                 [hold] if hold.pulls[0].along[1 - i].is_zero() => {
                     let pull = &hold.pulls[0];
-                    let sense = Factors::one().signed(self.sense_of(0));
-                    let per = sense.per(pull.along[i].expr()).opposite();
-                    pull.turn.times(per)
+                    pull.turn.times(Factors::one().per(pull.along[i].expr())).signed(-self.sense_of(0))
                 }
                 _ => return,
             };
@@ -2080,7 +2063,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 is
             } else {
                 let tag = self.bodies[body].tag.clone();
-                self.page.find(&[&tagged("e", &tag), &tagged("c", &tag)], "m", is).into()
+                self.named_by(["e", "c"], &tag, "m", is)
             };
             all.push(is);
         }
@@ -2089,25 +2072,23 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The inertia of the motion, `J` in `1/2 J q'^2`, with these speeds of the mass centres; at the start in the symbols of the places.
     pub fn inertia(&self, which: usize, speeds: &[Expr]) -> Sum {
-        let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
+        let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let centre = self.centre(b);
             let v = self.drifts.clone().unwrap_or_else(|| self.rates(&centre, which));
             let named = |speed: &&Expr| self.bodies.len() > 1 || matches!(speed, Expr::Symbol(_));
             let own = speeds.get(b).filter(named).map_or_else(|| product(&v, &v), |v| Sum::one(square(v)));
-            let moving = Sum::of(own.terms().iter().map(|v| it.mass.times(v)));
-            let spin = self.spin_at(b, which);
-            let turning = it.inertia.iter().map(move |i| i.times(square(&spin)));
-            moving.terms().iter().cloned().chain(turning).collect::<Vec<_>>()
+            it.mass.each(&own).plus(&self.turning(b, which))
         });
-        Sum::of(each.collect::<Vec<_>>())
+        each.sum()
+    }
+    /// Share of the rotation about the mass centre of a body in [`Self::inertia`].
+    fn turning(&self, body: usize, which: usize) -> Sum {
+        let spin = square(self.spin_at(body, which));
+        self.bodies[body].inertia.iter().map(|i| i.times(&spin)).collect()
     }
     /// Share of the rotation about the mass centres in the kinetic energy.
     pub fn rotation(&self) -> Sum {
-        let each = self.bodies.iter().enumerate().flat_map(|(b, it)| {
-            let spin = self.spin(b);
-            it.inertia.iter().map(move |i| i.times(square(&spin)))
-        });
-        Sum::of(each.collect::<Vec<_>>())
+        (0..self.bodies.len()).map(|body| self.turning(body, END)).sum()
     }
     /// Of a single body, what is left when the forces of the joints are eliminated, `J q'' = Q - B q'^2`: `Q` and `B`.
     pub fn eliminated(&mut self) -> Option<[Sum; 2]> {
@@ -2123,11 +2104,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let bends = [self.bend(&centre[0]), self.bend(&centre[1])];
         let bend = if free || !self.moves { Sum::default() } else { product(&v, &bends).times(&mass) };
         let spin = self.spin(0).factors().signed(self.sense_of(0));
-        let powers = self.pulls.iter().flat_map(|p| {
-            let power = product(&p.along, &v).plus(&p.turn.times(&spin));
-            power.terms().iter().map(|t| p.size.times(t)).collect::<Vec<_>>()
-        });
-        Some([Sum::of(powers.collect::<Vec<_>>()), bend])
+        let powers =
+            self.pulls.iter().map(|p| p.size.each(&product(&p.along, &v).plus(&p.turn.times(&spin))));
+        Some([powers.sum(), bend])
     }
 
     /// Where a single body leaves what pushes it: both sides of the equation of motion along that force, which is 0, with the
@@ -2141,10 +2120,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let bends = product(&unit, &[self.bend(&centre[0]), self.bend(&centre[1])]).times(&mass);
         let ahead = if self.value(&ahead.expr()).abs() < NOTHING { Sum::default() } else { ahead };
         let ahead = ahead.times(mass.per(j));
-        let given = self.pulls.iter().flat_map(|p| {
-            product(&p.along, &unit).terms().iter().map(|t| t.times(&p.size)).collect::<Vec<_>>()
-        });
-        let given = Sum::of(given.collect::<Vec<_>>());
+        let given: Sum = self.pulls.iter().map(|p| product(&p.along, &unit).times(&p.size)).sum();
         // The other joints may not push along this force.
         let others = self.holds.iter().filter(|h| h.joint != joint).map(|h| &h.pulls[0].along);
         if others
@@ -2157,27 +2133,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         let by_rest = ahead.by(&power).plus(&given.opposite());
         let squared = square(&self.first) + sum(self.works.iter().map(|w| w.by(number(2)).over(j)));
         let spread = |sum: &Sum, by: &Expr| {
-            let all = by
-                .terms()
-                .into_iter()
-                .flat_map(|b| sum.terms().iter().map(|t| t.times(&b)).collect::<Vec<_>>());
-            all.flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
+            let all: Sum = by.terms().into_iter().map(|b| sum.times(&b)).sum();
+            all.terms().iter().flat_map(|t| t.spread(symbol)).collect::<Vec<_>>()
         };
         let shared = |all: Vec<Factors>| {
             let common = all.iter().skip(1).fold(all.first().cloned()?, |common, t| common.shared(t));
-            Some(Sum::of(all.iter().map(|t| t.per(&common)).collect::<Vec<_>>()))
+            Some(all.iter().map(|t| t.per(&common)).collect::<Sum>())
         };
         let rest = spread(&by_rest, &ONE);
         let with_rate = shared([spread(&by_rate, &square(self.rate)), rest.clone()].concat())?;
-        let (plus, minus): (Vec<Factors>, Vec<Factors>) =
-            with_rate.terms().iter().cloned().partition(|t| !matches!(t.expr(), Expr::Minus(_)));
+        let [plus, minus] = with_rate.sides();
         let whole = shared([spread(&by_rate, &squared), rest].concat())?;
         let whole = sum(whole.terms().iter().map(Factors::expr));
         let waves = [cosine(symbol), sine(symbol)];
         let (wave, is) =
             waves.into_iter().find_map(|w| Some((w.clone(), self.isolated(&(whole.clone(), ZERO), w)?)))?;
         let closed = !self.page.expanded(&is).uses().contains(&symbol);
-        closed.then(|| [Sum::of(plus).expr(), Sum::of(minus).opposite().expr(), wave, is])
+        closed.then_some([plus, minus, wave, is])
     }
 
     /// The quantity of a label once the place that is asked is solved.
@@ -2239,7 +2211,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let glides = self.glides.as_ref().map(|speed| self.positive(speed));
                 let is = glides.unwrap_or_else(|| self.speed_of(&point, &rate));
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
-                let known = self.symbols.named(&[&tagged("v", name)]).is_some();
+                let known = self.symbols.named(&[tagged("v", name)]).is_some();
                 let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
                 let tag = format!("{name}{tag}");
                 (letters(["v", "u"], &tag), is)
@@ -2270,7 +2242,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let several = self.scene.struts.len() > 1;
                 let name =
                     if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
-                return Ok(self.page.find(&[&tagged("M", &name)], "N m", ZERO - moment));
+                return Ok(self.page.find(&[tagged("M", &name)], "N m", ZERO - moment));
             }
             (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
             (Q::KineticEnergy, _) => {
@@ -2284,7 +2256,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::T, _) => return self.time(key).ok_or_else(none),
             _ => return Err(none()),
         };
-        Ok(self.page.find(&[&names[0], &names[1]], label.quantity.unit(), is))
+        Ok(self.page.find(&names, label.quantity.unit(), is))
     }
 
     /// The time up to the end: given, or that of the key.
@@ -2397,14 +2369,11 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let spin = b.alpha.map_or(ZERO, |w| sum(b.inertia.iter().map(Factors::expr)) * square(w));
                     straight.into_iter().chain([spin])
                 });
-                (
-                    ["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned),
-                    ratio(1, 2) * sum(each.collect::<Vec<_>>()),
-                )
+                (["E_{k}", r"E_{\mathrm{kin}}"].map(str::to_owned), ratio(1, 2) * sum(each))
             }
             _ => return None,
         };
-        Some(self.page.find_once(&[&names[0], &names[1]], label.quantity.unit(), is))
+        Some(self.page.find_once(&names, label.quantity.unit(), is))
     }
     /// The impulse of a joint, to the right or up where it has both.
     fn impulse_of(
@@ -2428,8 +2397,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The moment of all couples, positive with a growing angle.
     fn couple(&mut self) -> Expr {
         let couples = self.scene.couples.iter();
-        let each = couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward));
-        positive_first(each.collect::<Vec<_>>())
+        positive_first(couples.map(|c| signed(self.page.number(c.moment_n_m, "M", "N m"), c.forward)))
     }
     /// What is made of the same scene, its asked angle as one that varies, so much away.
     pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
@@ -2470,7 +2438,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Quantity::PinAngle => {
                 let [x, y, ..] = own[..] else { return None };
                 let angle = self.angle_of(x, y);
-                Some(self.page.find(&[&tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
+                Some(self.page.find(&[tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),
@@ -2515,10 +2483,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let cords = self.turns.iter().filter_map(|t| t.link);
         let cords = cords.filter(|(j, _)| matches!(self.scene.joints[*j].kind, JointKind::Cord { .. }));
         cords.map(|(_, length)| length).collect()
-    }
-    /// What has to be known for what is asked.
-    pub fn labels(&self) -> Vec<Label> {
-        asked::needed(self.scene, self.problem)
     }
 }
 

@@ -79,8 +79,8 @@ impl<'w> Symbols<'w> {
     }
 
     /// The quantity that bears one of these symbols and has a value.
-    pub fn named(&self, names: &[&str]) -> Option<SymbolId> {
-        let found = |l: &QuantityLine| names.contains(&l.tex.as_str()) && !l.value.is_nan();
+    pub fn named(&self, names: &[impl AsRef<str>]) -> Option<SymbolId> {
+        let found = |l: &QuantityLine| names.iter().any(|name| name.as_ref() == l.tex) && !l.value.is_nan();
         self.lines.iter().rposition(found).map(SymbolId)
     }
 

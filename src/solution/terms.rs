@@ -4,8 +4,8 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Aim, AsIf, Body, Coordinate, Degree, Far, Label, Mass, Num, Numbers, Owner, Particle, Quantity,
-    RotaryInertia, Shape, Slope, Start, Tie,
+    Aim, AsIf, Body, Coordinate, Degree, Far, Label, Mass, Num, Numbers, Owner, Quantity, RotaryInertia,
+    Shape, Slope, Tie,
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
@@ -202,8 +202,7 @@ impl Terms {
                     let kind = if held { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let tag = below(draft, tag, rolled);
-                    let force =
-                        draft.named(&[&tagged("F", &tag), &tagged("R", &tag), &tagged("H", &tag)], "N");
+                    let force = draft.named(&["F", "R", "H"].map(|n| tagged(n, &tag)), "N");
                     // Friction is positive up.
                     for action in tie.actions() {
                         let up = self.parts[action.body].up;
@@ -218,7 +217,7 @@ impl Terms {
                             cords += 1;
                             let tag = if tensed > 1 { cords.to_string() } else { String::new() };
                             let tag = below(draft, &tag, rolled);
-                            let force = draft.named(&[&tagged("T", &tag), &tagged("S", &tag)], "N");
+                            let force = draft.named(&["T", "S"].map(|n| tagged(n, &tag)), "N");
                             let spring = matches!(other, Far::Spring { .. });
                             let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
                             (kind, force.into())
@@ -425,55 +424,6 @@ impl Terms {
     }
 }
 
-/// Particles that move as one body.
-#[derive(Debug, Clone)]
-pub struct Particles {
-    /// Names of the particles.
-    pub names: Vec<String>,
-    /// Index of the particle whose velocity is known.
-    pub known: usize,
-    pub m: Vec<Expr>,
-    /// Places.
-    pub x: Vec<Expr>,
-    /// Places.
-    pub y: Vec<Expr>,
-    /// Velocity of the particle that is known.
-    pub velocity: [Expr; 2],
-    /// Angular velocity.
-    pub spin: Expr,
-}
-
-impl Particles {
-    /// Those of the scene.
-    pub fn new(draft: &mut Draft) -> Option<Self> {
-        let scene = draft.scene;
-        let (body, known, numbers) = scene.start.iter().find_map(|s| match s {
-            Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
-                Some((*body, *particle, [*vx_m_s, *vy_m_s, *spin_rad_s]))
-            }
-            Start::Speed(..) => None,
-        })?;
-        let particles = &scene.bodies[body].particles;
-        let mut column = |of: fn(&Particle) -> Num, letter: &str, unit: &str| -> Vec<Expr> {
-            let number = |p: &Particle| draft.number(of(p), &format!("{letter}_{{{}}}", p.name), unit);
-            particles.iter().map(number).collect()
-        };
-        let (m, x) = (column(|p| p.mass_kg, "m", "kg"), column(|p| p.x_m, "x", "m"));
-        let y = column(|p| p.y_m, "y", "m");
-        let velocity = [draft.number(numbers[0], "v_x", "m/s"), draft.number(numbers[1], "v_y", "m/s")];
-        let spin = draft.number(numbers[2], r"\omega", "rad/s");
-        let names = particles.iter().map(|p| p.name.clone()).collect();
-        Some(Self { names, known, m, x, y, velocity, spin })
-    }
-
-    /// Velocity of a point: that of the known particle and that of the rotation about it.
-    pub fn velocity(&self, x: &Expr, y: &Expr) -> [Expr; 2] {
-        let [vx, vy] = &self.velocity;
-        let k = self.known;
-        [vx - &self.spin * (y - &self.y[k]), vy + &self.spin * (x - &self.x[k])]
-    }
-}
-
 /// Up to this share of an acceleration another one is the same.
 const ROUNDING: f64 = 1e-12;
 
@@ -508,8 +458,7 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let mass = mass(draft, body, &g, own);
         let inertia = inertia(draft, body, &mass, &g, own);
         let named = |draft: &mut Draft, moves: bool, tag: &str, names: [&str; 2], unit: &str| {
-            let names = names.map(|n| tagged(n, tag));
-            moves.then(|| draft.named(&[&names[0], &names[1]], unit))
+            moves.then(|| draft.named(&names.map(|n| tagged(n, tag)), unit))
         };
         let along = below(draft, if lines > 1 { &tag } else { "" }, rolled);
         let (along, about) =
@@ -531,7 +480,7 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
             let tag = if surfaces > 1 { tag.as_str() } else { "" };
             // A motion that follows may have another surface; one that is only supposed has the same.
             let tag = if draft.as_if == Some(AsIf::Next) { below(draft, tag, None) } else { tag.to_owned() };
-            let n = draft.named(&[&tagged("N", &tag), "N_s"], "N");
+            let n = draft.named(&[tagged("N", &tag), "N_s".to_owned()], "N");
             let lifts = scene.ties.iter().filter_map(Tie::tilted).filter(|(on, ..)| *on == i);
             let lifts = lifts.map(|(_, force, tilt)| {
                 draft.number(force, "P", "N") * sine(draft.number(tilt, r"\beta", "deg"))

@@ -20,12 +20,8 @@ pub enum Block {
     Formula(String),
     /// The picture of this name.
     Picture(String),
-    /// Pieces of Markdown in a box.
-    Box(Vec<String>),
-    /// A list, each item Markdown.
-    List(Vec<String>),
-    /// A table of Markdown cells, first row the head.
-    Table(Vec<Vec<String>>),
+    /// What else is Markdown: a box, a list, a table.
+    Markdown(String),
 }
 
 impl SolutionSection {
@@ -43,36 +39,12 @@ impl SolutionSection {
     }
     /// Its blocks as Markdown; `alt` tells what a picture shows.
     pub fn markdown(&self, alt: &dyn Fn(&str) -> String) -> String {
-        let mut out = String::new();
-        for block in &self.blocks {
-            if !out.is_empty() {
-                out.push_str("\n\n");
-            }
-            match block {
-                Block::Words(words) => out.push_str(words),
-                Block::Formula(tex) => out.push_str(&format!("$${tex}$$")),
-                Block::Picture(name) => out.push_str(&format!("![{}]({name}.svg)", alt(name))),
-                Block::Box(items) => {
-                    out.push_str("> ");
-                    out.push_str(&items.join(" · "));
-                }
-                Block::List(items) => {
-                    let items: Vec<String> = items.iter().map(|i| format!("- {i}")).collect();
-                    out.push_str(&items.join("\n"));
-                }
-                Block::Table(rows) => {
-                    for (i, row) in rows.iter().enumerate() {
-                        out.push_str(&format!("| {} |\n", row.join(" | ")));
-                        if i == 0 {
-                            let rule = vec![":--"; row.len()];
-                            out.push_str(&format!("|{}|\n", rule.join("|")));
-                        }
-                    }
-                    out.truncate(out.trim_end().len());
-                }
-            }
-        }
-        out
+        let block = |block: &Block| match block {
+            Block::Words(text) | Block::Markdown(text) => text.clone(),
+            Block::Formula(tex) => format!("$${tex}$$"),
+            Block::Picture(name) => format!("![{}]({name}.svg)", alt(name)),
+        };
+        self.blocks.iter().map(block).collect::<Vec<_>>().join("\n\n")
     }
 }
 

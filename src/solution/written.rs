@@ -1,4 +1,5 @@
 //! Expressions in LaTeX, in symbols or with the numbers put in, and how wide that is in print.
+use crate::picture::symbol::group;
 use crate::solution::expr::{Expr, Function, SymbolId};
 use crate::solution::symbols::Symbols;
 
@@ -197,22 +198,6 @@ fn write_product(factors: &[Expr], symbols: &Symbols, form: Notation, out: &mut 
 pub fn width(tex: &str) -> f64 {
     let mut rest = tex;
     let mut sum = 0.0;
-    /// The group at the head of a text, without its braces, and what follows.
-    fn group(text: &str) -> (&str, &str) {
-        let mut depth = 0;
-        for (i, c) in text.char_indices() {
-            match c {
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                _ => {}
-            }
-            if depth == 0 {
-                let inside = text[..i].strip_prefix('{').unwrap_or(&text[..i + c.len_utf8()]);
-                return (inside, &text[i + c.len_utf8()..]);
-            }
-        }
-        (text, "")
-    }
     while let Some(c) = rest.chars().next() {
         rest = &rest[c.len_utf8()..];
         match c {

@@ -4,7 +4,7 @@
 //! A quotient needs a motion of the same kind at the changed data: where a changed datum turns the motion or takes its end out of
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
-//! Of joined bodies, each of whose motions is summed, up to three data are not changed: no answer hangs on the units of mass, length
+//! Of joined bodies and bodies on a pin, whose motions are summed, up to three data are not changed: no answer hangs on the units of mass, length
 //! and time, so what these data do follows from what the others do.
 use crate::num::dd::pow2;
 use crate::num::eliminate::Equations;
@@ -43,7 +43,7 @@ type Values<T> = Vec<Option<T>>;
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     // What is judged in doubles alone, in a page, needs no speed.
-    let follow = !T::is_double() && scene.lead().is_some();
+    let follow = !T::is_double() && (scene.lead().is_some() || scene.pinned().is_some());
     let labels = || entries.iter().map(|e| e.label).enumerate();
     let doubles = |sets: &[Set], asked| {
         let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());

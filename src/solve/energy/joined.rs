@@ -5,20 +5,26 @@
 //! of half its mass, as far from its mass centre on either side along its axis as its radius of gyration (equimomental particles):
 //! no angular velocity comes in. Where a guide rubs, the balance is drawn up for virtual motions in which normal force and friction
 //! together do no work, and solved by collocation. Time is a quadrature in an angle whose cosine is the place: the root
-//! singularities at the ends of the way are gone.
+//! singularities at the ends of the way are gone. A body on a pin is one of them; under its weight alone it has closed forms.
 //! Source: Routh, *Dynamics of a System of Rigid Bodies*, elementary part, article 33 (equimomental bodies).
+mod pin;
+mod tell;
+
 use crate::num::dd::pow2;
 use crate::num::eliminate::{Equations, Reduced};
 use crate::num::gauss::{self, PerNode, Unsettled};
+use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Jet, Real, ball, root, trig};
 use crate::scene::pose::{self, Layout, Pose};
 use crate::scene::{
-    Acts, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Push, Quantity, Rest, Scene, Spot, Strut,
+    Acts, End, Joint, JointKind, Num, Numbers, Owner, Place, Push, Quantity, Rest, Scene, Spot, Strut,
     StrutEnd,
 };
-use crate::solve::outcome::{self, Course, Refusal, Road, Said, Scope, Unsupported};
+use crate::solve::energy::pendulum::Pendulum;
+use crate::solve::method::Method;
+use crate::solve::outcome::{self, Course, Refusal, Road, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::{Cell, RefCell};
 use std::ops::{Range, RangeInclusive};
@@ -45,6 +51,29 @@ fn decided<T: Real>(value: T) -> bool {
 type Vector<T> = [T; 2];
 /// Where all bodies are, with derivatives by the leading angle.
 type Poses<T> = pose::Poses<Jet<T>>;
+/// A place: the way to it, and if the leading angle there is known better than by that, the angle.
+type At<T> = (T, Option<Half<T>>);
+
+/// Where everything is at two places; of a leading body on a fixed pin how far it has moved from the one to the other.
+struct Between<'p, T> {
+    from: &'p Poses<T>,
+    to: &'p Poses<T>,
+    swung: Option<(usize, Pose<T>)>,
+}
+
+impl<T: Real> Between<'_, T> {
+    /// How far the point at these distances along the axis of a body and to its left has moved.
+    fn shift(&self, body: usize, at: [T; 2]) -> Vector<T> {
+        if let Some((_, pose)) = self.swung.as_ref().filter(|(lead, _)| *lead == body) {
+            return pose.point(at);
+        }
+        let [from, to] = [self.from, self.to].map(|poses| {
+            let Pose { origin, axis } = &poses[body];
+            Pose { origin: origin.map(|x| x.value), axis: axis.map(|x| x.value) }.point(at)
+        });
+        [to[0] - from[0], to[1] - from[1]]
+    }
+}
 
 /// Bodies, forces and joints as an account of work.
 struct Account<'a, T: Real> {
@@ -62,6 +91,9 @@ struct Account<'a, T: Real> {
     meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
     sense: f64,
+    /// Is it a body on a pin, of which all is told as its own, and what has it in closed form?
+    pinned: bool,
+    pendulum: Option<Pendulum<T>>,
     /// For each joint: sense in which its point slides where it rubs, else 0.
     slides: SmallVec<[f64; 4]>,
     /// The same times the side to which its guide pushes, 1 or -1, if it holds on both.
@@ -76,6 +108,8 @@ struct Account<'a, T: Real> {
     seen: RefCell<Vec<Rc<Seen<T>>>>,
     /// At how many places it has looked.
     looked: Cell<u64>,
+    /// Points of quadratures that are asked for.
+    points: Option<usize>,
 }
 
 /// A place of the way to the end: several events are looked for at the same ones.
@@ -134,10 +168,22 @@ fn about<T: Real>(poses: &Poses<T>, body: usize, [along, aside]: Vector<T>, u: V
 }
 
 /// Everything that work and energy say of a scene of joined bodies, the time only if it is asked, and at how many places they looked.
+/// With `points`, speed and time of a body on a pin come from the work of its forces, summed by quadratures of so many points.
 ///
-/// Errors: joints that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<(Road<T>, Count), Refusal> {
-    let mut account = Account::new(scene, n)?;
+/// Errors: joints that do not determine the motion, a quadrature that does not settle, points for other bodies.
+pub fn road<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    asked: Scope,
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
+    let plane = scene.in_the_plane();
+    let mut account = Account::new(&plane, n)?;
+    account.pinned = scene.pinned().is_some();
+    account.points = points;
+    if points.is_some() && !account.pinned {
+        return Err(Refusal::NoMethod { method: Method::Gauss });
+    }
     let mut road = account.road(asked)?;
     if account.open.get() {
         road.said.iter_mut().for_each(|said| said.value = said.value.widened(|| f64::INFINITY));
@@ -150,6 +196,9 @@ impl<T: Real> Account<'_, T> {
         let scene = self.scene;
         let mut spin = self.layout.start_rate().ok_or(Refusal::Freedoms(2))?;
         let mut road = Road::new(asked);
+        if self.pinned {
+            self.tell_lasting(spin, asked, &mut road)?;
+        }
         if matches!(scene.end, End::AtOnce) {
             self.instant(spin, &mut road)?;
             return Ok(road);
@@ -186,6 +235,7 @@ impl<T: Real> Account<'_, T> {
             / rubbed.inertia.signed(self.sense);
         if self.sense == 0.0 || spin.is_zero() && sets_off.sign() <= 0.0 {
             road.course = Some(Course::at_rest());
+            self.tell_standing(&first, T::zero(), &mut road)?;
             return Ok(road);
         }
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
@@ -219,6 +269,8 @@ impl<'a, T: Real> Account<'a, T> {
             relaxed: SmallVec::new(),
             meets: SmallVec::new(),
             sense: 1.0,
+            pinned: false,
+            pendulum: None,
             slides: scene.joints.iter().map(|_| 0.0).collect(),
             rubs: scene.joints.iter().map(|_| 0.0).collect(),
             open: Cell::new(false),
@@ -226,6 +278,7 @@ impl<'a, T: Real> Account<'a, T> {
             solved: RefCell::new(Vec::new()),
             seen: RefCell::new(Vec::new()),
             looked: Cell::new(0),
+            points: None,
         };
         let poses = account.placed()?;
         for (s, strut) in scene.struts.iter().enumerate() {
@@ -242,6 +295,19 @@ impl<'a, T: Real> Account<'a, T> {
     fn poses(&self, way: T) -> Result<Poses<T>, Refusal> {
         self.looked.set(self.looked.get() + 1);
         self.layout.poses(way.signed(self.sense), false).ok_or(Refusal::Freedoms(2))
+    }
+    /// Where everything is at a place.
+    fn at(&self, (way, angle): &At<T>) -> Result<Poses<T>, Refusal> {
+        let mut poses = self.poses(*way)?;
+        if let Some(pose) = angle.and_then(|angle| self.layout.hung(&angle)) {
+            poses[self.lead] = pose;
+        }
+        Ok(poses)
+    }
+    /// The start and a place, where everything lies so.
+    fn between<'p>(&self, from: &'p Poses<T>, to: &'p Poses<T>, (way, angle): &At<T>) -> Between<'p, T> {
+        let swung = self.layout.swung(way.signed(self.sense), angle.as_ref());
+        Between { from, to, swung: swung.map(|pose| (self.lead, pose)) }
     }
     /// Where everything is at the start.
     fn placed(&self) -> Result<Poses<T>, Refusal> {
@@ -321,6 +387,9 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// The motion of unit rate of the leading angle.
     fn rates(&self, poses: &Poses<T>) -> Motion<T> {
+        if self.pinned {
+            return smallvec![[T::zero(), T::zero(), T::of(self.counts(self.lead))]];
+        }
         poses.iter().map(|p| [p.origin[0].first, p.origin[1].first, p.turn().0]).collect()
     }
     /// Velocity of a point at a distance along the axis of a body in a motion.
@@ -523,7 +592,11 @@ impl<'a, T: Real> Account<'a, T> {
     fn balance(&self, poses: &Poses<T>, motion: &Motion<T>) -> Result<Balance<T>, Refusal> {
         let zero = T::zero();
         let mut balance = Balance { inertia: zero, bend: zero, force: zero, size: 0.0 };
-        for (b, numbers) in self.n.bodies.iter().enumerate() {
+        if self.pinned {
+            // About a fixed pin it does not change.
+            balance.inertia = self.inertia(poses);
+        }
+        for (b, numbers) in self.n.bodies.iter().enumerate().filter(|_| !self.pinned) {
             let (centre, gyration) = self.centres[b];
             let half = numbers.mass.scale2(-1);
             for (particle, along) in
@@ -546,6 +619,12 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Twice the kinetic energy at unit rate of the leading angle.
     fn inertia(&self, poses: &Poses<T>) -> T {
+        if self.pinned {
+            let (numbers, (arm, _)) = (&self.n.bodies[self.lead], self.centres[self.lead]);
+            let carried =
+                plant!("energy: speed of the mass centre about the pin", numbers.mass * arm.square());
+            return carried + plant!("energy: rotation about the pin", numbers.inertia);
+        }
         let mut sum = T::zero();
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let half = plant!("energy: inertia over the angle", numbers.mass.scale2(-1));
@@ -563,14 +642,8 @@ impl<'a, T: Real> Account<'a, T> {
     /// Powers of weights, forces, couples and springs in a motion; or what the blows at the start do in it.
     fn powers(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> SmallVec<[T; 6]> {
         let mut powers: SmallVec<[T; 6]> = SmallVec::new();
-        let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| p.blow == blows);
-        let pushed = pushes.map(|(push, direction)| {
-            let u = self.push(poses, push, *direction);
-            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
-            p * dot(u, self.of_spot(poses, motion, push.at))
-        });
         if blows {
-            return pushed.collect();
+            return self.pushed(poses, motion, true).collect();
         }
         for (b, numbers) in self.n.bodies.iter().enumerate() {
             let velocity = self.velocity(poses, motion, b, self.centres[b].0);
@@ -582,7 +655,23 @@ impl<'a, T: Real> Account<'a, T> {
             let shared = self.n.carried.map(|a| numbers.mass * dot(a, velocity));
             powers.extend(shared.map(|x| -plant!("energy: power shared with the carrier", x)));
         }
-        powers.extend(pushed);
+        powers.extend(self.applied(poses, motion));
+        powers
+    }
+
+    /// Powers of forces, or what blows do.
+    fn pushed(&self, poses: &Poses<T>, motion: &Motion<T>, blows: bool) -> impl Iterator<Item = T> {
+        let pushes = self.scene.pushes.iter().zip(&self.layout.pushes).filter(move |(p, _)| p.blow == blows);
+        pushes.map(move |(push, direction)| {
+            let u = self.push(poses, push, *direction);
+            let p = plant!("energy: power of a force on a point", self.n.massive(push.force_n));
+            p * dot(u, self.of_spot(poses, motion, push.at))
+        })
+    }
+
+    /// Powers of forces, couples and springs.
+    fn applied(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[T; 6]> {
+        let mut powers: SmallVec<[T; 6]> = self.pushed(poses, motion, false).collect();
         powers.extend(self.drive.get().map(|moment| moment * motion[self.lead][2]));
         for c in &self.scene.couples {
             let moment = plant!("energy: power of a couple in the plane", self.n.massive(c.moment_n_m));
@@ -652,21 +741,19 @@ impl<'a, T: Real> Account<'a, T> {
         if self.scene.bodies[body].planar.as_ref().is_some_and(|p| p.clockwise) { -1.0 } else { 1.0 }
     }
 
-    /// Work of all forces from the start to a place.
-    fn work(&self, from: &Poses<T>, to: &Poses<T>, way: T) -> Result<T, Refusal> {
+    /// Work of all forces between two places, so far apart.
+    fn work(&self, places: &Between<T>, way: T) -> Result<T, Refusal> {
+        let Between { from, to, .. } = *places;
         let (mut work, mut size) = (T::zero(), 0.0);
         let mut add = |w: T| {
             work = work + w;
             size += w.size();
         };
         for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let place =
-                |at: &Poses<T>, i: usize| at[b].origin[i].value + at[b].axis[i].value * self.centres[b].0;
-            let back = |i: usize| place(from, i) - place(to, i);
-            let fallen = back(1);
+            let [aside, fallen] = places.shift(b, [self.centres[b].0, T::zero()]).map(|x| -x);
             add(plant!("energy: work of the weight in the plane", numbers.mass * self.n.gravity * fallen));
             if let Some(a) = self.n.carried {
-                let shared = dot(a, [back(0), fallen]);
+                let shared = dot(a, [aside, fallen]);
                 add(plant!("energy: energy shared with the carrier in the plane", numbers.mass * shared));
             }
         }
@@ -684,8 +771,7 @@ impl<'a, T: Real> Account<'a, T> {
                 let terms = pose::size(self.scene, self.n);
                 add(p * gauss::integral_of_terms(power, (T::zero(), way), terms)?);
             } else {
-                let (a, b) = (self.point(from, push.at), self.point(to, push.at));
-                add(p * dot(self.push(from, push, *direction), [0, 1].map(|i| b[i].value - a[i].value)));
+                add(p * dot(self.push(from, push, *direction), self.shift(places, push.at)));
             }
         }
         for c in &self.scene.couples {
@@ -699,34 +785,67 @@ impl<'a, T: Real> Account<'a, T> {
             let moment = plant!("energy: work of a couple in the plane", self.n.massive(c.moment_n_m));
             add(moment * if c.forward { turned } else { -turned });
         }
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            // Where it does not act, it is as if it had its natural length.
-            let [a, b] = [from, to].map(|poses| self.length(poses, s).value);
-            let [a, b] = [a, b].map(|length| if self.bears(s, length) { length } else { *natural });
-            // (x0 - x1)(x0 + x1) of the stretches.
-            let stored = (a - b) * ((a - *natural) + (b - *natural));
+        for (s, strut) in self.scene.struts.iter().enumerate() {
             let stiffness =
                 plant!("energy: work of a spring in the plane", self.n.massive(strut.stiffness_n_m));
-            add((stiffness * stored).scale2(-1));
+            add((stiffness * self.released(s, places)).scale2(-1));
         }
         Ok(work.cleared(size))
     }
 
-    fn is_rubbed(&self) -> bool {
-        self.rubs.iter().any(|s| *s != 0.0)
+    /// How far a point has moved.
+    fn shift(&self, places: &Between<T>, spot: Spot) -> Vector<T> {
+        places.shift(spot.body, pose::of_spot(self.scene, self.n, spot))
+    }
+
+    /// By how much the square of the stretch of a spring has shrunk, as `(x0 - x1)(x0 + x1)`; the difference of two lengths is that
+    /// of their squares over their sum.
+    fn released(&self, s: usize, places: &Between<T>) -> T {
+        let (strut, natural) = (&self.scene.struts[s], self.natural[s]);
+        let ends = [places.from, places.to];
+        let lengths = ends.map(|poses| self.length(poses, s).value);
+        // Where it does not act, it is as if it had its natural length.
+        let [a, b] = lengths.map(|length| if self.bears(s, length) { length } else { natural });
+        let near = self.shift(places, strut.at);
+        let far = match strut.to {
+            StrutEnd::Twist => None,
+            StrutEnd::Ground(_) => Some([T::zero(); 2]),
+            StrutEnd::Spot(spot) => Some(self.shift(places, spot)),
+            StrutEnd::Guide { direction_deg, .. } => {
+                let along = pose::direction(self.n, direction_deg);
+                Some(along.map(|u| u * dot(near, along)))
+            }
+        };
+        let whole = lengths.iter().all(|length| self.bears(s, *length)) && (a + b).size() > 0.0;
+        let shorter = match far.filter(|_| whole) {
+            Some(far) => {
+                let [first, last] = ends.map(|poses| self.apart(poses, s).map(|x| x.value));
+                let change = [near[0] - far[0], near[1] - far[1]];
+                dot(change, [first[0] + last[0], first[1] + last[1]]) / (a + b)
+            }
+            None => a - b,
+        };
+        shorter * ((a - natural) + (b - natural))
     }
 
     /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
-    fn half_square(&self, way: T, from: (&Poses<T>, T)) -> Result<T, Refusal> {
-        if self.is_rubbed() {
-            return self.collocated(way, from.1);
-        }
-        self.half_square_at(&self.poses(way)?, way, from)
+    fn half_square(&self, way: T, start: (&Poses<T>, T)) -> Result<T, Refusal> {
+        self.half_square_at(&(way, None), start)
     }
-    /// The same where nothing rubs and everything is so after that way.
-    fn half_square_at(&self, poses: &Poses<T>, way: T, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+    fn half_square_at(&self, place: &At<T>, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+        if self.is_rubbed() {
+            return self.collocated(place.0, from);
+        }
+        self.balanced(&self.at(place)?, place, (first, from))
+    }
+    /// The same where nothing rubs and everything is so at that place.
+    fn balanced(&self, poses: &Poses<T>, place: &At<T>, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
         let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
-        Ok(kinetic.balance(self.work(first, poses, way)?) / self.inertia(poses))
+        let work = self.work(&self.between(first, poses, place), place.0)?;
+        Ok(kinetic.balance(work) / self.inertia(poses))
+    }
+    fn is_rubbed(&self) -> bool {
+        self.rubs.iter().any(|s| *s != 0.0)
     }
     /// A place at which an event is looked for.
     fn there(&self, way: T, from: (&Poses<T>, T)) -> Result<Rc<Seen<T>>, Refusal> {
@@ -736,7 +855,7 @@ impl<'a, T: Real> Account<'a, T> {
         let poses = self.poses(way)?;
         let half_square = match self.is_rubbed() {
             true => self.collocated(way, from.1)?,
-            false => self.half_square_at(&poses, way, from)?,
+            false => self.balanced(&poses, &(way, None), from)?,
         };
         let seen = Rc::new(Seen { way, poses, half_square });
         self.seen.borrow_mut().push(Rc::clone(&seen));
@@ -906,10 +1025,13 @@ impl<'a, T: Real> Account<'a, T> {
                 Self::around(root, sure, value).map(Some)
             };
             let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
+            // What sets off from rest beside a balance may turn in the first hair of the way.
+            let mut step = if seen[0].1.is_zero() { STEP / 32.0 } else { STEP };
             while let Some((before, _)) = seen.last().copied()
                 && before.below(far)
             {
-                let next = before + T::of(STEP);
+                let next = before + T::of(step);
+                step = f64::min(2.0 * step, STEP);
                 let next = if next.below(far) { next } else { far };
                 let now = value(next)?;
                 if gone(now) {
@@ -984,10 +1106,15 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(true)
     }
 
-    /// Time over a way: in an angle whose cosine is the place.
-    fn time(&self, way: T, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
+    /// Time to a place, where it rests or not: in an angle whose cosine is the place.
+    fn time(&self, place: &At<T>, from: (&Poses<T>, T), rest: bool) -> Result<T, Refusal> {
+        let way = place.0;
         if way.is_zero() {
             return Ok(T::zero());
+        }
+        if let Some(pendulum) = &self.pendulum {
+            let speed = if rest { T::zero() } else { self.half_square_at(place, from)?.scale2(1).root() };
+            return Ok(pendulum.time(way, &self.angle(place), speed));
         }
         // A quadrature settles, it proves nothing.
         let open = T::of(1.0).widened(|| f64::INFINITY);
@@ -1014,12 +1141,96 @@ impl<'a, T: Real> Account<'a, T> {
         Ok(plant!("energy: time of joined bodies", time))
     }
 
+    /// The leading angle at a place.
+    fn angle(&self, (way, angle): &At<T>) -> Half<T> {
+        let start = || self.scene.start_angle(self.n);
+        angle.unwrap_or_else(|| start().plus(Half::of_radians(way.signed(self.sense))))
+    }
+
+    /// Where it comes to rest within a way.
+    fn turning(&self, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        match &self.pendulum {
+            Some(pendulum) => Ok(pendulum.turning().map(|(way, _)| way).filter(|way| way.at_most(far))),
+            None => self.first(far, false, &|way| Ok(self.there(way, from)?.half_square)),
+        }
+    }
+
+    /// The way to the end within `far`, if it gets there before it comes to rest.
+    fn reached(&self, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        // What is met beyond the turning point is not met.
+        let before_rest = |found: Option<T>| match found {
+            Some(way) => {
+                let rest = self.turning(way, from)?;
+                Ok::<_, Refusal>(rest.is_none_or(|rest| rest.side(way) == 0.0).then_some(way))
+            }
+            None => Ok(None),
+        };
+        match self.scene.end {
+            End::Angle(..) => before_rest(Some(far)),
+            End::TurningPoint(_) => self.turning(far, from),
+            End::Speed(_, w) => {
+                let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
+                if self.pinned && level.side(from.1) == 0.0 {
+                    return Ok(Some(T::zero()));
+                }
+                let over = |way: T| Ok(self.there(way, from)?.half_square - level);
+                before_rest(self.first(far, from.1.below(level), &over)?)
+            }
+            End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
+                Ok(self.normal_there(joint, way, from)?.unwrap_or_else(T::zero))
+            })?),
+            End::Time(_, t) => self.after(self.n.get(t), far, from),
+            _ => Ok(None),
+        }
+    }
+
+    /// The way that takes this time, if it takes it before it comes to rest.
+    fn after(&self, t: T, far: T, from: (&Poses<T>, T)) -> Result<Option<T>, Refusal> {
+        let rest = self.turning(far, from)?;
+        let limit = rest.unwrap_or(far);
+        let most = self.time(&(limit, None), from, rest.is_some())?;
+        if self.proves() && self.pendulum.is_none() {
+            return Ok(None);
+        }
+        match t.side(most) {
+            0.0 => return Ok(Some(limit)),
+            side if side > 0.0 => return Ok(None),
+            _ => {}
+        }
+        let speed = |way: T| Ok::<_, Refusal>(self.half_square(way, from)?.scale2(1).root());
+        let late = |way: T| Ok::<_, Refusal>(self.time(&(way, None), from, false)? - t);
+        let way = ball::unwatched(|| {
+            root::between(T::zero(), limit, true, |way| {
+                Ok::<_, Refusal>((late(way)?, T::of(1.0) / speed(way)?))
+            })
+        })?;
+        // The data take part in one step more.
+        Ok(Some(if T::ENCLOSES { way - late(way)? * speed(way)? } else { way }))
+    }
+
+    /// Are numbers kept account of? A quadrature proves nothing.
+    fn proves(&self) -> bool {
+        T::of(1.0).widened(|| f64::INFINITY).radius() > 0.0
+    }
+
+    /// The powers at the start for and against the motion, the friction among them: for margins alone.
+    fn push_and_hold(&self, rubbed: T) -> Result<(T, T), Refusal> {
+        let first = self.poses(T::zero())?;
+        let (mut push, mut hold) = (T::zero(), T::zero());
+        for power in self.powers(&first, &self.rates(&first), false) {
+            let power = power.signed(self.sense);
+            if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
+        }
+        if rubbed.sign() > 0.0 {
+            hold = hold + rubbed;
+        }
+        Ok((push, hold))
+    }
+
     fn settle(&self, spin: T, drive: (T, T), (wanted, road): (Scope, &mut Road<T>)) -> Result<(), Refusal> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
-        let horizon = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
-        let proves = T::of(1.0).widened(|| f64::INFINITY).radius() > 0.0;
-        let mut far = horizon;
+        let mut far = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
         let asked = match scene.end {
             End::Angle(_, angle) => {
                 let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
@@ -1038,49 +1249,13 @@ impl<'a, T: Real> Account<'a, T> {
         let begin = self.poses(T::zero())?;
         let backward = far.sign() < 0.0 || !ball::unwatched(|| self.presses(&begin, from))?;
         let from = (&begin, from);
-        // Where it comes to rest within a way.
-        let half_square = |way: T| Ok::<_, Refusal>(self.there(way, from)?.half_square);
-        let turning = |far: T| self.first(far, false, &half_square);
-        // What is met beyond the turning point is not met.
-        let before_rest = |found: Option<T>| match found {
-            Some(way) => Ok::<_, Refusal>(turning(way)?.is_none().then_some(way)),
-            None => Ok(None),
-        };
-        let found = match scene.end {
-            _ if backward => None,
-            End::Angle(..) => before_rest(Some(far))?,
-            End::TurningPoint(_) => turning(far)?,
-            End::Speed(_, w) => {
-                let level = (self.n.get(w) / self.layout.ratio()).square().scale2(-1);
-                before_rest(self.first(far, from.1.below(level), &|way| Ok(half_square(way)? - level))?)?
-            }
-            End::Leaves(joint) => before_rest(self.first(far, false, &|way| {
-                Ok(self.normal_there(joint, way, from)?.unwrap_or_else(T::zero))
-            })?)?,
-            End::Time(_, t) => {
-                let t = self.n.get(t);
-                let rest = turning(far)?;
-                let limit = rest.unwrap_or(far);
-                let most = self.time(limit, from, rest.is_some())?;
-                if proves {
-                    None
-                } else if t.at_most(most) {
-                    Some(root::between(T::zero(), limit, true, |way| {
-                        let speed = self.half_square(way, from)?.scale2(1).root();
-                        Ok::<_, Refusal>((self.time(way, from, false)? - t, T::of(1.0) / speed))
-                    })?)
-                } else {
-                    None
-                }
-            }
-            _ => None,
-        };
+        let found = if backward { None } else { self.reached(far, from)? };
         let winds = match limit {
             Some(_) if matches!(scene.end, End::Angle(..)) => found.is_some(),
-            Some(_) => found.is_none() && turning(far)?.is_none(),
+            Some(_) => found.is_none() && self.turning(far, from)?.is_none(),
             None => false,
         };
-        if winds && !backward && !proves && self.stays_in_touch(far, from)? {
+        if winds && !backward && !self.proves() && self.stays_in_touch(far, from)? {
             return Err(Refusal::Unsupported(Unsupported::Overwound));
         }
         // What leaves another surface on the way does not get there.
@@ -1088,47 +1263,76 @@ impl<'a, T: Real> Account<'a, T> {
             Some(way) if !self.stays_in_touch(way, from)? => None,
             found => found,
         };
-        // Only margins hang on the drive.
-        let drive = ball::unwatched(|| {
-            let first = self.poses(T::zero())?;
-            let (mut push, mut hold) = (T::zero(), T::zero());
-            for power in self.powers(&first, &self.rates(&first), false) {
-                let power = power.signed(self.sense);
-                if power.sign() > 0.0 { push = push + power } else { hold = hold - power }
-            }
-            let rubbed = drive.0 - drive.1;
-            if rubbed.sign() > 0.0 {
-                hold = hold + rubbed;
-            }
-            Ok::<_, Refusal>((push, hold))
-        })?;
+        let drive = ball::unwatched(|| self.push_and_hold(drive.0 - drive.1))?;
         let course = Course { sense: self.sense, drive, asked, farthest: far, reached: found.is_some() };
         road.course = Some(course);
-        let Some(way) = found else { return Ok(()) };
-        let rest = matches!(scene.end, End::TurningPoint(_));
-        let open = |x: T| {
-            if proves && matches!(scene.end, End::Time(..)) { x.widened(|| f64::INFINITY) } else { x }
-        };
-        let half_square = if rest { T::zero() } else { half_square(way)? };
-        let mut say = |quantity, of, value: T| self.say(road, quantity, of, value);
-        if wanted.quantities.has(Quantity::T) {
-            let time = match scene.end {
-                End::Time(_, t) => self.n.get(t),
-                _ => self.time(way, from, rest)?,
-            };
-            say(Quantity::T, Owner::Scene, time);
+        match found {
+            Some(way) => self.tell_end(way, from, (wanted, road)),
+            None => self.tell_standing(&begin, spin.square(), road),
         }
-        say(Quantity::Phi, Owner::Body(self.lead), open(way));
-        let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
+    }
+
+    /// Everything at the end, after this way.
+    fn tell_end(
+        &self,
+        way: T,
+        from: (&Poses<T>, T),
+        (wanted, road): (Scope, &mut Road<T>),
+    ) -> Result<(), Refusal> {
+        let scene = self.scene;
+        let turns = matches!(scene.end, End::TurningPoint(_));
+        let angle = match (scene.end, &self.pendulum) {
+            // The angle itself is printed; the way to it would round it.
+            (End::Angle(_, angle), _) if self.pinned => Some(Half::of_degrees(self.n.get(angle))),
+            // A hair from the top the way to it would round off the hair.
+            (_, Some(pendulum)) => pendulum
+                .turning()
+                .filter(|(limit, _)| turns || way.side(*limit) == 0.0)
+                .map(|(_, place)| place),
+            _ => None,
+        };
+        let place = (way, angle);
+        let timed = self.proves() && self.pendulum.is_none() && matches!(scene.end, End::Time(..));
+        let open = |x: T| if timed { x.widened(|| f64::INFINITY) } else { x };
+        let searched = self.looked.replace(0);
+        let half_square = if turns { T::zero() } else { self.half_square_at(&place, from)? };
+        let rest = turns || !T::ENCLOSES && half_square.is_zero();
+        let mut rate = open(half_square).scale2(1).root();
+        let mut time = match scene.end {
+            End::Time(_, t) => Some(self.n.get(t)),
+            _ if !wanted.quantities.has(Quantity::T) || self.points.is_some() => None,
+            _ => Some(match &self.pendulum {
+                Some(pendulum) => pendulum.time(way, &self.angle(&place), rate),
+                None => self.time(&place, from, rest)?,
+            }),
+        };
+        if let Some(points) = self.points {
+            let summed = self.summed(way, rest, from, points)?;
+            (rate, time) = (summed.0, Some(summed.1));
+        }
+        let looked = self.looked.get();
+        if let Some(time) = time.filter(|_| wanted.quantities.has(Quantity::T)) {
+            self.say(road, Quantity::T, Owner::Scene, time);
+        }
+        self.say(road, Quantity::Phi, Owner::Body(self.lead), open(way));
+        let poses = self.at(&place)?;
+        let places = self.between(from.0, &poses, &place);
         for (b, body) in scene.bodies.iter().enumerate() {
             if body.planar.is_some() {
-                let risen = self.centre(&poses, b)[1].value - self.centre(&first, b)[1].value;
-                say(Quantity::Rise, Owner::Body(b), open(plant!("energy: rise in the plane", risen)));
+                let [_, risen] = places.shift(b, [self.centres[b].0, T::zero()]);
+                let risen = open(plant!("energy: rise in the plane", risen));
+                self.say(road, Quantity::Rise, Owner::Body(b), risen);
             }
         }
-        let rate = open(half_square).scale2(1).root().signed(self.sense);
+        if let Some(moment) = self.couple().filter(|_| self.pinned) {
+            self.say(road, Quantity::WorkCouple, Owner::Body(self.lead), moment * way.signed(self.sense));
+        }
+        let rate = rate.signed(self.sense);
         let (second, _) = self.acceleration(&poses, rate.square())?;
-        self.tell(&poses, rate, second, road)
+        self.tell(&poses, rate, second, road)?;
+        // Of a body on a pin what speed and time take is counted, not the search.
+        self.looked.set(if self.pinned { looked } else { searched + self.looked.get() });
+        Ok(())
     }
 
     /// Does each joint that can only push do so at the start, with more than this share of all weights?
@@ -1161,23 +1365,6 @@ impl<'a, T: Real> Account<'a, T> {
         poses[body].point([along, T::zero()]).map(|x| x.first * rate + x.second * square)
     }
 
-    fn say(&self, road: &mut Road<T>, quantity: Quantity, of: Owner, value: T) {
-        road.said.push(Said::of(self.n, Label { quantity, of }, value, value.size()));
-    }
-
-    /// Everything at a place where the leading angle has this rate and this second derivative.
-    fn tell(&self, poses: &Poses<T>, rate: T, second: T, road: &mut Road<T>) -> Result<(), Refusal> {
-        let rates = self.rates(poses);
-        let square = rate.square();
-        let moves = |b: usize, along: T| self.accelerates(poses, b, along, second, square);
-        let turning = |b: usize| {
-            let (first, bend) = poses[b].turn();
-            (first * second).balance(bend * square)
-        };
-        let moving = rates.iter().map(|r| r.map(|x| x * rate)).collect();
-        self.all(poses, &moving, &moves, &turning, road)
-    }
-
     /// An instant: of one freedom with any rate, of several from rest.
     fn instant(&mut self, spin: T, road: &mut Road<T>) -> Result<(), Refusal> {
         let poses = self.placed()?;
@@ -1197,7 +1384,7 @@ impl<'a, T: Real> Account<'a, T> {
         if let Some(alpha) = self.scene.driven() {
             return self.driven(spin, self.n.get(alpha), road);
         }
-        if !spin.is_zero() {
+        if !spin.is_zero() || self.pinned {
             let poses = self.poses(T::zero())?;
             let motion = self.rates(&poses).iter().map(|r| r.map(|x| x * spin)).collect();
             self.slides = self.sliding(&poses, &motion);
@@ -1299,224 +1486,5 @@ impl<'a, T: Real> Account<'a, T> {
             }
         }
         Ok(sum)
-    }
-
-    /// How the power of all forces at unit rate of the leading angle changes with that angle: less `V''`.
-    fn softens(&self, poses: &Poses<T>) -> T {
-        let second = |p: pose::Point<T>| p.map(|x| x.second);
-        let first = |p: pose::Point<T>| p.map(|x| x.first);
-        let mut sum = T::zero();
-        for (b, numbers) in self.n.bodies.iter().enumerate() {
-            let bend = second(self.centre(poses, b));
-            sum =
-                sum - plant!("energy: weight on the bend of a way", numbers.mass * self.n.gravity * bend[1]);
-            if let Some(a) = self.n.carried {
-                sum = sum - plant!("energy: carrier on the bend of a way", numbers.mass * dot(a, bend));
-            }
-        }
-        for (push, direction) in self.scene.pushes.iter().zip(&self.layout.pushes).filter(|(p, _)| !p.blow) {
-            if let Some(place) = push.toward_m {
-                sum = sum - self.n.massive(push.force_n) * self.off(poses, push.at, place).second;
-                continue;
-            }
-            let (at, u) = (self.point(poses, push.at), self.push(poses, push, *direction));
-            let turn = if push.turns { poses[push.at.body].turn().0 } else { T::zero() };
-            let turned = [-u[1] * turn, u[0] * turn];
-            sum = sum + self.n.massive(push.force_n) * (dot(u, second(at)) + dot(turned, first(at)));
-        }
-        for c in &self.scene.couples {
-            let bend = poses[c.body].turn().1.signed(self.counts(c.body));
-            sum = sum + self.n.massive(c.moment_n_m) * if c.forward { bend } else { -bend };
-        }
-        for (s, (strut, natural)) in self.scene.struts.iter().zip(&self.natural).enumerate() {
-            if !self.bears(s, self.length(poses, s).value) {
-                continue;
-            }
-            // Of (l - l0)^2 / 2 the square of the length bends evenly where the spring is at its anchor, the length does not.
-            let [x, y] = self.apart(poses, s);
-            let mut bend = (x * x + y * y).second.scale2(-1);
-            if !natural.is_zero() {
-                bend = bend - *natural * self.length(poses, s).second;
-            }
-            sum = sum
-                - plant!("energy: spring on the bend of a way", self.n.massive(strut.stiffness_n_m)) * bend;
-        }
-        sum
-    }
-
-    /// The stable equilibrium toward which the bodies set off from rest, where the potential energy is least, and small oscillations
-    /// about it: `omega^2 = V'' / M`.
-    fn rest(&mut self, road: &mut Road<T>) -> Result<(), Refusal> {
-        let power = |way: T| {
-            let poses = self.poses(way)?;
-            let balance = self.balance(&poses, &self.rates(&poses))?;
-            Ok::<_, Refusal>(balance.force)
-        };
-        let sense = power(T::zero())?.sign();
-        let full = T::constant(Dd::PI.scale2(1));
-        let found = if sense == 0.0 {
-            Some(T::zero())
-        } else {
-            let way = self.first(full, false, &|way| Ok(power(way.signed(sense))?.signed(sense)))?;
-            way.map(|way| way.signed(sense))
-        };
-        let stiffness = match found {
-            Some(way) => {
-                let poses = self.poses(way)?;
-                let stiff = -self.softens(&poses);
-                // Where it is indifferent, rounding is left of it; where a spring is just met, it is not even.
-                let size = pose::size(self.scene, self.n);
-                let nothing = 1e-9 * pose::pulls(self.scene, self.n) * size;
-                let met = |s: usize| {
-                    let apart = self.length(&poses, s).value - self.natural[s];
-                    self.scene.struts[s].acts != Acts::Both && apart.size() < 1e-12 * size
-                };
-                let met = (0..self.natural.len()).any(met);
-                if T::of(nothing).below(stiff) && !met { stiff / self.inertia(&poses) } else { T::zero() }
-            }
-            None => T::zero(),
-        };
-        let (Some(way), true) = (found, stiffness.sign() > 0.0) else {
-            road.course = Some(Course::nowhere());
-            return Ok(());
-        };
-        self.sense = if sense == 0.0 { 1.0 } else { sense };
-        let wound = self.overwinds((way.abs(), T::of(STEP)));
-        self.sense = 1.0;
-        if wound.is_some() {
-            return Err(Refusal::Unsupported(Unsupported::Overwound));
-        }
-        let (of, frequency) = (Owner::Body(self.lead), stiffness.root());
-        self.say(road, Quantity::OmegaSmall, of, frequency);
-        self.say(road, Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-        self.say(road, Quantity::Phi, of, way.abs());
-        let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
-        for b in 0..self.scene.bodies.len() {
-            let risen = self.centre(&poses, b)[1].value - self.centre(&first, b)[1].value;
-            self.say(road, Quantity::Rise, Owner::Body(b), risen);
-        }
-        let still = |_: usize, _: T| [T::zero(); 2];
-        self.tell_forces(&poses, &still, road);
-        Ok(())
-    }
-
-    /// The impulses of the joints at blows that give this motion.
-    fn tell_blow(&self, poses: &Poses<T>, jump: &Motion<T>, road: &mut Road<T>) {
-        let moves = |b: usize, along: T| self.velocity(poses, jump, b, along);
-        let all = self.reactions(poses, 0..self.scene.joints.len(), &moves, true);
-        for (j, (joint, impulses)) in self.scene.joints.iter().zip(all).enumerate() {
-            let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
-            match impulses {
-                Some(impulses) => {
-                    for (quantity, (impulse, _)) in quantities.iter().zip(&impulses) {
-                        self.say(road, *quantity, of, *impulse);
-                    }
-                }
-                None => road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of })),
-            }
-        }
-    }
-
-    /// Velocities and energy, with the accelerations of points and the angular ones where they are told.
-    fn tell_motion(
-        &self,
-        poses: &Poses<T>,
-        motion: &Motion<T>,
-        rates: Option<Accelerations<T>>,
-        road: &mut Road<T>,
-    ) {
-        let mut energy = T::zero();
-        for (b, body) in self.scene.bodies.iter().enumerate() {
-            let (of, (centre, gyration)) = (Owner::Body(b), self.centres[b]);
-            let [vx, vy] = self.velocity(poses, motion, b, centre);
-            for along in [centre + gyration, centre - gyration] {
-                let v = self.velocity(poses, motion, b, along);
-                energy = energy
-                    + plant!("energy: kinetic energy of the particles", self.n.bodies[b].mass.scale2(-1))
-                        * dot(v, v);
-            }
-            self.say(road, Quantity::V, of, (vx.square() + vy.square()).root());
-            self.say(road, Quantity::VX, of, vx);
-            self.say(road, Quantity::VY, of, vy);
-            if let Some((moves, _)) = rates {
-                let [mut ax, mut ay] = moves(b, centre);
-                if let Some(with) = self.n.carried {
-                    let [x, y] = with.map(|a| plant!("energy: rate of the carrier in the plane", a));
-                    (ax, ay) = (ax.balance(x), ay.balance(y));
-                }
-                self.say(road, Quantity::AX, of, ax);
-                self.say(road, Quantity::AY, of, ay);
-            }
-            if body.turns {
-                self.say(road, Quantity::Omega, of, motion[b][2].abs());
-                if let Some((_, turning)) = rates {
-                    self.say(road, Quantity::Alpha, of, turning(b).signed(self.counts(b)));
-                }
-            }
-            let points = body.planar.as_ref().map_or(0, |p| p.points.len());
-            for spot in (0..points).map(|point| Spot { body: b, point }) {
-                let [x, y] = self.of_spot(poses, motion, spot);
-                self.say(road, Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root());
-            }
-        }
-        self.say(road, Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1));
-    }
-
-    /// Everything of one place: the velocities, accelerations of points, angular accelerations counter-clockwise.
-    fn all(
-        &self,
-        poses: &Poses<T>,
-        motion: &Motion<T>,
-        moves: &dyn Fn(usize, T) -> Vector<T>,
-        turning: &dyn Fn(usize) -> T,
-        road: &mut Road<T>,
-    ) -> Result<(), Refusal> {
-        self.tell_motion(poses, motion, Some((moves, turning)), road);
-        self.tell_forces(poses, moves, road);
-        Ok(())
-    }
-
-    /// The forces of joints and springs, with these accelerations of points.
-    fn tell_forces(&self, poses: &Poses<T>, moves: &dyn Fn(usize, T) -> Vector<T>, road: &mut Road<T>) {
-        let scene = self.scene;
-        let all = self.reactions(poses, 0..scene.joints.len(), moves, false);
-        for (j, (joint, forces)) in scene.joints.iter().zip(all).enumerate() {
-            let of = Owner::Joint(j);
-            let quantities = joint.kind.forces();
-            let Some(forces) = forces else {
-                road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
-                continue;
-            };
-            for (quantity, (force, _)) in quantities.iter().zip(&forces) {
-                self.say(road, *quantity, of, *force);
-            }
-            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [(normal, _)]) =
-                (joint.kind, forces.as_slice())
-            {
-                let up = pose::upward(pose::direction(self.n, direction_deg));
-                let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
-                self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));
-            }
-            if let ([(x, _), (y, _), ..], [_, Quantity::PinY, ..]) = (forces.as_slice(), quantities) {
-                let pulls = pose::pulls(scene, self.n);
-                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
-                let force = (x.square() + y.square()).root();
-                self.say(road, Quantity::PinForce, of, force);
-                // A pin on which nothing acts: its force has no angle, and nothing else hangs on that.
-                if !ball::unwatched(|| force.is_zero()) {
-                    self.say(road, Quantity::PinAngle, of, trig::angle(y, x));
-                }
-            }
-        }
-        for (s, (strut, natural)) in scene.struts.iter().zip(&self.natural).enumerate() {
-            let length = self.length(poses, s).value;
-            let stretch = if self.bears(s, length) { length.balance(-*natural) } else { T::zero() };
-            let force = self.n.massive(strut.stiffness_n_m) * stretch;
-            if strut.twists() {
-                self.say(road, Quantity::Moment, Owner::Strut(s), -force);
-            } else {
-                self.say(road, Quantity::SpringForce, Owner::Strut(s), force);
-            }
-        }
     }
 }

@@ -7,10 +7,9 @@ pub mod account;
 pub mod balance;
 pub mod instant;
 pub mod joined;
-pub mod pinned;
+pub mod pendulum;
 pub mod quadrature;
 pub mod speeds;
-pub mod swing;
 pub mod thrown;
 
 use crate::num::dd::Dd;
@@ -82,11 +81,8 @@ fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>,
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
-    if scene.lead().is_some() {
-        return Ok(joined::road(scene, &n, asked)?.0);
-    }
-    if let Some((body, pin)) = scene.pinned() {
-        return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
+    if scene.lead().is_some() || scene.pinned().is_some() {
+        return Ok(joined::road(scene, &n, asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
         return at_once(scene, n);
@@ -144,14 +140,8 @@ fn alone_by<T: Real>(
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() {
-        return match points {
-            Some(_) => Err(Refusal::NoMethod { method: Method::Gauss }),
-            None => joined::road(scene, &n, Scope::ALL),
-        };
-    }
-    if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), Scope::ALL, points);
+    if scene.lead().is_some() || scene.pinned().is_some() {
+        return joined::road(scene, &n, Scope::ALL, points);
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok((at_once(scene, n)?, Count::default()));

@@ -5,21 +5,22 @@
 //! over the angle, up to a constant, and `A` alone is needed. From rest the angle goes as the square of the variable, which takes
 //! the root singularity out of the time, or beside an equilibrium as the square of its hyperbolic sine, as the time itself would
 //! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
-use crate::num::dd::pow2;
+mod pin;
+mod tell;
+
 use crate::num::gauss::{self, PerNode, Rule, Unsettled};
-use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
 use crate::scene::pose;
-use crate::scene::{Acts, End, JointKind, Label, Numbers, Owner, Quantity, Ray, Scene, Spot};
+use crate::scene::{End, JointKind, Numbers, Owner, Quantity, Scene, Spot};
+use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
+use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::eom::travel;
-use crate::solve::eom::{STEPS, couple_on};
 use crate::solve::method::Rung;
-use crate::solve::outcome::{self, Course, Held, Refusal, Road, Said, Scope, Unsupported};
+use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
 use smallvec::SmallVec;
 use std::cell::{Cell, RefCell};
 
@@ -46,12 +47,6 @@ const SHORTEST: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// So far does a motion go at most before a torsion spring is wound by half a turn.
 const SHORT: f64 = 1.0 - SHORTEST;
-
-/// How often a bracket about a peak is cut by a third.
-const PEAK: u32 = 80;
-
-/// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
-const INDIFFERENT: f64 = 1e-9;
 
 /// A turning point in the first 2^-4 of a panel is looked for anew in a shorter one.
 const EARLY: i32 = 4;
@@ -98,10 +93,11 @@ struct Fine {
 }
 
 impl Fine {
-    /// Longer panels where something may happen within one, a turning point of a body on a pin, a joint that can only push or rubs being watched there, or a speed.
-    fn of<T: Real>(scene: &Scene, pinned: bool) -> Self {
+    /// Longer panels where something may happen within one: a turning point that is asked for (`turns`), a joint that can only push or
+    /// rubs being watched there, or a speed.
+    fn of<T: Real>(scene: &Scene, turns: bool) -> Self {
         let watched = scene.joints.iter().any(|j| j.kind.is_one_sided() || j.kind.rubs().is_some());
-        let ending = !watched && !pinned && matches!(scene.end, End::Angle(..));
+        let ending = !watched && !turns && matches!(scene.end, End::Angle(..));
         let (rule, rate, time) = if ending { gauss::ending::<T>() } else { gauss::long::<T>() };
         Self { rule, rate, time, watched }
     }
@@ -283,7 +279,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         meets: mechanism.meets(sense, (horizon(), look())),
         panels: Cell::new(PANELS),
         pendulum: teller.pendulum(&state, sense, spin),
-        fine: Fine::of::<T>(scene, teller.pinned.is_some()),
+        fine: Fine::of::<T>(scene, false),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
     };
     // Friction may hold what would set off without it.
@@ -301,35 +297,13 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
 fn horizon<T: Real>() -> T {
     T::constant(Dd::PI * Dd::new(2.0 * TURNS))
 }
+/// Degrees per radian.
+fn degrees<T: Real>() -> T {
+    T::constant(Dd::new(180.0) / Dd::PI)
+}
 /// Step in which places on the way are looked for, radians.
 fn look<T: Real>() -> T {
     T::of(STRIDE / 16.0)
-}
-
-/// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated: what
-/// one span more changes least, for below that rounding grows. Near a dead centre the first spans tell nothing.
-fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> Result<T, Refusal> {
-    const SPANS: i32 = 24;
-    let (mut row, mut best): (Vec<T>, _) = (Vec::new(), (f64::INFINITY, T::zero()));
-    for i in 0..SPANS {
-        let span = widest.scale2(-i);
-        let mut next = vec![(value(at + span)? - value(at - span)?) / span.scale2(1)];
-        for (k, coarse) in row.iter().enumerate() {
-            let finer = next[k];
-            next.push(finer + (finer - *coarse) / T::of(pow2(2 * k as i32 + 2) - 1.0));
-        }
-        if let (Some(before), Some(now)) = (row.last(), next.last()) {
-            let change = (*now - *before).size();
-            if change < best.0 {
-                best = (change, *now);
-            }
-            if gauss::settled(*now, *before, now.size()) {
-                break;
-            }
-        }
-        row = next;
-    }
-    Ok(best.1)
 }
 
 /// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
@@ -370,24 +344,6 @@ fn rubbing<T: Real>(
         Ok(both.iter().zip(sides).all(fits))
     })?;
     Ok(turned(&sides))
-}
-
-/// Where a pendulum stops within `far`.
-fn pendulum_stop<T: Real>(pendulum: &Pendulum<T>, far: T, level: Option<T>) -> Result<Stop<T>, Refusal> {
-    let limit = pendulum.turning();
-    let last = limit.filter(|limit| limit.at_most(far)).unwrap_or(far);
-    if let Some(level) = level
-        && let Some(way) = pendulum.reaching(level, last)?
-    {
-        return Ok(Stop { way, half_square: level, why: Why::Speed, time: None });
-    }
-    // What is asked at the turning point is there at rest.
-    let (half_square, why) = match limit {
-        Some(limit) if far.side(limit) == 0.0 => (T::zero(), Why::Far),
-        Some(limit) if limit.below(far) => (T::zero(), Why::Rest),
-        _ => (pendulum.half_square(far), Why::Far),
-    };
-    Ok(Stop { way: if why == Why::Rest { last } else { far }, half_square, why, time: None })
 }
 
 impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
@@ -595,7 +551,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         least: &mut [(usize, f64, f64)],
     ) -> Result<Stop<T>, Refusal> {
         if let Some(pendulum) = &self.pendulum {
-            return pendulum_stop(pendulum, far, level);
+            return pin::pendulum_stop(pendulum, far, level);
         }
         let mut found: Option<Stop<T>> = None;
         let mut time = Some(T::zero());
@@ -822,164 +778,85 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         Ok(plant!("eom: time of joined bodies", time))
     }
 
-    /// The angle of a body on a pin after a way, at the end of which it rests or not; `exactly` as the end has it.
-    fn place(&self, way: T, rest: bool, exactly: bool) -> Half<T> {
+    /// What is asked of the end, how far at most it is looked for, and half the square of the rate that ends the motion.
+    fn wanted(&self) -> (Option<T>, T, Option<T>) {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        let about = scene.start_angle(n).plus(Half::of_radians(way.signed(self.sense)));
-        match (scene.end, &self.pendulum) {
-            // The angle itself is printed; the way to it would round it.
-            (End::Angle(_, angle), _) if exactly => Half::of_degrees(n.get(angle)),
-            (_, Some(pendulum)) if rest && exactly => {
-                // A hair from the top the way to it would round off the hair.
-                let Half { sine, cosine } = pendulum.turned();
-                let hanging = Half { sine: sine.signed(self.sense), cosine };
-                let up = scene.planar(self.mechanism.lead).is_some_and(|p| p.from == Ray::Up);
-                let half = if up { hanging.less_half_turn() } else { hanging };
-                let same = half.sine * about.sine + half.cosine * about.cosine;
-                if same.sign() < 0.0 { Half { sine: -half.sine, cosine: -half.cosine } } else { half }
-            }
-            _ => about,
-        }
-    }
-
-    /// How far a body on a pin gets before it turns, up to twice the way on which it was followed. What spoils the motion further on
-    /// does not matter.
-    fn limit(&self, stop: &Stop<T>) -> Option<T> {
-        let beyond = || {
-            let state = self.mechanism.state(self.angle(stop.way), true).ok()?;
-            let from = Gain { half_square: stop.half_square, factor: self.mechanism.inertia(&state) };
-            let onward = Motion { start: self.angle(stop.way), from, ..self.clone() };
-            let next = onward.stop(stop.way, None, false, &mut []).ok()?;
-            (next.why == Why::Rest).then(|| stop.way + next.way)
-        };
-        match &self.pendulum {
-            _ if stop.half_square.is_zero() => Some(stop.way),
-            Some(pendulum) => pendulum.turning(),
-            None => beyond(),
-        }
-    }
-
-    /// The greatest rate before a body on a pin turns, or on two turns, and at least that of where it stops; infinite where what comes
-    /// after that, such as a spring through its anchor, has no speed.
-    fn fastest(&self, stop: &Stop<T>) -> T {
-        let known = stop.half_square.larger(self.from.half_square).scale2(1).root();
-        if let Some(pendulum) = &self.pendulum {
-            return known.larger(pendulum.fastest(pendulum.turning()));
-        }
-        let mut greatest = known.square().scale2(-1);
-        let mut visit = |panel: &Panel<T>, _: Gain<T>| {
-            let values: Vec<T> = panel.squares.iter().copied().chain([panel.last.half_square]).collect();
-            let fallen = values.iter().position(|y| y.sign() < 0.0);
-            let until = fallen.unwrap_or(values.len());
-            let nodes: Vec<f64> = self.fine.rule.nodes.iter().map(|s| s.hi).chain([1.0]).collect();
-            let best = (0..until).max_by(|a, b| values[*a].f64().total_cmp(&values[*b].f64()));
-            if let Some(i) = best {
-                // Between its neighbours it has one peak.
-                let (mut low, mut high) =
-                    (i.checked_sub(1).map_or(0.0, |i| nodes[i]), *nodes.get(i + 1).unwrap_or(&1.0));
-                let at = |x: f64| self.fine.rule.at(&panel.squares, T::of(x));
-                for _ in 0..PEAK {
-                    let [a, b] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
-                    if at(a).below(at(b)) { low = a } else { high = b }
-                }
-                greatest = greatest.larger(values[i]).larger(at(0.5 * (low + high)));
-            }
-            Ok(fallen.is_some())
-        };
-        match self.over((T::zero(), self.variable(horizon())), self.from, false, &mut visit) {
-            Ok(_) => greatest.scale2(1).root(),
-            Err(_) => T::of(f64::INFINITY),
-        }
-    }
-
-    /// Period and greatest speed of a pendulum from rest by the steps of a rung, where they are wanted.
-    fn step_through(
-        &self,
-        teller: &mut Teller<'_, '_, T>,
-        pendulum: &Pendulum<T>,
-        asked: &dyn Fn(Quantity) -> bool,
-    ) -> Result<(), Refusal> {
-        let wanted = asked(Quantity::Period) || asked(Quantity::OmegaMax);
-        let (Some(far), Some((rung, _)), true) = (pendulum.turning(), teller.by, wanted && self.rests())
-        else {
-            return Ok(());
-        };
-        let far = far.f64();
-        let events = [(Event::Level, 0.5 * far), (Event::Fall(0.0), far)];
-        let (states, count) = self.run(&events, far, &|| pendulum.period().0.f64(), rung)?;
-        let [lowest, turned] = states[..] else { return Ok(()) };
-        teller.count.evaluations += count.evaluations;
-        teller.count.steps += count.steps;
-        teller.count.refused += count.refused;
-        teller.replace(Quantity::Period, T::of(2.0 * turned.time));
-        teller.replace(Quantity::OmegaMax, T::of(lowest.u));
-        Ok(())
-    }
-
-    /// Follows the motion to the end that is asked and tells what is there.
-    fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
-        let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        let degrees = || T::constant(Dd::new(180.0) / Dd::PI);
-        let (mut asked, mut far, mut level) = (None, horizon(), None);
         match scene.end {
             End::Angle(_, angle) => {
                 let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
                 let apart = (n.get(angle) - start.map_or_else(T::zero, |s| n.get(s))).signed(self.sense);
-                asked = Some(apart);
-                far = apart / degrees();
+                (Some(apart), apart / degrees(), None)
             }
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
-                asked = Some(w.abs());
-                level = Some(w.square().scale2(-1));
+                (Some(w.abs()), horizon(), Some(w.square().scale2(-1)))
             }
-            End::Time(_, t) => asked = Some(n.get(t)),
-            _ => {}
+            End::Time(_, t) => (Some(n.get(t)), horizon(), None),
+            _ => (None, horizon(), None),
         }
-        let leaving = match scene.end {
-            End::Leaves(joint) => Some(joint),
-            _ => None,
-        };
-        let limit =
-            self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
-        far = limit.map_or(far, |limit| limit * T::of(SHORT));
-        // What does not push at the start is not touched.
-        let weights = self.weights();
-        let (first, begin) = self.at(T::zero())?;
-        for joint in (0..scene.joints.len()).filter(|j| scene.joints[*j].kind.is_one_sided()) {
-            let force = self.pushed(&begin, joint, self.from.half_square);
-            if force.is_some_and(|force| force.below(T::of(PUSHES * weights))) {
-                let drive = (T::zero(), T::zero());
-                teller.road.course =
-                    Some(Course { sense: self.sense, drive, asked, farthest: T::zero(), reached: false });
-                teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
-                return Ok(());
-            }
-        }
-        let nothing: Vec<(usize, f64, f64)> =
-            (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
-        let mut least = nothing.clone();
-        let backward = far.sign() < 0.0;
-        let by = teller.by.filter(|_| STEPS && !backward);
-        let mut stop = if let Some((rung, _)) = by {
+    }
+
+    /// The first joint that can only push and does not at the start.
+    fn untouched(&self, begin: &Response<T>) -> Option<usize> {
+        let (joints, least) = (&self.mechanism.scene.joints, T::of(PUSHES * self.weights()));
+        (0..joints.len()).filter(|j| joints[*j].kind.is_one_sided()).find(|joint| {
+            let force = self.pushed(begin, *joint, self.from.half_square);
+            force.is_some_and(|force| force.below(least))
+        })
+    }
+
+    /// Where it stops within `far`, by the steps of a rung if one is given.
+    fn followed(
+        &self,
+        teller: &mut Teller<'_, '_, T>,
+        (far, level): (T, Option<T>),
+        by: Option<Steps>,
+        least: &mut [(usize, f64, f64)],
+    ) -> Result<Stop<T>, Refusal> {
+        let here = Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None };
+        if let Some((rung, _)) = by {
             let known = || match teller.pinned {
                 Some(_) => self.until(far, level).unwrap_or(f64::INFINITY),
                 None => f64::INFINITY,
             };
             let (stop, count) = self.stepped((far, level), &known, rung)?;
             teller.count = count;
-            stop
-        } else if backward {
-            Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None }
-        } else if let (Some(level), Some(_)) = (level, teller.pinned)
-            && level.side(self.from.half_square) == 0.0
-        {
-            Stop { way: T::zero(), half_square: level, why: Why::Speed, time: None }
-        } else {
+            return Ok(stop);
+        }
+        if far.sign() < 0.0 {
+            return Ok(here);
+        }
+        match (level, teller.pinned) {
+            (Some(level), Some(_)) if level.side(self.from.half_square) == 0.0 => {
+                Ok(Stop { half_square: level, why: Why::Speed, ..here })
+            }
             // Whether the time is asked changes no other answer, not even by its rounding.
-            self.stop(far, level, matches!(scene.end, End::Time(..)), &mut least)?
-        };
-        let (mut time, mut most) = (stop.time, None);
+            _ => self.stop(far, level, matches!(self.mechanism.scene.end, End::Time(..)), least),
+        }
+    }
+
+    /// Follows the motion to the end that is asked and tells what is there.
+    fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
+        let (scene, n) = (self.mechanism.scene, self.mechanism.n);
+        let (asked, mut far, level) = self.wanted();
+        let limit =
+            self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
+        far = limit.map_or(far, |limit| limit * T::of(SHORT));
+        let (first, begin) = self.at(T::zero())?;
+        let drive = (T::zero(), T::zero());
+        if let Some(joint) = self.untouched(&begin) {
+            teller.road.course =
+                Some(Course { sense: self.sense, drive, asked, farthest: T::zero(), reached: false });
+            teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
+            return Ok(());
+        }
+        let nothing: Vec<(usize, f64, f64)> =
+            (0..scene.joints.len()).map(|j| (j, f64::INFINITY, 0.0)).collect();
+        let mut least = nothing.clone();
+        let backward = far.sign() < 0.0;
+        let by = teller.by.filter(|_| STEPS && !backward);
+        let mut stop = self.followed(teller, (far, level), by, &mut least)?;
+        let mut most = None;
         let overwound =
             || if limit.is_some() { Err(Refusal::Unsupported(Unsupported::Overwound)) } else { Ok(()) };
         if stop.why == Why::Far && !matches!(scene.end, End::Time(..)) {
@@ -987,26 +864,25 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
         if let (End::Time(_, t), None) = (scene.end, by) {
             let t = n.get(t);
-            let until = match time {
+            let until = match stop.time {
                 Some(time) => time,
                 None => self.time(stop.way, stop.why == Why::Rest)?,
             };
             most = Some(until);
             if t.side(until) == 0.0 {
-                (stop.why, time) = (Why::Far, most);
+                (stop.why, stop.time) = (Why::Far, most);
             } else if t.below(until) {
                 let way = root::between_values(T::zero(), stop.way, true, &|way| {
                     Ok::<_, Refusal>(self.time(way, false)? - t)
                 })?;
                 // What pushes is watched up to there alone.
                 least = nothing;
-                stop = Stop { why: Why::Far, ..self.stop(way, None, false, &mut least)? };
-                time = Some(t);
+                stop = Stop { why: Why::Far, time: Some(t), ..self.stop(way, None, false, &mut least)? };
             } else {
                 if stop.why == Why::Far {
                     overwound()?;
                 }
-                (stop.why, time) = (Why::Rest, None);
+                (stop.why, stop.time) = (Why::Rest, None);
             }
         }
         let reached = !backward
@@ -1015,43 +891,65 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 End::Speed(..) => stop.why == Why::Speed,
                 End::TurningPoint(_) => stop.why == Why::Rest,
                 End::Leaves(joint) => stop.why == Why::Leaves(joint),
-                End::Time(..) => stop.why == Why::Far && time.is_some(),
+                End::Time(..) => stop.why == Why::Far && stop.time.is_some(),
                 _ => false,
             };
+        let farthest = self.farthest(teller, &stop, reached, most);
+        teller.road.course = Some(Course { sense: self.sense, drive, asked, farthest, reached });
+        self.tell_touching(teller, &stop, least);
+        if reached {
+            self.tell_end(teller, &stop, &first, by)
+        } else {
+            teller.tell_standing(&first, &begin, self.from.half_square.scale2(1))
+        }
+    }
+
+    /// How far it could go, in what its end is told by.
+    fn farthest(&self, teller: &Teller<T>, stop: &Stop<T>, reached: bool, most: Option<T>) -> T {
+        let endless = T::of(f64::INFINITY);
         let margins = teller.pinned.is_some() && teller.asked.held;
-        let farthest = match scene.end {
-            End::Angle(..) if reached && margins => {
-                self.limit(&stop).map_or_else(|| T::of(f64::INFINITY), |way| way * degrees())
-            }
-            End::Speed(..) if margins => self.fastest(&stop),
-            End::Time(..) if teller.pinned.is_some() => most.unwrap_or_else(|| T::of(f64::INFINITY)),
-            End::Angle(..) if reached => T::of(f64::INFINITY),
+        match self.mechanism.scene.end {
+            End::Angle(..) if reached && margins => self.limit(stop).map_or(endless, |way| way * degrees()),
+            End::Speed(..) if margins => self.fastest(stop),
+            End::Time(..) if teller.pinned.is_some() => most.unwrap_or(endless),
+            End::Angle(..) if reached => endless,
             End::Angle(..) => stop.way * degrees(),
             End::TurningPoint(_) if stop.why == Why::Rest => stop.way * degrees(),
-            _ => T::of(f64::INFINITY),
-        };
-        let drive = (T::zero(), T::zero());
-        teller.road.course = Some(Course { sense: self.sense, drive, asked, farthest, reached });
+            _ => endless,
+        }
+    }
+
+    /// How much the joints that can only push did so at least.
+    fn tell_touching(&self, teller: &mut Teller<T>, stop: &Stop<T>, least: Vec<(usize, f64, f64)>) {
+        let (scene, n) = (self.mechanism.scene, self.mechanism.n);
+        let leaving = |joint| scene.end == End::Leaves(joint);
         for (joint, least, most) in least {
-            let one_sided = scene.joints[joint].kind.is_one_sided();
-            if one_sided && least.is_finite() && leaving != Some(joint) {
+            if scene.joints[joint].kind.is_one_sided() && least.is_finite() && !leaving(joint) {
                 let [least, most] = [least, most].map(|x| n.publish(Quantity::Normal, T::of(x)).f64());
                 teller.road.held.push(Held::Touching(joint, least, most));
             }
         }
         if let Why::Leaves(joint) = stop.why
-            && leaving != Some(joint)
+            && !leaving(joint)
         {
             teller.road.held.retain(|h| !matches!(h, Held::Touching(j, ..) if *j == joint));
             teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
         }
-        if !reached {
-            return teller.tell_standing(&first, &begin, self.from.half_square.scale2(1));
-        }
+    }
+
+    /// Everything where it stops, at the end that is asked; `first` is the start.
+    fn tell_end(
+        &self,
+        teller: &mut Teller<'_, '_, T>,
+        stop: &Stop<T>,
+        first: &State<T>,
+        by: Option<Steps>,
+    ) -> Result<(), Refusal> {
+        let scene = self.mechanism.scene;
         teller.tell_met(&self.meets, stop.way)?;
         let rest = stop.why == Why::Rest || stop.half_square.is_zero();
         if teller.asked.quantities.has(Quantity::T) {
-            let time = match time {
+            let time = match stop.time {
                 Some(time) => time,
                 None => self.time(stop.way, rest)?,
             };
@@ -1069,8 +967,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let force = self.mechanism.reaction(&response, j, stop.half_square.scale2(1));
             force.is_none_or(|force| self.presses_on(j, force[0]))
         };
-        let rubs = (0..scene.joints.len()).filter(|j| self.slides[*j] != 0.0 && leaving != Some(*j));
-        if !self.slides_on(&state) || !rubs.into_iter().all(presses_on) {
+        let mut rubs =
+            (0..scene.joints.len()).filter(|j| self.slides[*j] != 0.0 && scene.end != End::Leaves(*j));
+        if !self.slides_on(&state) || !rubs.all(presses_on) {
             return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
         }
         if let (Some(pinned), Some((_, rung_asks))) = (&self.pendulum, by) {
@@ -1078,7 +977,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         }
         let size = self.mechanism.size();
         for (b, body) in scene.bodies.iter().enumerate() {
-            let (high, low) = (self.mechanism.height(&state, b), self.mechanism.height(&first, b));
+            let (high, low) = (self.mechanism.height(&state, b), self.mechanism.height(first, b));
             if body.planar.is_some() && teller.pinned.is_none() {
                 teller.say_scaled(Quantity::Rise, Owner::Body(b), high - low, size);
             }
@@ -1100,399 +999,4 @@ struct Teller<'t, 'a, T: Real> {
     pinned: Option<usize>,
     count: Count,
     road: Road<T>,
-}
-
-impl<T: Real> Teller<'_, '_, T> {
-    fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
-        self.say_scaled(quantity, of, value, value.size());
-    }
-    fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        use Quantity::{AX, AY, VX, VY};
-        let of = match (self.pinned, of) {
-            (Some(body), Owner::Joint(_) | Owner::Strut(_)) => Owner::Body(body),
-            _ => of,
-        };
-        let apart = matches!(quantity, VX | VY | AX | AY) || matches!(of, Owner::Spot(_));
-        if apart && self.pinned.is_some() {
-            return;
-        }
-        if self.asked.quantities.has(quantity) {
-            self.road.said.push(Said::of(self.n, Label { quantity, of }, value, scale));
-        }
-    }
-
-    /// Puts another value in the place of what was said of a body on a pin.
-    fn replace(&mut self, quantity: Quantity, value: T) {
-        let value = self.n.publish(quantity, value);
-        for said in self.road.said.iter_mut().filter(|s| s.label.quantity == quantity) {
-            said.value = value;
-        }
-    }
-
-    /// A body on a pin under its weight alone, on its way in this sense from a place and with this rate there, by its closed form.
-    fn pendulum(&self, state: &State<T>, sense: f64, rate: T) -> Option<Pendulum<T>> {
-        let planar = self.scene.planar(self.pinned?)?;
-        let numbers = &self.n.bodies[self.mechanism.lead];
-        let arm = pose::along(self.n, planar.centre);
-        let weight = plant!("eom: weight of a pendulum", numbers.mass * self.n.gravity);
-        let frequency = (weight * arm / self.mechanism.inertia(state)).root();
-        let free = self.scene.couples.is_empty() && self.scene.struts.is_empty();
-        let start = self.scene.start_angle(self.n);
-        let hanging = if planar.from == Ray::Up { start.less_half_turn() } else { start };
-        let hanging = Half { sine: hanging.sine.signed(sense), cosine: hanging.cosine };
-        let half_square = rate.square().scale2(-1);
-        (free && !frequency.is_zero()).then(|| Pendulum::new(hanging, half_square, frequency))
-    }
-
-    /// What holds of a body on a pin whatever the end.
-    fn tell_lasting(&mut self, rate: T) -> Result<(), Refusal> {
-        use Quantity::{IO, OmegaMax, OmegaSmall, Period, PeriodSmall};
-        if !self.asked.any(&[IO, OmegaMax, OmegaSmall, Period, PeriodSmall]) {
-            return Ok(());
-        }
-        let (mechanism, of) = (self.mechanism, Owner::Body(self.mechanism.lead));
-        let state = mechanism.state(T::zero(), true)?;
-        self.say(IO, of, mechanism.inertia(&state));
-        let sense = if rate.is_zero() { mechanism.drive(&state).sign() } else { rate.sign() };
-        if let Some(pendulum) = self.pendulum(&state, sense, rate) {
-            let (frequency, (period, fastest)) = (pendulum.frequency(), pendulum.period());
-            self.say(OmegaSmall, of, frequency);
-            self.say(PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-            self.say(Period, of, period);
-            self.say(OmegaMax, of, fastest);
-        }
-        Ok(())
-    }
-
-    /// Acceleration and forces of a body on a pin where it stands, at this square of its rate.
-    fn tell_standing(&mut self, state: &State<T>, response: &Response<T>, square: T) -> Result<(), Refusal> {
-        let Some(body) = self.pinned else { return Ok(()) };
-        let (constant, by_square) = self.mechanism.turning(response, body);
-        let scale = self.terms(state);
-        self.say_scaled(Quantity::Alpha, Owner::Body(body), constant.balance(by_square * square), scale);
-        let nothing: SmallVec<[f64; 4]> = self.scene.joints.iter().map(|_| 0.0).collect();
-        self.tell_forces(state, response, square, &nothing);
-        Ok(())
-    }
-
-    /// Magnitudes of the terms of the angular acceleration of a body on a pin.
-    fn terms(&self, state: &State<T>) -> f64 {
-        self.mechanism.drive_of_terms(state).1 / self.mechanism.inertia(state).size()
-    }
-
-    /// How a body on a pin has turned.
-    fn tell_turned(&mut self, way: T, sense: f64, place: &Half<T>) {
-        let Some(body) = self.pinned else { return };
-        let (of, Some(planar)) = (Owner::Body(body), self.scene.planar(body)) else { return };
-        let (start, step) = (self.scene.start_angle(self.n), Half::of_radians(way.signed(sense)));
-        // A difference of two heights, as a product.
-        let product = (step.sine * place.plus(start).sine).scale2(1);
-        let arm = pose::along(self.n, planar.centre);
-        let sunk = plant!("eom: height lost by the mass centre", arm) * product;
-        let rise = if planar.from == Ray::Up { -sunk } else { sunk };
-        self.say_scaled(Quantity::Rise, of, rise, 2.0 * arm.size());
-        if let Some(moment) = couple_on(self.scene, self.n, body) {
-            self.say(Quantity::WorkCouple, of, moment.signed(sense) * way);
-        }
-    }
-
-    /// The stable equilibrium toward which the bodies set off from rest, and small oscillations about it: `q'' = A'(q_e) (q - q_e)`.
-    fn tell_equilibrium(&mut self, smooth: &[f64]) -> Result<(), Refusal> {
-        let (scene, mechanism) = (self.scene, self.mechanism);
-        let at = |way: T| {
-            let state = mechanism.state(way, true)?;
-            let response = mechanism.respond(&state, smooth)?;
-            Ok::<_, Refusal>((state, response))
-        };
-        let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
-        let sense = drive(T::zero())?.sign();
-        let mut found = (sense == 0.0).then(T::zero);
-        let (mut before, full) = (T::zero(), T::constant(Dd::PI.scale2(1)));
-        while sense != 0.0 && found.is_none() && before.below(full) {
-            let next = before + look();
-            if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
-                let way = root::between_values(before, next, false, &|x| {
-                    Ok::<_, Refusal>(drive(x.signed(sense))?.signed(sense))
-                })?;
-                found = Some(way.signed(sense));
-            }
-            before = next;
-        }
-        let stiffness = match found {
-            Some(way) => {
-                // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
-                let meets = [1.0, -1.0].into_iter().flat_map(|sense| mechanism.meets(sense, (full, look())));
-                let apart = meets.map(|(_, at)| (at - way).abs().scale2(-1));
-                let widest = apart.fold(look(), |one, other| if other.below(one) { other } else { one });
-                let slope = if widest.size() < SHORTEST { T::zero() } else { slope(&drive, way, widest)? };
-                -plant!("eom: slope of the acceleration at equilibrium", slope)
-            }
-            None => T::zero(),
-        };
-        // Where it is indifferent, rounding is left of its stiffness.
-        let nothing = T::of(INDIFFERENT * self.pulls() * mechanism.size());
-        let inertia = mechanism.inertia(&mechanism.state(found.unwrap_or_else(T::zero), true)?);
-        let (Some(way), true) = (found, nothing.below(stiffness * inertia)) else {
-            self.road.course = Some(Course::nowhere());
-            return Ok(());
-        };
-        if LOOKED_THROUGH {
-            self.gets_to(way)?;
-        }
-        if mechanism.overwinds(sense, (way.abs(), look())).is_some() {
-            return Err(Refusal::Unsupported(Unsupported::Overwound));
-        }
-        self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
-        let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
-        self.say(Quantity::OmegaSmall, of, frequency);
-        self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-        self.say_scaled(Quantity::Phi, of, way.abs(), 1.0);
-        let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
-        for b in 0..scene.bodies.len() {
-            let risen = mechanism.height(&state, b) - mechanism.height(&first, b);
-            self.say_scaled(Quantity::Rise, Owner::Body(b), risen, mechanism.size());
-        }
-        self.tell_forces(&state, &response, T::zero(), smooth);
-        self.watch(&response, T::zero());
-        Ok(())
-    }
-
-    /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
-    fn gets_to(&self, way: T) -> Result<(), Refusal> {
-        // So near nothing lies between, and doubles do not resolve how the drive falls off.
-        if way.size() < BESIDE {
-            return Ok(());
-        }
-        let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));
-        let begin = mechanism.state(T::zero(), true)?;
-        let motion = Motion {
-            mechanism,
-            start: T::zero(),
-            sense: way.sign(),
-            from: Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) },
-            near: T::zero(),
-            slides: nothing.clone().collect(),
-            rubs: nothing.collect(),
-            meets: mechanism.meets(way.sign(), (way.abs(), look())),
-            panels: Cell::new(PANELS),
-            pendulum: None,
-            fine: Fine::of::<T>(self.scene, self.pinned.is_some()),
-            timed: false,
-        };
-        let motion = motion.set_off(&begin)?;
-        motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
-        Ok(())
-    }
-
-    /// Is each spring that only pushes or pulls met on this way, if it does not act from the start?
-    fn tell_met(&mut self, meets: &[(usize, T)], way: T) -> Result<(), Refusal> {
-        if !LOOKED_THROUGH {
-            return Ok(());
-        }
-        let begin = self.mechanism.poses(T::zero(), true)?;
-        for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
-            let first =
-                meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
-            let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
-            self.road.held.push(Held::Met(s, met, T::leading(|| way.f64())));
-        }
-        Ok(())
-    }
-
-    /// Do the joints that can only push or only pull do so, at this square of the rate?
-    fn watch(&mut self, response: &Response<T>, square: T) {
-        for (j, _) in self.scene.joints.iter().enumerate().filter(|(_, j)| j.kind.is_one_sided()) {
-            if let Some(force) = self.mechanism.reaction(response, j, square) {
-                let force = self.n.publish(Quantity::Normal, force[0]);
-                self.road.held.push(Held::Touching(j, T::leading(|| force.f64()), force.size()));
-            }
-        }
-    }
-
-    /// Sum of the magnitudes of all impulses that strike.
-    fn blows(&self) -> f64 {
-        let blows = self.scene.pushes.iter().filter(|p| p.blow);
-        blows.map(|p| self.n.massive(p.force_n).size()).sum()
-    }
-
-    /// What the moments of all forces about one another come to at most, N m.
-    fn drives(&self) -> f64 {
-        let pushes = self.scene.pushes.iter().filter(|p| !p.blow).map(|p| self.n.massive(p.force_n).size());
-        let couples = self.scene.couples.iter().map(|c| self.n.massive(c.moment_n_m).size());
-        (self.pulls() + pushes.sum::<f64>()) * self.mechanism.size() + couples.sum::<f64>()
-    }
-
-    /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
-    fn tell_blow(&mut self, jumps: &Response<T>) {
-        let all = self.blows();
-        for (j, joint) in self.scene.joints.iter().enumerate() {
-            let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
-            let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
-                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
-                continue;
-            };
-            for (quantity, impulse) in quantities.iter().zip(&impulses) {
-                let impulse = plant!("eom: impulse of a joint", *impulse);
-                self.say_scaled(*quantity, of, impulse, impulse.size() + all);
-            }
-            if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
-                let [pull, all] =
-                    [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
-                self.road.held.push(Held::Jolted(j, pull, all));
-            }
-        }
-    }
-
-    /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
-    fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, f64, f64)>) {
-        let (scene, mechanism) = (self.scene, self.mechanism);
-        let (mut energy, mut heavy) = (T::zero(), 0.0);
-        // The fastest point moves no faster than this share of the leading angle's rate.
-        let fastest = rate.size() * mechanism.size();
-        for (b, body) in scene.bodies.iter().enumerate() {
-            let of = Owner::Body(b);
-            let [vx, vy] = mechanism.velocity(state, b).map(|v| v * rate);
-            let speed = (vx.square() + vy.square()).root();
-            let numbers = self.n.bodies[b];
-            energy = energy + numbers.mass * speed.square();
-            heavy += numbers.mass.size();
-            self.say_scaled(Quantity::V, of, speed, fastest);
-            self.say_scaled(Quantity::VX, of, vx, fastest);
-            self.say_scaled(Quantity::VY, of, vy, fastest);
-            if let Some((response, pulls, _)) = response {
-                let mut seen = mechanism.acceleration(response, b, rate.square());
-                for (a, with) in seen.iter_mut().zip(self.n.carried.iter().flatten()) {
-                    *a = a.balance(plant!("eom: acceleration of the carrier in the plane", *with));
-                }
-                let [ax, ay] = seen;
-                let size = ax.size()
-                    + ay.size()
-                    + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
-                self.say_scaled(Quantity::AX, of, ax, size);
-                self.say_scaled(Quantity::AY, of, ay, size);
-            }
-            if body.turns {
-                let spin = mechanism.spin(state, b) * rate;
-                energy = energy + numbers.inertia * spin.square();
-                self.say_scaled(Quantity::Omega, of, spin.abs(), f64::max(spin.size(), rate.size()));
-                if let Some((response, _, terms)) = response {
-                    let (constant, by_square) = mechanism.turning(response, b);
-                    let alpha = constant.balance(by_square * rate.square());
-                    let own = constant.size() + by_square.size() * rate.square().size();
-                    self.say_scaled(Quantity::Alpha, of, alpha, f64::max(own, terms));
-                }
-            }
-            let points = body.planar.as_ref().map_or(0, |p| p.points.len());
-            for spot in (0..points).map(|point| Spot { body: b, point }) {
-                let [x, y] = mechanism.speed(state, spot).map(|v| v * rate);
-                self.say_scaled(Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root(), fastest);
-            }
-        }
-        let most = f64::max(energy.size(), heavy * fastest * fastest);
-        self.say_scaled(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1), most);
-    }
-
-    /// Momentum and shares of a body on a pin that turns at this rate.
-    fn tell_spin(&mut self, state: &State<T>, rate: T) {
-        let Some(body) = self.pinned else { return };
-        let (of, inertia) = (Owner::Body(body), self.mechanism.inertia(state));
-        self.say(Quantity::AngularMomentum, of, inertia * rate.abs());
-        if !rate.is_zero() {
-            self.say(Quantity::RotationalFraction, Owner::Scene, self.n.bodies[body].inertia / inertia);
-        }
-        if let Some(moment) = couple_on(self.scene, self.n, body)
-            && self.road.course.is_some()
-        {
-            self.say(Quantity::PowerCouple, of, moment * rate);
-        }
-    }
-
-    /// The force of the pin of a body along its axis, toward the pin, and across, positive with a growing angle.
-    fn tell_along(&mut self, state: &State<T>, response: &Response<T>, square: T, [x, y]: [T; 2]) {
-        let (mechanism, Some(body)) = (self.mechanism, self.pinned) else { return };
-        let ([c, s], sense) = (mechanism.axis(state, body), mechanism.sense(body));
-        let scale = x.size() + y.size() + self.pulls();
-        let radial = -(x * c).balance(y * s);
-        let mut across = ((y * c).balance(-(x * s)).signed(sense), scale);
-        // Of a body whose mass sits at its centre it is a small difference, but not of the moments about that.
-        let arm = self.scene.planar(body).map_or_else(T::zero, |p| pose::along(self.n, p.centre));
-        if !arm.is_zero() {
-            let (constant, by_square) = mechanism.turning(response, body);
-            let turning = self.n.bodies[body].inertia * constant.balance(by_square * square);
-            let moment = mechanism.moment(state, body);
-            let size = (moment.size() + turning.size()) / arm.size();
-            if size < scale {
-                across = (moment.balance(-turning) / arm, size);
-            }
-        }
-        self.say_scaled(Quantity::PinRadial, Owner::Body(body), radial, scale);
-        self.say_scaled(Quantity::PinTangential, Owner::Body(body), across.0, across.1);
-    }
-
-    /// Everything at a place, at this rate of the leading angle.
-    fn tell(
-        &mut self,
-        state: &State<T>,
-        response: &Response<T>,
-        (rate, lead): (T, (T, T)),
-        sliding: &[f64],
-    ) -> Result<(), Refusal> {
-        let square = rate.square();
-        // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
-        let size = self.mechanism.size();
-        let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
-        let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
-        // Of a body on a pin its own terms measure them.
-        let terms = if self.pinned.is_some() { self.terms(state) } else { all };
-        self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
-        self.tell_spin(state, rate);
-        self.tell_forces(state, response, square, sliding);
-        Ok(())
-    }
-
-    /// Forces that may cancel wherever a force or an acceleration vanishes.
-    fn pulls(&self) -> f64 {
-        pose::pulls(self.scene, self.n)
-    }
-
-    /// The forces of joints and springs at this square of the rate of the leading angle.
-    fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
-        let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
-        for (j, joint) in scene.joints.iter().enumerate() {
-            let of = Owner::Joint(j);
-            let quantities = joint.kind.forces();
-            let Some(force) = mechanism.reaction(response, j, square) else {
-                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
-                continue;
-            };
-            for (quantity, force) in quantities.iter().zip(&force) {
-                self.say_scaled(*quantity, of, *force, force.size() + pulls);
-            }
-            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [normal]) =
-                (joint.kind, force.as_slice())
-            {
-                let up = pose::upward(pose::direction(self.n, direction_deg));
-                let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
-                let friction = -most.signed(sliding[j]).signed(up);
-                self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
-            }
-            if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
-                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
-                self.tell_along(state, response, square, [x, y]);
-                let force = (x.square() + y.square()).root();
-                self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
-                if self.asked.quantities.has(Quantity::PinAngle) && !force.is_zero() {
-                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
-                }
-            }
-        }
-        for (s, strut) in scene.struts.iter().enumerate() {
-            let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
-            if strut.twists() {
-                self.say_scaled(Quantity::Moment, of, -force, force.size() + pulls * mechanism.size());
-            } else {
-                self.say_scaled(Quantity::SpringForce, of, force, force.size() + pulls);
-            }
-        }
-    }
 }

@@ -1,0 +1,322 @@
+//! What the equations of motion say of joined bodies at a place, with the units put back.
+use crate::num::dd::pow2;
+use crate::num::plant::plant;
+use crate::num::{Dd, Real, gauss, root, trig};
+use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
+use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PANELS, PUSHES, SHORTEST, Teller, look};
+use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
+use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
+use std::cell::Cell;
+
+/// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
+const INDIFFERENT: f64 = 1e-9;
+
+/// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated: what
+/// one span more changes least, for below that rounding grows. Near a dead centre the first spans tell nothing.
+fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> Result<T, Refusal> {
+    const SPANS: i32 = 24;
+    let (mut row, mut best): (Vec<T>, _) = (Vec::new(), (f64::INFINITY, T::zero()));
+    for i in 0..SPANS {
+        let span = widest.scale2(-i);
+        let mut next = vec![(value(at + span)? - value(at - span)?) / span.scale2(1)];
+        for (k, coarse) in row.iter().enumerate() {
+            let finer = next[k];
+            next.push(finer + (finer - *coarse) / T::of(pow2(2 * k as i32 + 2) - 1.0));
+        }
+        if let (Some(before), Some(now)) = (row.last(), next.last()) {
+            let change = (*now - *before).size();
+            if change < best.0 {
+                best = (change, *now);
+            }
+            if gauss::settled(*now, *before, now.size()) {
+                break;
+            }
+        }
+        row = next;
+    }
+    Ok(best.1)
+}
+
+impl<T: Real> Teller<'_, '_, T> {
+    pub fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
+        self.say_scaled(quantity, of, value, value.size());
+    }
+
+    pub fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
+        use Quantity::{AX, AY, VX, VY};
+        let of = match (self.pinned, of) {
+            (Some(body), Owner::Joint(_) | Owner::Strut(_)) => Owner::Body(body),
+            _ => of,
+        };
+        let apart = matches!(quantity, VX | VY | AX | AY) || matches!(of, Owner::Spot(_));
+        if apart && self.pinned.is_some() {
+            return;
+        }
+        if self.asked.quantities.has(quantity) {
+            self.road.said.push(Said::of(self.n, Label { quantity, of }, value, scale));
+        }
+    }
+
+    /// The stable equilibrium toward which the bodies set off from rest, and small oscillations about it: `q'' = A'(q_e) (q - q_e)`.
+    pub fn tell_equilibrium(&mut self, smooth: &[f64]) -> Result<(), Refusal> {
+        let (scene, mechanism) = (self.scene, self.mechanism);
+        let at = |way: T| {
+            let state = mechanism.state(way, true)?;
+            let response = mechanism.respond(&state, smooth)?;
+            Ok::<_, Refusal>((state, response))
+        };
+        let drive = |way: T| Ok(mechanism.leading(&at(way)?.1).0);
+        let sense = drive(T::zero())?.sign();
+        let mut found = (sense == 0.0).then(T::zero);
+        let (mut before, full) = (T::zero(), T::constant(Dd::PI.scale2(1)));
+        while sense != 0.0 && found.is_none() && before.below(full) {
+            let next = before + look();
+            if drive(next.signed(sense))?.signed(sense).sign() <= 0.0 {
+                let way = root::between_values(before, next, false, &|x| {
+                    Ok::<_, Refusal>(drive(x.signed(sense))?.signed(sense))
+                })?;
+                found = Some(way.signed(sense));
+            }
+            before = next;
+        }
+        let stiffness = match found {
+            Some(way) => {
+                // No difference is taken across a place where a spring is met; just there nothing oscillates evenly.
+                let meets = [1.0, -1.0].into_iter().flat_map(|sense| mechanism.meets(sense, (full, look())));
+                let apart = meets.map(|(_, at)| (at - way).abs().scale2(-1));
+                let widest = apart.fold(look(), |one, other| if other.below(one) { other } else { one });
+                let slope = if widest.size() < SHORTEST { T::zero() } else { slope(&drive, way, widest)? };
+                -plant!("eom: slope of the acceleration at equilibrium", slope)
+            }
+            None => T::zero(),
+        };
+        // Where it is indifferent, rounding is left of its stiffness.
+        let nothing = T::of(INDIFFERENT * self.pulls() * mechanism.size());
+        let inertia = mechanism.inertia(&mechanism.state(found.unwrap_or_else(T::zero), true)?);
+        let (Some(way), true) = (found, nothing.below(stiffness * inertia)) else {
+            self.road.course = Some(Course::nowhere());
+            return Ok(());
+        };
+        if LOOKED_THROUGH {
+            self.gets_to(way)?;
+        }
+        if mechanism.overwinds(sense, (way.abs(), look())).is_some() {
+            return Err(Refusal::Unsupported(Unsupported::Overwound));
+        }
+        self.tell_met(&mechanism.meets(sense, (way.abs(), look())), way.abs())?;
+        let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
+        self.say(Quantity::OmegaSmall, of, frequency);
+        self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+        self.say_scaled(Quantity::Phi, of, way.abs(), 1.0);
+        let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
+        for b in 0..scene.bodies.len() {
+            let risen = mechanism.height(&state, b) - mechanism.height(&first, b);
+            self.say_scaled(Quantity::Rise, Owner::Body(b), risen, mechanism.size());
+        }
+        self.tell_forces(&state, &response, T::zero(), smooth);
+        self.watch(&response, T::zero());
+        Ok(())
+    }
+
+    /// Errors: a place on the way at which the bodies cannot pass, as where a linkage locks.
+    pub fn gets_to(&self, way: T) -> Result<(), Refusal> {
+        // So near nothing lies between, and doubles do not resolve how the drive falls off.
+        if way.size() < BESIDE {
+            return Ok(());
+        }
+        let (mechanism, nothing) = (self.mechanism, self.scene.joints.iter().map(|_| 0.0));
+        let begin = mechanism.state(T::zero(), true)?;
+        let motion = Motion {
+            mechanism,
+            start: T::zero(),
+            sense: way.sign(),
+            from: Gain { half_square: T::zero(), factor: mechanism.inertia(&begin) },
+            near: T::zero(),
+            slides: nothing.clone().collect(),
+            rubs: nothing.collect(),
+            meets: mechanism.meets(way.sign(), (way.abs(), look())),
+            panels: Cell::new(PANELS),
+            pendulum: None,
+            fine: Fine::of::<T>(self.scene, false),
+            timed: false,
+        };
+        let motion = motion.set_off(&begin)?;
+        motion.over((T::zero(), motion.variable(way.abs())), motion.from, false, &mut |_, _| Ok(false))?;
+        Ok(())
+    }
+
+    /// Is each spring that only pushes or pulls met on this way, if it does not act from the start?
+    pub fn tell_met(&mut self, meets: &[(usize, T)], way: T) -> Result<(), Refusal> {
+        if !LOOKED_THROUGH {
+            return Ok(());
+        }
+        let begin = self.mechanism.poses(T::zero(), true)?;
+        for s in (0..self.scene.struts.len()).filter(|s| self.scene.struts[*s].acts != Acts::Both) {
+            let first =
+                meets.iter().find(|(strut, _)| *strut == s).map_or(f64::INFINITY, |(_, at)| at.size());
+            let met = if self.mechanism.idles(&begin, s) { first } else { 0.0 };
+            self.road.held.push(Held::Met(s, met, T::leading(|| way.f64())));
+        }
+        Ok(())
+    }
+
+    /// Do the joints that can only push or only pull do so, at this square of the rate?
+    pub fn watch(&mut self, response: &Response<T>, square: T) {
+        for (j, _) in self.scene.joints.iter().enumerate().filter(|(_, j)| j.kind.is_one_sided()) {
+            if let Some(force) = self.mechanism.reaction(response, j, square) {
+                let force = self.n.publish(Quantity::Normal, force[0]);
+                self.road.held.push(Held::Touching(j, T::leading(|| force.f64()), force.size()));
+            }
+        }
+    }
+
+    /// Sum of the magnitudes of all impulses that strike.
+    pub fn blows(&self) -> f64 {
+        let blows = self.scene.pushes.iter().filter(|p| p.blow);
+        blows.map(|p| self.n.massive(p.force_n).size()).sum()
+    }
+
+    /// What the moments of all forces about one another come to at most, N m.
+    pub fn drives(&self) -> f64 {
+        let pushes = self.scene.pushes.iter().filter(|p| !p.blow).map(|p| self.n.massive(p.force_n).size());
+        let couples = self.scene.couples.iter().map(|c| self.n.massive(c.moment_n_m).size());
+        (self.pulls() + pushes.sum::<f64>()) * self.mechanism.size() + couples.sum::<f64>()
+    }
+
+    /// The impulses of the joints at a blow. One that can only push and would have to pull lets go, and the other way round.
+    pub fn tell_blow(&mut self, jumps: &Response<T>) {
+        let all = self.blows();
+        for (j, joint) in self.scene.joints.iter().enumerate() {
+            let (of, quantities) = (Owner::Joint(j), joint.kind.impulses());
+            let Some(impulses) = self.mechanism.reaction(jumps, j, T::zero()) else {
+                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                continue;
+            };
+            for (quantity, impulse) in quantities.iter().zip(&impulses) {
+                let impulse = plant!("eom: impulse of a joint", *impulse);
+                self.say_scaled(*quantity, of, impulse, impulse.size() + all);
+            }
+            if joint.kind.is_one_sided() && impulses[0].below(T::of(-PUSHES * all)) {
+                let [pull, all] =
+                    [impulses[0], T::of(all)].map(|x| self.n.publish(Quantity::Impulse, x).f64());
+                self.road.held.push(Held::Jolted(j, pull, all));
+            }
+        }
+    }
+
+    /// Velocities and energy at this rate of what leads, with the accelerations where they are told.
+    pub fn tell_motion(&mut self, state: &State<T>, rate: T, response: Option<(&Response<T>, f64, f64)>) {
+        let (scene, mechanism) = (self.scene, self.mechanism);
+        let (mut energy, mut heavy) = (T::zero(), 0.0);
+        // The fastest point moves no faster than this share of the leading angle's rate.
+        let fastest = rate.size() * mechanism.size();
+        for (b, body) in scene.bodies.iter().enumerate() {
+            let of = Owner::Body(b);
+            let [vx, vy] = mechanism.velocity(state, b).map(|v| v * rate);
+            let speed = (vx.square() + vy.square()).root();
+            let numbers = self.n.bodies[b];
+            energy = energy + numbers.mass * speed.square();
+            heavy += numbers.mass.size();
+            self.say_scaled(Quantity::V, of, speed, fastest);
+            self.say_scaled(Quantity::VX, of, vx, fastest);
+            self.say_scaled(Quantity::VY, of, vy, fastest);
+            if let Some((response, pulls, _)) = response {
+                let mut seen = mechanism.acceleration(response, b, rate.square());
+                for (a, with) in seen.iter_mut().zip(self.n.carried.iter().flatten()) {
+                    *a = a.balance(plant!("eom: acceleration of the carrier in the plane", *with));
+                }
+                let [ax, ay] = seen;
+                let size = ax.size()
+                    + ay.size()
+                    + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
+                self.say_scaled(Quantity::AX, of, ax, size);
+                self.say_scaled(Quantity::AY, of, ay, size);
+            }
+            if body.turns {
+                let spin = mechanism.spin(state, b) * rate;
+                energy = energy + numbers.inertia * spin.square();
+                self.say_scaled(Quantity::Omega, of, spin.abs(), f64::max(spin.size(), rate.size()));
+                if let Some((response, _, terms)) = response {
+                    let (constant, by_square) = mechanism.turning(response, b);
+                    let alpha = constant.balance(by_square * rate.square());
+                    let own = constant.size() + by_square.size() * rate.square().size();
+                    self.say_scaled(Quantity::Alpha, of, alpha, f64::max(own, terms));
+                }
+            }
+            let points = body.planar.as_ref().map_or(0, |p| p.points.len());
+            for spot in (0..points).map(|point| Spot { body: b, point }) {
+                let [x, y] = mechanism.speed(state, spot).map(|v| v * rate);
+                self.say_scaled(Quantity::V, Owner::Spot(spot), (x.square() + y.square()).root(), fastest);
+            }
+        }
+        let most = f64::max(energy.size(), heavy * fastest * fastest);
+        self.say_scaled(Quantity::KineticEnergy, Owner::Scene, energy.scale2(-1), most);
+    }
+
+    /// Everything at a place, at this rate of the leading angle.
+    pub fn tell(
+        &mut self,
+        state: &State<T>,
+        response: &Response<T>,
+        (rate, lead): (T, (T, T)),
+        sliding: &[f64],
+    ) -> Result<(), Refusal> {
+        let square = rate.square();
+        // Where all vanish by symmetry, what falls freely over such a distance is left to measure them by.
+        let size = self.mechanism.size();
+        let free = if size > 0.0 { self.n.gravity.size() / size } else { 0.0 };
+        let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
+        // Of a body on a pin its own terms measure them.
+        let terms = if self.pinned.is_some() { self.terms(state) } else { all };
+        self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
+        self.tell_spin(state, rate);
+        self.tell_forces(state, response, square, sliding);
+        Ok(())
+    }
+
+    /// Forces that may cancel wherever a force or an acceleration vanishes.
+    pub fn pulls(&self) -> f64 {
+        pose::pulls(self.scene, self.n)
+    }
+
+    /// The forces of joints and springs at this square of the rate of the leading angle.
+    pub fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
+        let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let of = Owner::Joint(j);
+            let quantities = joint.kind.forces();
+            let Some(force) = mechanism.reaction(response, j, square) else {
+                self.road.open.extend(quantities.iter().map(|q| Label { quantity: *q, of }));
+                continue;
+            };
+            for (quantity, force) in quantities.iter().zip(&force) {
+                self.say_scaled(*quantity, of, *force, force.size() + pulls);
+            }
+            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [normal]) =
+                (joint.kind, force.as_slice())
+            {
+                let up = pose::upward(pose::direction(self.n, direction_deg));
+                let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
+                let friction = -most.signed(sliding[j]).signed(up);
+                self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);
+            }
+            if let ([x, y, ..], [_, Quantity::PinY, ..]) = (force.as_slice(), quantities) {
+                let [x, y] = [x, y].map(|f| f.cleared(f.size() + pulls));
+                self.tell_along(state, response, square, [x, y]);
+                let force = (x.square() + y.square()).root();
+                self.say_scaled(Quantity::PinForce, of, force, force.size() + pulls);
+                if self.asked.quantities.has(Quantity::PinAngle) && !force.is_zero() {
+                    self.say_scaled(Quantity::PinAngle, of, trig::angle(y, x), pulls / force.size());
+                }
+            }
+        }
+        for (s, strut) in scene.struts.iter().enumerate() {
+            let (of, force) = (Owner::Strut(s), mechanism.tension(state, s));
+            if strut.twists() {
+                self.say_scaled(Quantity::Moment, of, -force, force.size() + pulls * mechanism.size());
+            } else {
+                self.say_scaled(Quantity::SpringForce, of, force, force.size() + pulls);
+            }
+        }
+    }
+}
