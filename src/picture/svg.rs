@@ -11,6 +11,9 @@ const FONTS: &str = "\"Libertinus Serif\",\"STIX Two Text\",\"Times New Roman\",
 /// Font of labels in print: the one that the PDF brings with it.
 const PRINT_FONT: &str = "Libertinus Serif";
 
+/// Pictures higher than this are not shrunk to the 42 mm of a figure in a worked solution.
+const TALL: f64 = 272.0;
+
 /// Labels wider than this are fitted to the width for which room was found.
 const FITTED: f64 = 2.0 * TEXT;
 
@@ -76,12 +79,13 @@ pub fn escaped(text: &str) -> String {
 }
 
 /// The begin of a picture for the screen: size, what it shows for those who do not see it, the element with its style. `id` tells
-/// the pictures of one page apart. The style sheet of a page reads the height, to keep letters large enough in print.
+/// the pictures of one page apart. A tall one has a class of its own, so that its letters stay large enough in print.
 pub fn opening(class: &str, id: &str, size: Vec2, (title, desc): (&str, &str), style: &str) -> String {
     let (id, title, desc) = (escaped(id), escaped(title), escaped(desc));
     let (w, h) = (Px(size.x), Px(size.y));
+    let tall = if size.y > TALL { " tall" } else { "" };
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" style=\"--high:{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{title}</title><desc id=\"{id}-d\">{desc}</desc>{style}\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}{tall}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{title}</title><desc id=\"{id}-d\">{desc}</desc>{style}\n"
     )
 }
 

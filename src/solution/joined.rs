@@ -650,7 +650,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let late = self.steps[self.steps_of[0]..before].iter().map(|s| s.symbol).filter(own).collect();
         let wanted: Vec<SymbolId> = if id == "short" { late } else { springs };
         let sprung = !wanted.is_empty() && !self.springs.is_empty();
-        let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }));
+        let corded = self.joint(|k| matches!(k, JointKind::Cord { .. }))
+            || self.scene.pushes.iter().any(|p| p.toward_m.is_some());
         if !wanted.is_empty() && (corded || !self.springs.is_empty()) {
             let twists = self.scene.struts.iter().all(crate::scene::Strut::twists);
             let name = match (self.springs.is_empty(), self.units.is_empty()) {

@@ -238,8 +238,9 @@ fn judge<P: Real>(
         None => course.sense != 0.0,
     };
     if watched {
-        // Where it sets off is no end of it.
-        let leaves = course.asked.is_some_and(|asked| asked.is_zero());
+        // Where it sets off is no end of it; what moves at the start may end at the speed 0.
+        let stops = matches!(scene.end, End::Speed(..)) && !scene.starts_from_rest();
+        let leaves = course.asked.is_some_and(|asked| asked.is_zero()) && !stops;
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,

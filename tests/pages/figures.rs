@@ -665,7 +665,7 @@ fn a_slack_strap_hangs_between_its_ends_and_a_later_spring_waits() {
     let picture = first_picture(fall);
     assert!(picture.elements.iter().any(|e| e.role == Role::Spring), "no spring");
     assert!(
-        picture.desc.contains("In its way stands a spring of stiffness k = 2000 N/m."),
+        picture.desc.contains("A spring of stiffness k = 2000 N/m stands on its path."),
         "{}",
         picture.desc
     );

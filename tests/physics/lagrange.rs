@@ -914,7 +914,11 @@ impl<'s> System<'s> {
             }
         };
         // Where it is set going is no place at which it ends.
-        let back = s.event == Event::Position && by == 0.0 && !s.start.is_empty();
+        let back = match s.event {
+            Event::Speed => by == law.speed(0.0),
+            Event::TurningPoint => false,
+            _ => by == 0.0,
+        };
         told.reached = time.is_some() && !back;
         told.near_reach = match s.event {
             Event::Travel | Event::Turn | Event::Position => (by.abs() / farthest - 1.0).abs() < 1e-9,
