@@ -1204,8 +1204,12 @@ impl<'a, T: Real> Account<'a, T> {
                 Ok::<_, Refusal>((late(way)?, T::of(1.0) / speed(way)?))
             })
         })?;
-        // The data take part in one step more.
-        Ok(Some(if T::ENCLOSES { way - late(way)? * speed(way)? } else { way }))
+        if !T::ENCLOSES {
+            return Ok(Some(way));
+        }
+        // The data take part in one step more, from where the search has ended.
+        let way = T::constant(way.value());
+        Ok(Some(way - late(way)? * speed(way)?))
     }
 
     /// Are numbers kept account of? A quadrature proves nothing.
