@@ -238,8 +238,9 @@ impl PlaneLayout {
             return;
         }
         let place = |p: Vec2| origin + (axis * p.x + axis.left() * p.y) * self.scale;
-        if let Some(corners) = plate(view, body, planar) {
-            let corners: Vec<Vec2> = corners.into_iter().map(place).collect();
+        let plate = plate(view, body, planar);
+        if let Some(corners) = &plate {
+            let corners: Vec<Vec2> = corners.iter().copied().map(place).collect();
             board.lines(&corners, true, role);
         }
         let [from, to] = span(view, body, planar).map(|x| place(vec2(x, 0.0)));
@@ -256,7 +257,7 @@ impl PlaneLayout {
         match &this.inertia {
             Some(RotaryInertia::Shape(Shape::Rod, _)) => {}
             Some(RotaryInertia::Shape(_, r)) => circles.push((centre, view.of(*r))),
-            _ if !circles.is_empty() || plate(view, body, planar).is_some() => {}
+            _ if !circles.is_empty() || plate.is_some() => {}
             _ => {
                 let square = if mass > 0.0 { (view.inertia(this) / mass).max(0.0) } else { 0.0 };
                 let round = square.sqrt() * self.scale;
@@ -267,7 +268,7 @@ impl PlaneLayout {
         for (centre, radius) in circles {
             board.circle(centre, (radius * self.scale).max(END), role);
         }
-        if plate(view, body, planar).is_none() {
+        if plate.is_none() {
             let (side, on) = (axis.left() * THICK, axis * THICK);
             board.lines(&[from - on + side, to + on + side, to + on - side, from - on - side], true, role);
         }
@@ -313,11 +314,15 @@ fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
     all.fold([f64::INFINITY, -f64::INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
+/// The points of a body that have names, as [`corners`].
+fn named(view: &SceneView, planar: &Planar) -> impl Iterator<Item = Vec2> {
+    planar.points.iter().map(|(_, [x, y])| vec2(along(view, *x), along(view, *y)))
+}
+
 /// The corners between which a body lies: how far along its axis and beside it, m.
 fn corners(view: &SceneView, body: usize, planar: &Planar) -> Vec<Vec2> {
-    let place = |(_, [x, y]): &(String, [Place; 2])| vec2(along(view, *x), along(view, *y));
     let ends = span(view, body, planar).map(|x| vec2(x, 0.0));
-    let named = planar.points.iter().map(place).chain(ends);
+    let named = named(view, planar).chain(ends);
     named.chain(plate(view, body, planar).unwrap_or_default()).collect()
 }
 
@@ -330,8 +335,7 @@ fn plate(view: &SceneView, body: usize, planar: &Planar) -> Option<Vec<Vec2>> {
     if matches!(view.scene.bodies[body].inertia, Some(RotaryInertia::Shape(..))) {
         return None;
     }
-    let place = |(_, [x, y]): &(String, [Place; 2])| vec2(along(view, *x), along(view, *y));
-    let named: Vec<Vec2> = planar.points.iter().map(place).collect();
+    let named: Vec<Vec2> = named(view, planar).collect();
     let centre = along(view, planar.centre);
     let size = named.iter().map(|p| p.norm()).fold(centre.abs(), f64::max);
     if named.iter().all(|p| p.y.abs() < NARROW * size) {
