@@ -238,15 +238,14 @@ fn judge<P: Real>(
         None => course.sense != 0.0,
     };
     if watched {
-        // Where it sets off is no end of it; what moves at the start may end at the speed 0.
-        let stops = matches!(scene.end, End::Speed(..)) && !scene.starts_from_rest();
-        let leaves = course.asked.is_some_and(|asked| asked.is_zero()) && !stops;
+        // Where it sets off is no end of it.
+        let leaves = course.ends_where_it_starts();
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,
             ok: course.reached && !leaves,
             required: asked.f64(),
-            available: course.farthest.f64(),
+            available: if leaves { asked } else { course.farthest }.f64(),
             margin: match course.asked {
                 _ if leaves => -1.0,
                 Some(_) => margin(course.farthest, asked),
