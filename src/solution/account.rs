@@ -1,7 +1,7 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie,
+    AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, SpringTie, Tie,
 };
 use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
 use crate::solution::expr::{
@@ -252,9 +252,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if rolled.is_none() {
             this.name_ratios();
         }
-        if let Some((tie, ks, x0, rigid)) = this.scene.spring() {
-            let stiffness = this.number(ks, "k_s", "N/m");
-            let stretch = this.number(x0, "x_0", "m");
+        if let Some(SpringTie { tie, stiffness_n_m, stretch_m, rigid, .. }) = this.scene.springs().next() {
+            let stiffness = this.number(stiffness_n_m, "k_s", "N/m");
+            let stretch = this.number(stretch_m, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
                 return unfound();
             };
@@ -971,7 +971,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
     fn middle(&mut self, spring: &CordSpring) -> Result<SymbolId, DerivationStop> {
         if self.shares(&[ForceKind::Kinetic]).is_empty() {
-            return self.get(of_scene(Quantity::XEq));
+            return self.get(of_tie(Quantity::XEq, spring.tie));
         }
         let middle = self.rest_under(spring, &self.drive);
         Ok(self.page.find_once(&[r"x_{\mathrm{m}}"], "m", middle))

@@ -3,7 +3,7 @@
 use crate::figure::names;
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity,
-    RotaryInertia, Slope, Span, Start, Thrown, Tie,
+    RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
 use crate::solution::account::{Account, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored};
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
@@ -627,7 +627,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         }
         if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
             // At an instant the stretch at rest has no symbol.
-            let still = self.get(of_scene(Quantity::XEq)).ok().filter(|_| !self.scene.is_still());
+            let still = self.get(of_tie(Quantity::XEq, spring.tie)).ok().filter(|_| !self.scene.is_still());
             if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
                 let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
                 self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
@@ -944,12 +944,16 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn tell_fastest(&mut self) {
         self.skip_new();
-        let _ = self.get(of_scene(Quantity::XEq));
+        if let Some(spring) = self.spring.clone() {
+            let _ = self.get(of_tie(Quantity::XEq, spring.tie));
+        }
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
             let _ = self.get(of_body(Quantity::VMax, self.lead().body));
-            if let (Some(spring), Ok(rest)) = (self.spring.clone(), self.get(of_scene(Quantity::XEq))) {
+            if let Some(spring) = self.spring.clone()
+                && let Ok(rest) = self.get(of_tie(Quantity::XEq, spring.tie))
+            {
                 let (k, x) = (&spring.stiffness, &spring.stretch);
                 let pull = in_sense(-(k * spring.gamma.by(rest)), self.sense);
                 let works = stored(k, x, &rest.into()) - k * rest * (x - rest);
@@ -1015,7 +1019,8 @@ impl<'d, 'a> Account<'d, 'a> {
         if first || self.short == Short::Together && self.m.one {
             self.tell_frictions();
         }
-        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.still())
+        if let (Some(SpringTie { tie, .. }), true) =
+            (self.scene.springs().next(), self.spring.is_none() || self.still())
             && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
         {
             self.say("motion.spring_there", &[("pull", &self.chained(pull))]);

@@ -35,7 +35,7 @@ pub fn fill_drive<P: Real>(
     let balanced = scene.starts_from_rest() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
     if balanced {
         let held =
-            scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
+            scene.is_sprung() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
         regime.motion = if held { Motion::Rest } else { Motion::Balanced };
         for (_, word) in words.iter_mut().filter(|(l, _)| l.quantity == Quantity::Direction) {
             *word = Word::Stays;
@@ -304,7 +304,7 @@ fn judge<P: Real>(
             (_, true, _) => Motion::SwingsOk,
             _ => Motion::SwingsUnreachable,
         }
-    } else if scene.spring().is_some() {
+    } else if scene.is_sprung() {
         let [ok, turning_point, unreachable] = match (sloped, upward > 0.0) {
             (true, true) => [Motion::UpOk, Motion::UpTurningPoint, Motion::UpUnreachable],
             (true, false) => [Motion::DownOk, Motion::DownTurningPoint, Motion::DownUnreachable],
