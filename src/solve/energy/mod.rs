@@ -564,19 +564,23 @@ impl<'a, T: Real> Ledger<'a, T> {
         let given = powers.iter().filter(given);
         let size = given.clone().fold(0.0, |sum, p| sum + p.power.size());
         let given = given.fold(T::zero(), |sum, p| sum + p.power).cleared(size);
-        let Some(stiff) = stores.iter().map(|k| k.stiffness * k.lost.square()).reduce(|a, b| a + b) else { return };
-        if stiff.is_zero() {
+        if stores.iter().all(|k| k.lost.is_zero()) {
             return;
         }
-        // Over the way to it a spring keeps of its stretch what the others do not take.
-        let stretch = |i: usize| {
-            let own = stores[i];
-            let others = stores.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, k)| {
-                k.stiffness * k.lost * (k.lost * own.stretch).balance(-(own.lost * k.stretch))
-            });
-            others.fold(T::zero(), T::balance).balance(-(own.lost * given)) / stiff
+        let stretch = |own: &Store<T>| {
+            if own.lost.is_zero() {
+                return own.stretch;
+            }
+            // Power per stretch that it loses, and what the other springs give with its own stretch.
+            let (mut per, mut power) = (own.stiffness * own.lost, -given);
+            for k in stores.iter().filter(|k| k.tie != own.tie) {
+                let (push, share) = (k.stiffness * k.lost, k.lost / own.lost);
+                per = per + push * share;
+                power = power.balance(push * (share * own.stretch).balance(-k.stretch));
+            }
+            power / per
         };
-        let at_rest: Pulls<T> = (0..stores.len()).map(stretch).collect();
+        let at_rest: Pulls<T> = stores.iter().map(stretch).collect();
         let taut = |least: f64| stores.iter().zip(&at_rest).all(|(k, x)| k.rigid || x.sign() >= least);
         if !taut(0.0) {
             return;
@@ -586,6 +590,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         if !self.mode.of(self.end).is_zero() && self.scene.oscillates() && taut(1.0) {
             // What the springs store in a displacement is what moves at the place of rest.
+            let stiff = stores.iter().map(|k| k.stiffness * k.lost.square()).fold(T::zero(), |a, b| a + b);
             let frequency = plant!("energy: frequency of small oscillations", (stiff / doubled).root());
             let of = Owner::Body(self.end.body);
             self.say(Quantity::OmegaSmall, of, frequency);

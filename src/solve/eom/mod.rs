@@ -290,16 +290,25 @@ fn equilibrium<T: Real>(
         take_up(n, &s.end, |degree| response.acceleration(Coordinate { body: s.end.body, degree }, column))
     };
     let lost: Pulls<T> = springs.iter().map(lost).collect();
-    let stiff = |j: usize| response.acceleration(c, VARYING + j) * springs[j].stiffness;
-    let sum = |of: &dyn Fn(usize) -> T| (0..springs.len()).map(of).fold(T::zero(), T::balance);
-    let whole = sum(&|j| stiff(j) * lost[j]);
+    let coast = response.acceleration(c, CONSTANT);
     let stretch = |i: usize| {
-        // What the others would leave of its own stretch, without a difference from itself.
-        let others = sum(&|j| match i == j {
-            true => T::zero(),
-            false => stiff(j) * (lost[j] * springs[i].stretch).balance(-(lost[i] * springs[j].stretch)),
-        });
-        others.balance(-(lost[i] * response.acceleration(c, CONSTANT))) / whole
+        let own = springs[i];
+        if lost[i].is_zero() {
+            return own.stretch;
+        }
+        // Acceleration per stretch that it loses, and that by the other springs with its own stretch.
+        let (mut per, mut others) = (T::zero(), T::zero());
+        for (j, spring) in springs.iter().enumerate() {
+            let pull = response.acceleration(c, VARYING + j) * spring.stiffness;
+            if i == j {
+                per = per + pull;
+                continue;
+            }
+            let share = lost[j] / lost[i];
+            per = per + pull * share;
+            others = others.balance(pull * (share * own.stretch).balance(-spring.stretch));
+        }
+        others.balance(-coast) / per
     };
     (0..springs.len()).map(stretch).collect()
 }
