@@ -985,7 +985,14 @@ impl<'d, 'a> Account<'d, 'a> {
         self.together_as = vec![(stiffness, stiff), (stretch, pull / stiffness)];
         let tie = springs.first()?.tie;
         let (stiffness, stretch) = (stiffness.into(), stretch.into());
-        Some(CordSpring { tie, stiffness, stretch, rigid: true, gamma: Factors::of(&ONE).signed(sense), tension })
+        Some(CordSpring {
+            tie,
+            stiffness,
+            stretch,
+            rigid: true,
+            gamma: Factors::of(&ONE).signed(sense),
+            tension,
+        })
     }
 
     /// The pull of each spring at this stretch of [`Account::spring`].
@@ -1369,7 +1376,8 @@ impl<'d, 'a> Account<'d, 'a> {
                     return Ok(ZERO);
                 }
                 let rest = self.rest_under(&spring, &given);
-                let one_of_several = |s: &&CordSpring| self.springs.len() > 1 && label.of == Owner::Tie(s.tie);
+                let one_of_several =
+                    |s: &&CordSpring| self.springs.len() > 1 && label.of == Owner::Tie(s.tie);
                 Ok(match self.springs.iter().find(one_of_several) {
                     Some(own) => &own.stretch - own.gamma.by((&spring.stretch - rest).over(&spring.gamma)),
                     None => rest,
@@ -1630,7 +1638,8 @@ impl<'d, 'a> Account<'d, 'a> {
             self.page.draft.symbols.unknown_like(&tex, of)
         };
         let symbol = there(now);
-        let all: Vec<(CordSpring, SymbolId)> = springs.into_iter().map(|s| (s.clone(), there(s.tension))).collect();
+        let all: Vec<(CordSpring, SymbolId)> =
+            springs.into_iter().map(|s| (s.clone(), there(s.tension))).collect();
         for (own, tension) in &all {
             let stretch = if all.len() > 1 { &own.stretch - own.gamma.by(s) } else { self.stretch_at(s) };
             self.step(*tension, &own.stiffness * stretch);
@@ -1638,7 +1647,8 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(tension) = all.first().map(|(_, tension)| *tension) else { return unfound() };
         match self.closed_friction(body) {
             Some(closed) => {
-                let is = all.iter().fold(closed.expr(), |is, (own, there)| is.put(own.tension, &(*there).into()));
+                let is =
+                    all.iter().fold(closed.expr(), |is, (own, there)| is.put(own.tension, &(*there).into()));
                 self.settle(symbol, &is);
             }
             None => {

@@ -5,7 +5,9 @@ use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity,
     RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
-use crate::solution::account::{Account, CordSpring, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored};
+use crate::solution::account::{
+    Account, CordSpring, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored,
+};
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
@@ -1046,9 +1048,8 @@ impl<'d, 'a> Account<'d, 'a> {
             // One place on the way, not that at the end.
             let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
-            let law = |s: &CordSpring| {
-                self.stated(s.tension, &(&s.stiffness * (&s.stretch - s.gamma.by(s_now))))
-            };
+            let law =
+                |s: &CordSpring| self.stated(s.tension, &(&s.stiffness * (&s.stretch - s.gamma.by(s_now))));
             let laws: Vec<String> = self.springs.iter().map(law).collect();
             let s_now = self.names(&[s_now]);
             self.say("motion.spring", &[("law", &laws.join(", ")), ("s", &s_now)]);

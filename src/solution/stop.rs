@@ -92,7 +92,8 @@ mod tests {
     #[test]
     fn everything_that_is_not_covered_has_words() {
         for words in Words::languages().filter_map(Words::of) {
-            let alone = [Beyond::GrowingForce, Beyond::Mechanism, Beyond::Next, Beyond::Slack, Beyond::Unfound];
+            let alone =
+                [Beyond::GrowingForce, Beyond::Mechanism, Beyond::Next, Beyond::Slack, Beyond::Unfound];
             for what in alone.into_iter().chain([Beyond::Quantity(Quantity::V), Beyond::Differs(Quantity::V)])
             {
                 assert!(what.text(&words).len() > 9, "{what:?}");

@@ -6,8 +6,8 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, SpringTie, Taken,
-    Term, admissible, pose,
+    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene,
+    SpringTie, Taken, Term, admissible, pose,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;

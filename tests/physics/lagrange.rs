@@ -1195,7 +1195,9 @@ impl<'s> System<'s> {
         }
         // Where nothing accelerates, sliding friction left out.
         let mode = self.modes(&self.contacts.iter().map(Contact::loose).collect::<Vec<_>>());
-        if let Some(mode) = mode.first().filter(|m| self.springs.iter().any(|s| inner(&s.row, m).abs() > NOTHING)) {
+        if let Some(mode) =
+            mode.first().filter(|m| self.springs.iter().any(|s| inner(&s.row, m).abs() > NOTHING))
+        {
             let gamma: Vec<f64> = self.springs.iter().map(|s| inner(&s.row, mode)).collect();
             let sum = |of: &dyn Fn(&Spring, f64) -> f64| -> f64 {
                 self.springs.iter().zip(&gamma).map(|(s, g)| of(s, *g)).sum()
@@ -1208,7 +1210,10 @@ impl<'s> System<'s> {
             let at_rest: Vec<f64> = self.springs.iter().zip(&gamma).map(|(s, g)| s.x0 - g * moved).collect();
             let small = |s: &Spring, x: f64| x.abs() < 1e-12 * (s.x0.abs() + forces / s.ks);
             let stretched = |least: bool| {
-                self.springs.iter().zip(&at_rest).all(|(s, x)| s.rigid || if small(s, *x) { !least } else { *x > 0.0 })
+                self.springs
+                    .iter()
+                    .zip(&at_rest)
+                    .all(|(s, x)| s.rigid || if small(s, *x) { !least } else { *x > 0.0 })
             };
             if stretched(false) {
                 for (s, x) in self.springs.iter().zip(&at_rest) {

@@ -202,7 +202,8 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
     let [before, now]: [Vec<SpringTie>; 2] = [first, &*hand.next].map(|s| s.springs().collect());
     for spring in &before {
         let same = |s: &&SpringTie| named(hand.next, s.tie) == named(first, spring.tie);
-        let Some(now) = now.iter().find(same).or(now.first().filter(|_| now.len() + before.len() == 2)) else {
+        let Some(now) = now.iter().find(same).or(now.first().filter(|_| now.len() + before.len() == 2))
+        else {
             continue;
         };
         let now = now.tie;

@@ -203,13 +203,7 @@ fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Pulls<T> {
 }
 
 /// Rates of the modes from their power balances, and their sum as one motion.
-fn drive<T: Real>(
-    scene: &Scene,
-    n: &Numbers<T>,
-    modes: &[Mode<T>],
-    friction: &[T],
-    pulls: &[T],
-) -> Mode<T> {
+fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[T], pulls: &[T]) -> Mode<T> {
     let m = modes.len();
     let mut rows = Equations::new(m);
     for a in modes {

@@ -701,7 +701,8 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         // A tension falls or grows all the way until its cord is slack: what hangs on all of them has its extremes there, at the start
         // and at the end of what is looked at.
-        let slack = travel.legs.iter().skip(1).map(|leg| leg.from).filter(|at| last.is_none_or(|s| at.below(s)));
+        let slack =
+            travel.legs.iter().skip(1).map(|leg| leg.from).filter(|at| last.is_none_or(|s| at.below(s)));
         let places = std::iter::once(zero).chain(slack).chain(last);
         let pulls: SmallVec<[Pulls<T>; 3]> = places.map(|s| self.pulls_at(s)).collect();
         self.grip(&pulls);
