@@ -239,6 +239,8 @@ struct Spring<T> {
     end: CordEnd,
     /// Stretch lost per metre of the way.
     lost: T,
+    /// Stretch at equilibrium, friction of sliding left out; `None` where no spring moves anything.
+    rest: Option<T>,
 }
 
 impl<T: Real> Spring<T> {
@@ -271,21 +273,15 @@ fn take_up<T: Real>(n: &Numbers<T>, end: &CordEnd, travel: impl Fn(Degree) -> T)
     centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
 }
 
-/// Stretch of each spring where the forces balance: of any coordinate that a spring moves, the ending one first. None where no spring
-/// moves anything.
-fn equilibrium<T: Real>(
-    scene: &Scene,
-    n: &Numbers<T>,
-    springs: &[Spring<T>],
-    response: &Response<T>,
-) -> Pulls<T> {
+/// Finds the stretch of each spring where the forces balance: on any coordinate that a spring moves, the ending one first.
+fn equilibrium<T: Real>(scene: &Scene, n: &Numbers<T>, springs: &mut [Spring<T>], response: &Response<T>) {
     let columns = VARYING..VARYING + springs.len();
     let mut coordinates = std::iter::once(scene.ending_coordinate()).chain(scene.coordinates());
     let moved = coordinates.find_map(|c| {
         let column = columns.clone().find(|k| !response.acceleration(c, *k).is_zero())?;
         Some((c, column))
     });
-    let Some((c, column)) = moved else { return Pulls::new() };
+    let Some((c, column)) = moved else { return };
     let lost = |s: &Spring<T>| {
         take_up(n, &s.end, |degree| response.acceleration(Coordinate { body: s.end.body, degree }, column))
     };
@@ -310,7 +306,8 @@ fn equilibrium<T: Real>(
         }
         others.balance(-coast) / per
     };
-    (0..springs.len()).map(stretch).collect()
+    let rest: Pulls<T> = (0..springs.len()).map(stretch).collect();
+    springs.iter_mut().zip(rest).for_each(|(spring, rest)| spring.rest = Some(rest));
 }
 
 /// Responses with one slipping contact taken as rolling.
@@ -327,8 +324,6 @@ struct Walk<'a, T: Real> {
     early: Option<T>,
     /// Did it turn before its end? Its way is then not the distance between its ends.
     turned: bool,
-    /// Stretch of each spring at equilibrium, friction of sliding left out.
-    x_eq: Pulls<T>,
     /// For each contact that is said to slip: as if it rolled.
     rolled: Rolled<T>,
     /// With all that slides held where it comes to rest, if the end says that it stays there.
@@ -357,9 +352,17 @@ impl<'a, T: Real> Walk<'a, T> {
         let started = given.is_some();
         let numbers = scene.springs().map(|s| {
             let (stiffness, stretch) = (n.massive(s.stiffness_n_m), n.get(s.stretch_m));
-            Spring { tie: s.tie, stiffness, stretch, rigid: s.rigid, end: s.from, lost: T::zero() }
+            Spring {
+                tie: s.tie,
+                stiffness,
+                stretch,
+                rigid: s.rigid,
+                end: s.from,
+                lost: T::zero(),
+                rest: None,
+            }
         });
-        let springs: SmallVec<[Spring<T>; 1]> = numbers.collect();
+        let mut springs: SmallVec<[Spring<T>; 1]> = numbers.collect();
         let first: Pulls<T> = springs.iter().map(|s| s.stiffness * s.stretch).collect();
         let mut setting = Setting {
             grip: Grip::AllRoll,
@@ -370,7 +373,7 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let mut response = respond(scene, &n, &setting)?;
         let total = |r: &Response<T>, c: Coordinate| under(&first, |k| r.acceleration(c, k));
-        let x_eq = equilibrium(scene, &n, &springs, &response);
+        equilibrium(scene, &n, &mut springs, &response);
         // Velocity of a coordinate at the start: as a unit force on the one that is given would set it off.
         let velocity = |r: &Response<T>, c: Coordinate| match given {
             Some((known, v)) => {
@@ -544,7 +547,6 @@ impl<'a, T: Real> Walk<'a, T> {
             early: None,
             turned: false,
             springs,
-            x_eq,
             rolled,
             holding: holding.flatten(),
             response,
@@ -655,13 +657,13 @@ impl<'a, T: Real> Walk<'a, T> {
             Some(Heading::Back) => sense > 0.0,
             None => false,
         };
-        let rest = std::mem::take(&mut self.x_eq);
-        let at_rest: SmallVec<[(Spring<T>, T); 1]> = self.springs.iter().copied().zip(rest).collect();
-        if at_rest.iter().all(|(s, x_eq)| x_eq.sign() >= 0.0 || s.rigid) {
-            for (spring, x_eq) in &at_rest {
-                self.say(Quantity::XEq, Owner::Tie(spring.tie), *x_eq);
+        if self.rests(0.0) {
+            for spring in self.springs.clone() {
+                if let Some(rest) = spring.rest {
+                    self.say(Quantity::XEq, Owner::Tie(spring.tie), rest);
+                }
             }
-            self.small_oscillations(&at_rest);
+            self.small_oscillations();
         }
         self.contacts_if_rolled();
         if !self.scene.growths.is_empty() {
@@ -703,8 +705,10 @@ impl<'a, T: Real> Walk<'a, T> {
         // and at the end of what is looked at.
         let slack =
             travel.legs.iter().skip(1).map(|leg| leg.from).filter(|at| last.is_none_or(|s| at.below(s)));
-        let places = std::iter::once(zero).chain(slack).chain(last);
-        let pulls: SmallVec<[Pulls<T>; 3]> = places.map(|s| self.pulls_at(s)).collect();
+        let mut pulls = vec![pulls0.clone()];
+        for s in slack.chain(last) {
+            pulls.push(self.pulls_at(s));
+        }
         self.grip(&pulls);
         if let (true, Some(s)) = (reached, s) {
             for spring in self.springs.clone() {
@@ -768,19 +772,31 @@ impl<'a, T: Real> Walk<'a, T> {
                 None => Leg { from: T::zero(), f: a0.signed(sense), w2 },
             }
         };
-        let mut slack: SmallVec<[T; 2]> = self.springs.iter().filter_map(Spring::slack).collect();
-        slack.sort_by(|a, b| a.f64().total_cmp(&b.f64()));
-        std::iter::once(None).chain(slack.into_iter().map(Some)).map(leg).collect()
+        let (mut legs, mut from) = (smallvec![leg(None)], None);
+        let next = |from: Option<T>| {
+            let ahead = self.springs.iter().filter_map(Spring::slack);
+            let ahead = ahead.filter(|at| from.is_none_or(|from| from.below(*at)));
+            ahead.reduce(|one, other| if other.below(one) { other } else { one })
+        };
+        while let Some(at) = next(from) {
+            from = Some(at);
+            legs.push(leg(from));
+        }
+        legs
+    }
+
+    /// Are all springs stretched at equilibrium, or can push, if they stand there at all? At the least not compressed (0), or more (1).
+    fn rests(&self, least: f64) -> bool {
+        self.springs.iter().all(|s| s.rigid || s.rest.is_none_or(|rest| rest.sign() >= least))
     }
 
     /// Small oscillations about equilibrium, where nothing rubs and the cords stay taut: `a = -omega^2 s`.
-    fn small_oscillations(&mut self, at_rest: &[(Spring<T>, T)]) {
+    fn small_oscillations(&mut self) {
         let held = self.response.acceleration(self.end, self.ratio_column).is_zero();
-        let taut = at_rest.iter().all(|(spring, x_eq)| spring.rigid || x_eq.sign() > 0.0);
-        if held || !self.scene.oscillates() || !taut {
+        if held || !self.scene.oscillates() || !self.rests(1.0) {
             return;
         }
-        let loss = at_rest.iter().enumerate().map(|(i, (spring, _))| {
+        let loss = self.springs.iter().enumerate().map(|(i, spring)| {
             let pull = self.response.acceleration(self.end, VARYING + i);
             spring.stiffness * pull * self.take_up(&spring.end)
         });
