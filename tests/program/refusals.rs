@@ -840,6 +840,31 @@ fn a_period_about_an_equilibrium_can_be_measured() {
     assert!(told["quantities"]["phi"]["bound"].as_f64().unwrap() < 1e-13, "{}", ran.out);
 }
 
+/// The greatest acceleration of a truck on which a crate does not tip, `A = g b / (2 h)`: the force on the front edge is measured to be 0,
+/// and rounding does not decide whether that presses.
+#[test]
+fn a_force_may_be_measured_to_be_nothing() {
+    let room = Room::new();
+    let crate_on = |mass: &str| {
+        constant(
+            "N, draw: always 0, measured: F.normal}, A: {name: A, unit: m/s^2, unknown: 1 to 9 step 0.1",
+            &format!(
+                "bodies: {{crate: {{mass: {mass} kg, moment of inertia: 5 kg*m^2, moves: in the plane, angle: from up counter-clockwise, mass centre: 1 m, placed: [0 m, 0 m], points: {{F: [0 m, -0.3 m], R: [0 m, 0.3 m]}}}}}}\n\
+                 carried: {{along: horizontal, acceleration: A}}\n\
+                 joints:\n  F: {{guides: crate.F, along: horizontal, pushes: up}}\n  R: {{pins: crate.R, at: [-0.3 m, 0 m]}}\n\
+                 start: {{crate: {{angle: 0 deg}}}}\nend: at once"
+            ),
+            "{value: A, ask: the acceleration, unit: m/s^2}",
+        )
+    };
+    for mass in ["40", "37", "23.4", "61.3"] {
+        fs::write(room.path("bank.yaml"), crate_on(mass)).unwrap();
+        let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert_eq!(ran.exit, Exit::Fine, "{mass}: {}{}", ran.out, ran.err);
+        assert!(ran.out.contains("2.94300000000"), "{}", ran.out);
+    }
+}
+
 /// What an instructor is told of questions the other way round, of units within an expression, and of coefficients.
 #[test]
 fn what_misled_an_instructor_is_told_plainly() {
