@@ -3,9 +3,6 @@ use crate::num::{Dd, Real};
 use crate::scene::{End, Heading, Label, Line, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Check, CheckKind, Course, Held, Motion, Regime, Road, Throw, Word};
 
-/// Share of the greatest force up to which a force is 0 that was measured to be 0.
-const JUST: f64 = 1e-12;
-
 fn margin<P: Real>(available: P, required: P) -> f64 {
     let larger = available.size().max(required.size());
     if larger == 0.0 {
@@ -228,13 +225,7 @@ fn check<P: Real>(scene: &Scene, held: &Held<P>, checks: &mut Vec<Check>) {
         Held::Pressed(body, normal) => positive(CheckKind::Pressed, body, normal, 1.0),
         Held::Touching(joint, least, most) => {
             let pushes = scene.joints[joint].kind.only_pushes();
-            let kind = if pushes { CheckKind::Pressed } else { CheckKind::Taut };
-            let normal = Label { quantity: Quantity::Normal, of: Owner::Joint(joint) };
-            // A force that is measured to be 0 is at its limit, and rounding decides nothing.
-            let measured = scene.formulas.found.as_ref().is_some_and(|found| found.label == normal);
-            let just = measured && least.abs() <= JUST * most;
-            let check = positive(kind, joint, if just { 0.0 } else { least }, least / most);
-            if just { Check { ok: true, margin: 0.0, ..check } } else { check }
+            positive(if pushes { CheckKind::Pressed } else { CheckKind::Taut }, joint, least, least / most)
         }
         Held::Jolted(joint, impulse, all) => positive(CheckKind::HoldsBlow, joint, impulse, impulse / all),
         Held::Cord(tie, tension, share) => positive(CheckKind::Taut, tie, tension, share),
