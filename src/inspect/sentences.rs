@@ -71,8 +71,8 @@ fn moves(scene: &Scene, c: &Check) -> String {
                 && scene.joints.iter().any(|j| j.kind.rubs().is_some()) =>
         {
             format!(
-                "the {body} does not move as declared: friction holds it at rest; what holds it then is told of a pin: write \
-                 `pins:` for the guide that is rough"
+                "the {body} does not move as declared: friction holds it at rest; for the forces that hold it write `pins:` in place of \
+                 the rough guide"
             )
         }
         false => format!(
