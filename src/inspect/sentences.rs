@@ -519,10 +519,10 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         ),
         Refusal::IdleSide { body, with } => {
             let why = with.map_or_else(
-                || "there is one place for it; take it away".to_owned(),
-                |with| format!("it is placed together with `{}`; write it there", name(with)),
+                || "decides nothing: there is one place for it; take it away".to_owned(),
+                |with| format!("contradicts that in `{}`: the two are placed together; write it in one of them", name(with)),
             );
-            format!("`side:` in `{}` decides nothing: {why}", name(*body))
+            format!("`side:` in `{}` {why}", name(*body))
         }
         Refusal::Unbridged { gap: Gap { body, other, apart_m, bridged_m }, at_start } => {
             let (with, it, bridge) = match other {

@@ -334,6 +334,10 @@ enum Step<T> {
 }
 
 impl<T: Real> Step<T> {
+    /// The body that it places besides.
+    const fn partner(&self) -> Option<usize> {
+        if let Self::Pair(_, other, ..) = self { Some(*other) } else { None }
+    }
     /// The other place that the joints leave the body, if they leave two, and the point that tells them apart.
     fn other_side(self) -> Option<(Self, [T; 2])> {
         Some(match self {
@@ -624,19 +628,22 @@ impl<'a, T: Real> Layout<'a, T> {
         };
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
     }
-    /// The first body whose side is told and decides nothing, and with which it is placed, if that one's side decides.
+    /// The first body whose side is told and decides nothing, or contradicts that of this one, with which it is placed.
     pub fn idle_side(&self) -> Option<(usize, Option<usize>)> {
-        let told = |body: &usize| self.scene.planar(*body).is_some_and(|planar| planar.side.is_some());
+        let side = |body: usize| self.scene.planar(body)?.side;
         let plans = [true, false].map(|at_start| self.plan(at_start));
         let steps = || plans.iter().flatten().flat_map(|steps| steps.iter());
-        let idle = |body: &usize| !steps().any(|(own, step)| own == body && step.other_side().is_some());
-        let idle =
-            (0..self.scene.bodies.len()).filter(told).find(idle).filter(|_| steps().next().is_some())?;
-        let with = steps().find_map(|(own, step)| match step {
-            Step::Pair(_, other, ..) if *other == idle => Some(*own),
-            _ => None,
+        let clash = steps().find_map(|(own, step)| {
+            let other = step.partner()?;
+            let [one, two] = [side(*own)?, side(other)?];
+            (one != two).then_some((other, Some(*own)))
         });
-        Some((idle, with))
+        let idle = |body: &usize| {
+            let decides = |own: &usize, step: &Step<T>| own == body || step.partner() == Some(*body);
+            let open = |(own, step): &(usize, Step<T>)| step.other_side().is_some() && decides(own, step);
+            side(*body).is_some() && steps().next().is_some() && !steps().any(open)
+        };
+        clash.or_else(|| (0..self.scene.bodies.len()).find(idle).map(|body| (body, None)))
     }
     /// The first body that does not lie at the angle at the start that is told of it, that angle, and that at which it lies, degrees.
     pub fn tilted(&self, poses: &Poses<T>) -> Option<(usize, [f64; 2])> {
@@ -770,7 +777,11 @@ impl<'a, T: Real> Layout<'a, T> {
         let Some(steps) = self.plan(still) else { return Vec::new() };
         let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
         let all = steps.iter().filter_map(|(body, step)| {
-            let planar = self.scene.planar(*body).filter(|p| p.side.is_none())?;
+            let planar = self.scene.planar(*body)?;
+            let open = |body: usize| self.scene.planar(body).is_none_or(|planar| planar.side.is_none());
+            if !open(*body) || !step.partner().is_none_or(open) {
+                return None;
+            }
             let (other, at) = step.other_side()?;
             let there = self.place(T::zero(), &other, &mut poses.clone())?.point(at);
             let here = poses[*body].point(at);
@@ -991,8 +1002,8 @@ impl<'a, T: Real> Layout<'a, T> {
 const SIDES: [f64; 2] = [1.0, -1.0];
 
 /// 1 where a body lies on the side where it lies by default, else -1.
-fn branch(planar: &Planar) -> f64 {
-    if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
+fn branch(side: Option<Branch>) -> f64 {
+    if side == Some(Branch::Behind) { -1.0 } else { 1.0 }
 }
 
 /// Finds the order in which bodies can be placed.
@@ -1005,9 +1016,8 @@ struct Planner<'l, 'a, T: Real> {
 
 impl<'a, T: Real> Planner<'_, 'a, T> {
     fn add(&mut self, body: usize, step: Step<T>) {
-        self.placed[body] = true;
-        if let Step::Pair(_, other, ..) = step {
-            self.placed[other] = true;
+        for placed in [Some(body), step.partner()].into_iter().flatten() {
+            self.placed[placed] = true;
         }
         self.steps.push((body, step));
     }
@@ -1167,7 +1177,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
 
     /// How a body is placed, of two ways the one that is meant; where cords or light rods guide, that in which it is at the start.
     fn sided(&self, body: usize, steps: [Step<T>; 2]) -> Option<Step<T>> {
-        let mut meant = usize::from(branch(self.planar(body)?) < 0.0);
+        let mut meant = usize::from(branch(self.planar(body)?.side) < 0.0);
         if let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) {
             let gaps = steps.map(|step| {
                 let pose = self.layout.place(T::zero(), &step, &mut first.clone());
@@ -1240,7 +1250,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            Some(Step::Pair(held, other.body, far, apart, branch(planar)))
+            let side = planar.side.or(self.planar(other.body)?.side);
+            Some(Step::Pair(held, other.body, far, apart, branch(side)))
         })
     }
 }

@@ -409,7 +409,7 @@ pub enum Refusal {
     Unplaced(usize),
     /// Links of equal opposite sides, which would lie crossed by default.
     Crossed(crate::scene::pose::Choice),
-    /// The side that is told of this body decides nothing; that of the one with which it is placed does.
+    /// The side that is told of this body decides nothing, or contradicts that of the one with which it is placed.
     IdleSide {
         /// Which body.
         body: usize,

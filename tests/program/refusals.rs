@@ -933,8 +933,8 @@ end: at once";
     let too_short = "`rod` cannot be put in place at the start: what holds it is 0.30000 m apart, and it bridges at most 0.10000 m; change the lengths, the angle at the start, or the places of the joints";
     let cases = [
         (
-            side("rocker"),
-            "`side:` in `rocker` decides nothing: it is placed together with `coupler`; write it there",
+            side("rocker").replace("coupler: {", "coupler: {side: behind, "),
+            "`side:` in `rocker` contradicts that in `coupler`: the two are placed together; write it in one of them",
         ),
         (side("crank"), "`side:` in `crank` decides nothing: there is one place for it; take it away"),
         (
