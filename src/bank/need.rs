@@ -19,6 +19,8 @@ type Range = (fn(f64) -> bool, &'static str);
 
 const ANY: Range = (f64::is_finite, "finite");
 const NOT_NEGATIVE: Range = (|x| x.is_finite() && x >= 0.0, "not negative");
+const SENSED: Range = (NOT_NEGATIVE.0, "not negative: `sense: back` turns the other way");
+const DIRECTED: Range = (NOT_NEGATIVE.0, "not negative: its direction says whither it acts");
 const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0");
 const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees");
 const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees");
@@ -39,8 +41,9 @@ impl Need {
     pub const SLOPE: Self = need("a slope", "deg", UP_TO_VERTICAL, "30 deg");
     pub const FRICTION: Self = need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
     pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
-    pub const IMPULSE: Self = need("an impulse", "N*s", NOT_NEGATIVE, "5 N*s");
-    pub const MOMENT: Self = need("a moment", "N*m", NOT_NEGATIVE, "75 N*m");
+    pub const PUSH: Self = need("a force", "N", DIRECTED, "100 N");
+    pub const IMPULSE: Self = need("an impulse", "N*s", DIRECTED, "5 N*s");
+    pub const MOMENT: Self = need("a moment", "N*m", SENSED, "75 N*m");
     pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
     pub const TORSION: Self = need("a stiffness of a torsion spring", "N*m/rad", POSITIVE, "20 N*m/rad");
     pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");

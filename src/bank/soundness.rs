@@ -240,7 +240,14 @@ type SceneRule<'s> = (Option<&'s str>, &'static str, &'static str, &'static str)
 fn tell(rules: &[SceneRule], node: &Node, faults: &Faults) {
     for (who, field, message, hint) in rules {
         let Some(who) = who else { continue };
-        let hint = Some(*hint).filter(|hint| !hint.is_empty()).map(|hint| hint.replace("{}", who));
+        let hint = match *hint {
+            "" => None,
+            start if start.contains("`start:") && node.path.ends_with(".next") => Some(
+                "it starts as the motion before it ends: let its ties leave one freedom, without slip"
+                    .to_owned(),
+            ),
+            hint => Some(hint.replace("{}", who)),
+        };
         faults.maybe(part(node, field), message.replace("{}", who), hint);
     }
 }

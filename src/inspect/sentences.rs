@@ -6,7 +6,7 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
-use crate::scene::pose::{Choice, Layout};
+use crate::scene::pose::{Choice, Gap, Layout};
 use crate::scene::{
     AsIf, Asked, Coordinate, Degree, End, Found, Mass, Num, Numbers, Quantity, Scene, Span, Spot, Tie,
 };
@@ -70,7 +70,10 @@ fn moves(scene: &Scene, c: &Check) -> String {
                 && c.required == 0.0
                 && scene.joints.iter().any(|j| j.kind.rubs().is_some()) =>
         {
-            format!("the {body} does not move as declared: friction holds it at rest")
+            format!(
+                "the {body} does not move as declared: friction holds it at rest; for the forces that hold it write `pins:` in place of \
+                 the rough guide"
+            )
         }
         false => format!(
             "the {body} does not move as declared: the driving force is {} times the resistance, required more than 1",
@@ -496,6 +499,8 @@ fn unsettled(scene: &Scene, Unsettled { value, gap }: &Unsettled) -> String {
 
 /// A refusal of one sentence.
 fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
+    let name = |body: usize| scene.bodies.get(body).map_or("?", |b| b.name.as_str());
+    let when = |at_start| if at_start { "at the start" } else { "on the way" };
     match refusal {
         // Those are several sentences.
         Refusal::Inadmissible(_) | Refusal::NextInadmissible(_) => String::new(),
@@ -515,21 +520,50 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
              be `placed:`"
         ),
         Refusal::Unplaced(index) => format!(
-            "the joints do not place the {} on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
+            "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
              place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
-            body(scene, *index)
+            name(*index)
+        ),
+        Refusal::IdleSide { body, with } => {
+            let why = with.map_or_else(
+                || "decides nothing: there is one place for it; take it away".to_owned(),
+                |with| format!("contradicts that in `{}`: the two are placed together; write it in one of them", name(with)),
+            );
+            format!("`side:` in `{}` {why}", name(*body))
+        }
+        Refusal::Unbridged { gap: Gap { body, other, apart_m, bridged_m }, at_start } => {
+            let (with, it, bridge) = match other {
+                Some(other) => (format!(" and `{}`", name(*other)), "them", "they bridge"),
+                None => (String::new(), "it", "it bridges"),
+            };
+            format!(
+                "`{}`{with} cannot be put in place {}: what holds {it} is {} m apart, and {bridge} at {} {} m; change the lengths, \
+                 the angle at the start, or the places of the joints",
+                name(*body),
+                when(*at_start),
+                figures(*apart_m),
+                if apart_m > bridged_m { "most" } else { "least" },
+                figures(*bridged_m)
+            )
+        }
+        Refusal::Tilted { body, given_deg, follows_deg } => format!(
+            "the start contradicts the joints: it gives the angle of `{}` as {} deg, and they put it at {} deg; leave that angle out \
+             (of two places `side:` says which is meant)",
+            name(*body),
+            figures(*given_deg),
+            figures(*follows_deg)
         ),
         Refusal::Crossed(Choice { at, here, there, .. }) => format!(
             "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
              `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
             point(scene, *at),
             at_place(*here, *there),
-            scene.bodies.get(at.body).map_or("?", |b| &b.name),
+            name(at.body),
             at_place(*there, *here)
         ),
         Refusal::Parted { joint, off_m, at_start } => {
             let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
-            let when = if *at_start { "at the start" } else { "on the way" };
+            let when = when(*at_start);
             format!(
                 "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
                  change the lengths, the angle at the start, `placed:`, or the place of the joint",
@@ -539,7 +573,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
         Refusal::Moved { body, off_m } => format!(
             "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
              joints that place it as they are",
-            scene.bodies.get(*body).map_or("?", |b| &b.name),
+            name(*body),
             figures(*off_m)
         ),
         Refusal::Freedoms(n) => {

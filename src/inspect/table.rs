@@ -212,7 +212,8 @@ pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> S
             _ if regimes.is_empty() => "This is not what the ties say".to_owned(),
             _ => format!("This is not what the problem declares{declared}"),
         };
-        let _ = writeln!(out, "{told}{NUMBERS_OF_TIES}.");
+        let numbers = if solved.entries.is_empty() { "" } else { NUMBERS_OF_TIES };
+        let _ = writeln!(out, "{told}{numbers}.");
     }
     for check in &solved.checks {
         let mark = if check.ok { "holds" } else { "FAILS" };
@@ -266,7 +267,9 @@ pub fn table(
     if let (true, Some(head)) = (numerical, lines.first_mut()) {
         head.push("est. error".to_owned());
     }
-    out.push_str(&terminal::table(&lines, &[0, 2]));
+    if lines.len() > 1 {
+        out.push_str(&terminal::table(&lines, &[0, 2]));
+    }
     if scene.formulas.numbers.iter().any(|n| n.any) {
         out.push_str("What is `any` is taken as 1 kg or 1 m; what depends on it is not shown.\n");
     }

@@ -85,10 +85,9 @@ pub fn mean<T: Real>(values: &[T]) -> T {
 pub fn at<T: Real>(values: &[T], share: T) -> T {
     SHORT.at(values, share)
 }
-/// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
-/// rounding?
-pub fn smooth<T: Real>(values: &[T], share: f64) -> bool {
-    SHORT.rough(values, share, 0.0) <= 1.0
+/// Is what has these values at the nodes of a panel smooth ([`Rule::rough`])?
+pub fn smooth<T: Real>(values: &[T], share: f64, beside: f64) -> bool {
+    SHORT.rough(values, share, beside) <= 1.0
 }
 /// [`Rule::running`] of a panel of [`NODES`] nodes.
 pub fn running<T: Real>(values: &[T]) -> PerNode<T> {

@@ -345,7 +345,16 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
     match fault.rule {
         R::Finite => format!("{told}: must be a finite number"),
         R::Positive => format!("{told}: must be above 0"),
-        R::NotNegative => format!("{told}: must not be below 0"),
+        R::NotNegative => {
+            let way = if scene.couples.iter().any(|c| c.moment_n_m == fault.datum) {
+                ": `sense: back` turns the other way"
+            } else if scene.pushes.iter().any(|p| p.force_n == fault.datum) {
+                ": its direction says whither it acts"
+            } else {
+                ""
+            };
+            format!("{told}: must not be below 0{way}")
+        }
         R::Range => format!(
             "{name} = {value:e}: must be 0 or from {:e} to {:e} in SI units; beyond, products leave the doubles",
             admissible::LEAST,

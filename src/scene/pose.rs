@@ -15,6 +15,7 @@ use crate::scene::{
     Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
+use std::borrow::Cow;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A point of the plane with its derivatives, or a vector.
@@ -102,9 +103,10 @@ fn axis_of<T: Real, X: Followed<T>>(along: [X; 2], d: [T; 2]) -> [X; 2] {
 fn across<T: Real, X: Followed<T>>(direction: [T; 2], axis: [X; 2], at: [T; 2]) -> X {
     component(from_origin(axis, at), direction)
 }
-/// How far two places are apart, along and across together.
+/// How far two places are apart.
 fn off<T: Real>(to: [T; 2], from: [T; 2]) -> f64 {
-    less(to, from).iter().map(|x| x.size()).sum()
+    let [x, y] = less(to, from).map(|x| x.size());
+    (x * x + y * y).sqrt()
 }
 /// Do two lines never meet?
 fn parallel<T: Real>(one: [T; 2], other: [T; 2]) -> bool {
@@ -264,6 +266,16 @@ enum Known<T> {
     Of(usize, [T; 2]),
 }
 
+impl<T: Real> Known<T> {
+    /// Where it is, as these bodies lie.
+    fn among<X: Followed<T>>(self, poses: &Poses<X>) -> [X; 2] {
+        match self {
+            Self::Fixed(place) => fixed(place),
+            Self::Of(body, at) => poses[body].point(at),
+        }
+    }
+}
+
 /// A point of a body at a known place: how far along and beside its axis, and where.
 #[derive(Debug, Clone, Copy)]
 struct Held<T> {
@@ -321,6 +333,27 @@ enum Step<T> {
     Pair(Held<T>, usize, Held<T>, [[T; 2]; 2], f64),
 }
 
+impl<T: Real> Step<T> {
+    /// The body that it places besides.
+    const fn partner(&self) -> Option<usize> {
+        if let Self::Pair(_, other, ..) = self { Some(*other) } else { None }
+    }
+    /// The other place that the joints leave the body, if they leave two, and the point that tells them apart.
+    fn other_side(self) -> Option<(Self, [T; 2])> {
+        Some(match self {
+            Self::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
+                let at = if one.ring.is_some() { one.at } else { other.at };
+                (Self::Slides([one, other], -branch), at)
+            }
+            Self::Rod(held, guide, branch) => (Self::Rod(held, guide, -branch), guide.at),
+            Self::Pair(held, other, far, own, branch) => {
+                (Self::Pair(held, other, far, own, -branch), plus(held.at, own[0]))
+            }
+            _ => return None,
+        })
+    }
+}
+
 /// What the joints could place in two ways.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choice {
@@ -332,6 +365,19 @@ pub struct Choice {
     pub there: [f64; 2],
     /// Is it a parallelogram there, and crossed here?
     pub crossed: bool,
+}
+
+/// A body that cannot be put between the places that hold it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// The body.
+    pub body: usize,
+    /// The one with which it is hinged in between.
+    pub other: Option<usize>,
+    /// How far those places are apart, m.
+    pub apart_m: f64,
+    /// The most that it bridges, or the least, m.
+    pub bridged_m: f64,
 }
 
 /// The leading body on a cylinder.
@@ -544,10 +590,7 @@ impl<'a, T: Real> Layout<'a, T> {
     pub fn in_line(&self, way: T) -> bool {
         const SINE: f64 = 1e-4;
         let Some(poses) = self.poses::<T>(way, false) else { return false };
-        let place = |held: &Held<T>| match held.place {
-            Known::Fixed(place) => place,
-            Known::Of(body, at) => poses[body].point(at),
-        };
+        let place = |held: &Held<T>| held.place.among(&poses);
         let sine = |one: [T; 2], other: [T; 2]| {
             let size = (dot(one, one) * dot(other, other)).root();
             ((one[0] * other[1] - one[1] * other[0]) / size).size()
@@ -584,6 +627,66 @@ impl<'a, T: Real> Layout<'a, T> {
             }
         };
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })
+    }
+    /// The first body whose side is told and decides nothing, or contradicts that of this one, with which it is placed.
+    pub fn idle_side(&self) -> Option<(usize, Option<usize>)> {
+        let side = |body: usize| self.scene.planar(body)?.side;
+        let plans = [true, false].map(|at_start| self.plan(at_start));
+        let steps = || plans.iter().flatten().flat_map(|steps| steps.iter());
+        let clash = steps().find_map(|(own, step)| {
+            let other = step.partner()?;
+            let [one, two] = [side(*own)?, side(other)?];
+            (one != two).then_some((other, Some(*own)))
+        });
+        let idle = |body: &usize| {
+            let decides = |own: &usize, step: &Step<T>| own == body || step.partner() == Some(*body);
+            let open = |(own, step): &(usize, Step<T>)| step.other_side().is_some() && decides(own, step);
+            side(*body).is_some() && steps().next().is_some() && !steps().any(open)
+        };
+        clash.or_else(|| (0..self.scene.bodies.len()).find(idle).map(|body| (body, None)))
+    }
+    /// The first body that does not lie at the angle at the start that is told of it, that angle, and that at which it lies, degrees.
+    pub fn tilted(&self, poses: &Poses<T>) -> Option<(usize, [f64; 2])> {
+        poses.iter().enumerate().find_map(|(body, pose)| {
+            let planar = self.scene.planar(body)?;
+            let told = self.n.get(planar.start_deg?);
+            let from = planar.from.components().map(T::of);
+            let lies = trig::angle(from[0] * pose.axis[1] - from[1] * pose.axis[0], dot(from, pose.axis));
+            let lies = lies.signed(sense(planar)).f64().to_degrees();
+            let apart = off(pose.axis, axis(planar, &Half::of_degrees(told)));
+            (apart > MET).then(|| (body, [told.f64(), lies]))
+        })
+    }
+    /// The first body that is too short, or too long, for the places that hold it.
+    pub fn unbridged(&self, poses: &Poses<T>, at_start: bool) -> Option<Gap> {
+        let slack = MET * size(self.scene, self.n);
+        self.plan(at_start)?.iter().find_map(|(body, step)| {
+            let (other, apart_m, [one, two], line) = match step {
+                Step::Rod(held, guide, _) => {
+                    let (way, own) =
+                        (less(guide.through, held.place.among(poses)), reach(less(guide.at, held.at)));
+                    let across = match guide.ring {
+                        Some(_) => dot(way, way).root(),
+                        None => dot(left(guide.unit), way),
+                    };
+                    (None, across.size(), [own, guide.ring.unwrap_or_else(T::zero)], guide.ring.is_none())
+                }
+                Step::Pair(held, other, far, own, _) => {
+                    let apart = off(far.place.among(poses), held.place.among(poses));
+                    (Some(*other), apart, own.map(reach), false)
+                }
+                _ => return None,
+            };
+            let [one, two] = [one.size(), two.size()];
+            let (least, most) = (if line { 0.0 } else { (one - two).abs() }, one + two);
+            let bridged_m = if apart_m > most + slack { most } else { least };
+            (apart_m > most + slack || apart_m < least - slack).then_some(Gap {
+                body: *body,
+                other,
+                apart_m,
+                bridged_m,
+            })
+        })
     }
     /// The first joint that does not hold where everything is, and by how much, m: what placed the bodies is not asked. A cord has
     /// the length that it has at the start. There a joint must leave a body where it is said to be placed.
@@ -657,16 +760,10 @@ impl<'a, T: Real> Layout<'a, T> {
     ///
     /// At the start, what is not placed by joints is where its data say.
     pub fn poses<X: Followed<T>>(&self, way: T, at_start: bool) -> Option<Poses<X>> {
-        let start;
-        let steps = if at_start {
-            start = self.planned(true).ok();
-            &start
-        } else {
-            &self.steps
-        };
+        let steps = self.plan(at_start)?;
         let none = [X::still(T::zero()); 2];
         let mut poses: Poses<X> = smallvec![Pose { origin: none, axis: none }; self.scene.bodies.len()];
-        for (body, step) in steps.as_ref()? {
+        for (body, step) in steps.iter() {
             poses[*body] = self.place(way, step, &mut poses)?;
         }
         Some(poses)
@@ -677,22 +774,15 @@ impl<'a, T: Real> Layout<'a, T> {
         // What cords and light rods guide lies as it does at the start.
         let still =
             self.scene.is_still() && self.scene.start_speeds().next().is_none() || self.first.is_some();
-        let steps = if still { self.planned(true).ok() } else { self.steps.clone() };
-        let Some(steps) = steps else { return Vec::new() };
+        let Some(steps) = self.plan(still) else { return Vec::new() };
         let Some(poses) = self.poses::<T>(T::zero(), still) else { return Vec::new() };
         let all = steps.iter().filter_map(|(body, step)| {
-            let planar = self.scene.planar(*body).filter(|p| p.side.is_none())?;
-            let (other, at) = match *step {
-                Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
-                    let at = if one.ring.is_some() { one.at } else { other.at };
-                    (Step::Slides([one, other], -branch), at)
-                }
-                Step::Rod(held, guide, branch) => (Step::Rod(held, guide, -branch), guide.at),
-                Step::Pair(held, other, far, own, branch) => {
-                    (Step::Pair(held, other, far, own, -branch), plus(held.at, own[0]))
-                }
-                _ => return None,
-            };
+            let planar = self.scene.planar(*body)?;
+            let open = |body: usize| self.scene.planar(body).is_none_or(|planar| planar.side.is_none());
+            if !open(*body) || !step.partner().is_none_or(open) {
+                return None;
+            }
+            let (other, at) = step.other_side()?;
             let there = self.place(T::zero(), &other, &mut poses.clone())?.point(at);
             let here = poses[*body].point(at);
             let spot = |point| of_spot(self.scene, self.n, Spot { body: *body, point });
@@ -720,10 +810,7 @@ impl<'a, T: Real> Layout<'a, T> {
         moves: &Held<T>,
         rests: &Held<T>,
     ) -> Option<[T; 2]> {
-        let place = |held: &Held<T>| match held.place {
-            Known::Fixed(place) => place,
-            Known::Of(body, at) => poses[body].point(at),
-        };
+        let place = |held: &Held<T>| held.place.among(poses);
         let Known::Of(link, _) = moves.place else { return None };
         let held = steps.iter().find_map(|(body, step)| match step {
             Step::Leads(held) | Step::Rod(held, ..) | Step::Pair(held, ..) if *body == link => Some(held),
@@ -737,6 +824,14 @@ impl<'a, T: Real> Layout<'a, T> {
         self.planned(at_start).err()
     }
 
+    /// The order in which joints place all bodies; `None` if they do not.
+    fn plan(&self, at_start: bool) -> Option<Cow<'_, Steps<T>>> {
+        if at_start {
+            self.planned(true).ok().map(Cow::Owned)
+        } else {
+            self.steps.as_ref().map(Cow::Borrowed)
+        }
+    }
     /// The order in which joints place all bodies; or else the first that they do not.
     fn planned(&self, at_start: bool) -> Result<Steps<T>, usize> {
         let mut planner = Planner {
@@ -797,10 +892,7 @@ impl<'a, T: Real> Layout<'a, T> {
 
     /// The pose of a body beside those that are placed before it; of a pair the second one is placed too.
     fn place<X: Followed<T>>(&self, way: T, step: &Step<T>, poses: &mut Poses<X>) -> Option<Pose<X>> {
-        let place = |held: &Held<T>, poses: &Poses<X>| match held.place {
-            Known::Fixed(place) => fixed(place),
-            Known::Of(body, at) => poses[body].point(at),
-        };
+        let place = |held: &Held<T>, poses: &Poses<X>| held.place.among(poses);
         let lead = || self.axis(way, T::of(1.0));
         Some(match step {
             Step::Arc(at) => {
@@ -910,8 +1002,8 @@ impl<'a, T: Real> Layout<'a, T> {
 const SIDES: [f64; 2] = [1.0, -1.0];
 
 /// 1 where a body lies on the side where it lies by default, else -1.
-fn branch(planar: &Planar) -> f64 {
-    if planar.side == Some(Branch::Behind) { -1.0 } else { 1.0 }
+fn branch(side: Option<Branch>) -> f64 {
+    if side == Some(Branch::Behind) { -1.0 } else { 1.0 }
 }
 
 /// Finds the order in which bodies can be placed.
@@ -924,9 +1016,8 @@ struct Planner<'l, 'a, T: Real> {
 
 impl<'a, T: Real> Planner<'_, 'a, T> {
     fn add(&mut self, body: usize, step: Step<T>) {
-        self.placed[body] = true;
-        if let Step::Pair(_, other, ..) = step {
-            self.placed[other] = true;
+        for placed in [Some(body), step.partner()].into_iter().flatten() {
+            self.placed[placed] = true;
         }
         self.steps.push((body, step));
     }
@@ -1086,7 +1177,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
 
     /// How a body is placed, of two ways the one that is meant; where cords or light rods guide, that in which it is at the start.
     fn sided(&self, body: usize, steps: [Step<T>; 2]) -> Option<Step<T>> {
-        let mut meant = usize::from(branch(self.planar(body)?) < 0.0);
+        let mut meant = usize::from(branch(self.planar(body)?.side) < 0.0);
         if let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) {
             let gaps = steps.map(|step| {
                 let pose = self.layout.place(T::zero(), &step, &mut first.clone());
@@ -1159,7 +1250,8 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            Some(Step::Pair(held, other.body, far, apart, branch(planar)))
+            let side = planar.side.or(self.planar(other.body)?.side);
+            Some(Step::Pair(held, other.body, far, apart, branch(side)))
         })
     }
 }

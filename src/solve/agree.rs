@@ -1,6 +1,7 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
+use crate::scene::pose::Gap;
 use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
@@ -82,6 +83,10 @@ fn first_in<T: Real>(
     let si = |refusal| match refusal {
         Refusal::Parted { joint, off_m, at_start } => {
             Refusal::Parted { joint, off_m: scales.si("m", off_m), at_start }
+        }
+        Refusal::Unbridged { gap, at_start } => {
+            let [apart_m, bridged_m] = [gap.apart_m, gap.bridged_m].map(|x| scales.si("m", x));
+            Refusal::Unbridged { gap: Gap { apart_m, bridged_m, ..gap }, at_start }
         }
         other => other,
     };

@@ -409,6 +409,29 @@ pub enum Refusal {
     Unplaced(usize),
     /// Links of equal opposite sides, which would lie crossed by default.
     Crossed(crate::scene::pose::Choice),
+    /// The side that is told of this body decides nothing, or contradicts that of the one with which it is placed.
+    IdleSide {
+        /// Which body.
+        body: usize,
+        /// The other one, if there is one.
+        with: Option<usize>,
+    },
+    /// A body does not bridge what holds it.
+    Unbridged {
+        /// Which, and how far.
+        gap: crate::scene::pose::Gap,
+        /// Is that so at the start?
+        at_start: bool,
+    },
+    /// The angle at the start that is told of a body is not the one that its joints give it.
+    Tilted {
+        /// Which body.
+        body: usize,
+        /// As the start gives it, degrees.
+        given_deg: f64,
+        /// As it follows from the joints.
+        follows_deg: f64,
+    },
     /// A joint does not hold where the others and the data put the bodies.
     Parted {
         /// Which joint.

@@ -763,3 +763,30 @@ fn an_end_by_a_way_in_the_plane_is_refused_with_what_would_do() {
     );
     assert!(turns.contains("write `angle: {of: x, reaches: phi1}`"), "{turns}");
 }
+
+/// A wheel drags a rod over a rough floor, and nothing turns but the wheel: what the rate does to its own change is rounding alone, which was
+/// asked to be smooth. With F = 50 N, a = (F - mu N) / (1.5 M + m), and N is that of a rod that is not turned.
+#[test]
+fn a_rod_that_is_dragged_evenly_over_a_rough_floor() {
+    let rod = "
+bodies:
+  wheel: {mass: 10 kg, shape: {disc: 0.4 m}, moves: in the plane, angle: from up clockwise}
+  rod: {mass: 4 kg, shape: {rod: 1 m}, moves: in the plane, side: behind}
+joints:
+  f: {rolls: wheel, radius: 0.4 m, along: horizontal}
+  H: {hinges: [wheel, rod.A]}
+  drag: {guides: rod.B, along: horizontal, pushes: up, mu_k: 0.3}
+forces: [force: {on: wheel, magnitude: 50 N, direction: right}]
+start: {wheel: {angle: 0 deg, spin: SPIN}}
+end: {angle: {of: wheel, reaches: 5 rad}}
+";
+    let (force, total, weight, mu) = (50.0, 1.5 * 10.0 + 4.0, 4.0 * 9.81, 0.3);
+    // Moments about the hinge: N (c + mu s) = m (g c - a s) / 2, with the end of the rod behind it and below.
+    let (s, c) = (0.4, f64::sqrt(1.0 - 0.16));
+    let [a, normal] = eliminated([[total, mu], [0.5 * 4.0 * s, c + mu * s]], [force, 0.5 * weight * c]);
+    for spin in [0.0, 1.0] {
+        let v = f64::sqrt((0.4 * spin) * (0.4 * spin) + 2.0 * a * 2.0);
+        let text = rod.replace("SPIN", &format!("{spin} rad/s"));
+        all_near(&told(&text, &["wheel.v", "drag.normal"]), &[v, normal], 1e-12);
+    }
+}

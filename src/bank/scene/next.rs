@@ -176,6 +176,8 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
         let mut steps = start(first).map_or_else(Vec::new, |angle| Handover::steps(first, angle, true));
         steps.extend([turned, Step::Add]);
         let angle = hand.number(steps, true, "its angle");
+        // Those of the others follow from the joints.
+        hand.next.bodies.iter_mut().filter_map(|b| b.planar.as_mut()).for_each(|p| p.start_deg = None);
         let body = &mut hand.next.bodies[body];
         if let Some(pin) = &mut body.pin {
             pin.start_deg = angle;

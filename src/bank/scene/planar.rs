@@ -33,7 +33,7 @@ const LINES: [(&str, f64); 2] = [("horizontal", 0.0), ("vertical", -90.0)];
 
 /// From where angles count, and whether clockwise.
 #[rustfmt::skip] // a table
-const ANGLES: [(&str, (Ray, bool)); 18] = [
+const ANGLES: [(&str, (Ray, bool)); 20] = [
     ("from horizontal", (Ray::Right, false)), ("from vertical", (Ray::Up, true)),
     ("from upright", (Ray::Up, true)), ("from hanging", (Ray::Down, false)),
     ("from right", (Ray::Right, false)), ("from right counter-clockwise", (Ray::Right, false)),
@@ -43,6 +43,7 @@ const ANGLES: [(&str, (Ray, bool)); 18] = [
     ("from down counter-clockwise", (Ray::Down, false)), ("from horizontal clockwise", (Ray::Right, true)),
     ("from vertical clockwise", (Ray::Up, true)), ("from vertical counter-clockwise", (Ray::Up, false)),
     ("from hanging clockwise", (Ray::Down, true)), ("from hanging counter-clockwise", (Ray::Down, false)),
+    ("from upright clockwise", (Ray::Up, true)), ("from upright counter-clockwise", (Ray::Up, false)),
 ];
 
 impl SceneReader<'_> {
@@ -117,13 +118,19 @@ impl SceneReader<'_> {
             .map(|point| Spot { body, point })
         });
         found.or_else(|| {
-            let known = bodies.iter().flat_map(|b| {
+            // Of a body that there is its own points.
+            let own = |b: &&Body| b.planar.is_some() && body.is_none_or(|body| bodies[body].name == b.name);
+            let known = bodies.iter().filter(own).flat_map(|b| {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
                 names.map(|point| told!("{}.{point}", b.name))
             });
             let known: Vec<String> = if WHOLE { known.collect() } else { Vec::new() };
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
-            self.faults.expected(node, "a point of a body", hint)
+            let what = match known.first().filter(|_| body.is_some()) {
+                Some(first) => told!("a point of `{name}`, such as `{first}`"),
+                None => told!("a point of a body"),
+            };
+            self.faults.expected(node, &what, hint)
         })
     }
 
@@ -296,7 +303,7 @@ impl SceneReader<'_> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a force (on, magnitude, direction)", f)?;
         let at = fields.need("on", "rod.B").and_then(|n| self.spot(n, bodies));
-        let (symbol, need) = if blow { ("J", Need::IMPULSE) } else { ("P", Need::FORCE) };
+        let (symbol, need) = if blow { ("J", Need::IMPULSE) } else { ("P", Need::PUSH) };
         let force = self.need_number(&mut fields, "magnitude", symbol, need);
         let turning = fields.get("from the axis");
         let toward = if blow { None } else { fields.get("toward") };

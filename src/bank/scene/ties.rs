@@ -227,7 +227,7 @@ impl SceneReader<'_> {
         };
         let rim = |node: &Node| {
             let hint = "a body about a fixed axle and one of its radii, such as `gear.rim`";
-            rim(node).or_else(|| f.expected(node, "the rim of a wheel", hint))
+            rim(node).or_else(|| f.expected(node, "the rim of a wheel about a fixed axle", hint))
         };
         let ((body, radius), (second, other_radius)) = rim(one).zip(rim(other))?;
         self.winds_on(radius);

@@ -905,9 +905,8 @@ impl<'a, T: Real> Account<'a, T> {
             bends.push((balance.bend * per).scale2(1));
         }
         let share = SMOOTH[usize::from(T::is_double())];
-        if !gauss::smooth(&forces, share)
-            || !bends.iter().all(|b| b.is_zero()) && !gauss::smooth(&bends, share)
-        {
+        // Bends are exponents: beside 1 they count, and in a translation rounding is all that is left of them.
+        if !gauss::smooth(&forces, share, 0.0) || !gauss::smooth(&bends, share, 1.0) {
             return Ok(None);
         }
         // Each turn of the iteration gains a power of the length of the panel over its factorial.

@@ -164,11 +164,13 @@ impl<'a, T: Real> Mechanism<'a, T> {
             (centre, places.map(|[along, aside]| [along - centre, aside]).collect())
         };
         let layout = Layout::new(scene, n).ok_or_else(|| outcome::unplaced(scene, lead))?;
-        if LOOKED_THROUGH
-            && !T::is_double()
-            && let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed)
-        {
-            return Err(Refusal::Crossed(crossed));
+        if LOOKED_THROUGH && !T::is_double() {
+            if let Some(crossed) = layout.choices().into_iter().find(|choice| choice.crossed) {
+                return Err(Refusal::Crossed(crossed));
+            }
+            if let Some((body, with)) = layout.idle_side() {
+                return Err(Refusal::IdleSide { body, with });
+            }
         }
         let mut mechanism = Self {
             scene,
@@ -349,8 +351,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
     pub fn state(&self, way: T, moving: bool) -> Result<State<T>, Refusal> {
         let poses = self.poses(way, !moving)?;
         let at_start = way.is_zero();
-        if LOOKED_THROUGH && let Some((joint, off_m)) = self.layout.parted(&poses, at_start) {
-            return Err(Refusal::Parted { joint, off_m, at_start });
+        if LOOKED_THROUGH {
+            self.fits(&poses, !moving, at_start)?;
         }
         let rates = smallvec![[T::zero(); 3]; self.scene.bodies.len()];
         let leads = self.leads(&poses);
@@ -358,6 +360,22 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let mut state = State { poses, rates, rows, leads, kinematics: Factors::none(), determined: false };
         self.look(&mut state, moving).map_err(self.in_place(way))?;
         Ok(state)
+    }
+
+    /// Do the bodies lie as the joints and the data say?
+    ///
+    /// Errors: one that does not bridge what holds it, a joint that does not hold, an angle at the start that is another.
+    fn fits(&self, poses: &Poses<T>, still: bool, at_start: bool) -> Result<(), Refusal> {
+        if let Some(gap) = self.layout.unbridged(poses, still) {
+            return Err(Refusal::Unbridged { gap, at_start });
+        }
+        if let Some((joint, off_m)) = self.layout.parted(poses, at_start) {
+            return Err(Refusal::Parted { joint, off_m, at_start });
+        }
+        match self.layout.tilted(poses).filter(|_| at_start) {
+            Some((body, [given_deg, follows_deg])) => Err(Refusal::Tilted { body, given_deg, follows_deg }),
+            None => Ok(()),
+        }
     }
 
     /// [`Self::state`] in the place of another one of a motion.
