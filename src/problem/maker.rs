@@ -486,7 +486,7 @@ impl<'p> Maker<'p> {
             let timeless = !formulas && (pinned || scene.lead().is_some()) && !named.quantities.has(Quantity::T);
             let asked = if timeless { Scope::TIMELESS } else { Scope::ALL };
             let screened = cfg!(feature = "program") && pinned && !formulas;
-            let screen = screened.then_some(named);
+            let screen = screened.then_some(Scope { held: true, ..named });
             DrawPlan { methods, asked, screen }
         })
     }
