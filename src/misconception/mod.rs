@@ -194,7 +194,8 @@ impl<'p> Methods<'p> {
         // Several sets are solved as the first one moves: the right one leads.
         let leads = usize::from(methods.len() > 1);
         sets.extend((leads > 0).then(|| data.to_vec()));
-        let admitted = methods.iter().map(|m| m.changed(self.problem, data, solved).map(|set| sets.push(set)));
+        let admitted =
+            methods.iter().map(|m| m.changed(self.problem, data, solved).map(|set| sets.push(set)));
         let admitted: Vec<Option<()>> = admitted.collect();
         let asked = methods.iter().fold(Scope::only([]), |all, m| all.with(m.asked));
         let mut found = quick.roads(&sets, asked).into_iter().skip(leads);

@@ -390,7 +390,8 @@ impl<'p> Maker<'p> {
     /// The first rule that a draw breaks clearly, as doubles tell.
     fn screened(&self, index: usize, data: &[f64]) -> Option<Refused> {
         let (case, plan) = (&self.problem.cases[index], self.plan(index));
-        let scope = plan.screen?;
+        // Not in a page, which is to be small.
+        let scope = plan.screen.filter(|_| cfg!(feature = "program"))?;
         if let Err(refused) = bounds(case, false, data, &|_| f64::NAN, &mut Err) {
             return Some(refused);
         }
@@ -483,10 +484,10 @@ impl<'p> Maker<'p> {
             // A formula may need any quantity; on lines and axles all follow at once.
             let formulas = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
             let pinned = scene.pinned().is_some();
-            let timeless = !formulas && (pinned || scene.lead().is_some()) && !named.quantities.has(Quantity::T);
+            let timeless =
+                !formulas && (pinned || scene.lead().is_some()) && !named.quantities.has(Quantity::T);
             let asked = if timeless { Scope::TIMELESS } else { Scope::ALL };
-            let screened = cfg!(feature = "program") && pinned && !formulas;
-            let screen = screened.then_some(Scope { held: true, ..named });
+            let screen = (pinned && !formulas).then_some(Scope { held: true, ..named });
             DrawPlan { methods, asked, screen }
         })
     }
