@@ -387,7 +387,7 @@ impl<'p> Maker<'p> {
         Err(last)
     }
 
-    /// The first rule that a draw breaks clearly, as doubles tell.
+    /// The first rule that a draw breaks, if it does so clearly, as doubles tell.
     fn screened(&self, index: usize, data: &[f64]) -> Option<Refused> {
         let (case, plan) = (&self.problem.cases[index], self.plan(index));
         // Not in a page, which is to be small.
@@ -405,12 +405,12 @@ impl<'p> Maker<'p> {
                 _ => false,
             }
         };
-        let mut hear = |refused| if clear(&refused) { Err(refused) } else { Ok(()) };
-        if let Err(refused) = self.rules(case, half.preview(), data, &mut hear) {
-            return Some(refused);
-        }
-        // A maker that is watching asks wrong methods last.
-        if self.watching { None } else { self.far(&plan.methods, data, half.preview(), &mut hear).err() }
+        let held = self.rules(case, half.preview(), data, &mut Err).and_then(|()| match self.watching {
+            // Then wrong methods come last.
+            true => Ok(()),
+            false => self.far(&plan.methods, data, half.preview(), &mut Err).map(drop),
+        });
+        held.err().filter(clear)
     }
 
     /// Solves, the first road of what is asked at first.
@@ -481,13 +481,11 @@ impl<'p> Maker<'p> {
             let named = labels.iter().copied().chain(bounds).map(|label| label.quantity);
             let named = Scope::only(named.chain(methods.quantities()));
             let scene = &self.problem.cases[index].scene;
-            // A formula may need any quantity; on lines and axles all follow at once.
+            // A formula may need any quantity; where nothing is joined all follow at once.
             let formulas = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
-            let pinned = scene.pinned().is_some();
-            let timeless =
-                !formulas && (pinned || scene.lead().is_some()) && !named.quantities.has(Quantity::T);
+            let timeless = !formulas && scene.lead().is_some() && !named.quantities.has(Quantity::T);
             let asked = if timeless { Scope::TIMELESS } else { Scope::ALL };
-            let screen = (pinned && !formulas).then_some(Scope { held: true, ..named });
+            let screen = (scene.pinned().is_some() && !formulas).then_some(Scope { held: true, ..named });
             DrawPlan { methods, asked, screen }
         })
     }
