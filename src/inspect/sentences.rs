@@ -217,7 +217,7 @@ fn reaches(scene: &Scene, c: &Check) -> String {
     };
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
         // It is reached, and by a motion of no length.
-        (false, _) if c.required == 0.0 || c.required.total_cmp(&c.available).is_eq() => {
+        (false, _) if c.required.total_cmp(&c.available).is_eq() => {
             let started = !scene.starts_from_rest() && scene.ends_at_a_place();
             let then = if started { then } else { "write an end that comes after the start".to_owned() };
             format!("the end lies where the motion starts, and it leaves there; {then}")

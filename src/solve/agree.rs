@@ -1,12 +1,10 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
-use crate::scene::{
-    AsIf, Coordinate, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible,
-};
+use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
-    Check, CheckKind, Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
+    Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
 };
 use crate::solve::{condition, energy, eom, physical};
 
@@ -111,15 +109,6 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
     let (regime, mut checks, words) = physical::judge_road(scene, &road);
-    // The speed with which it sets off is no end of it, as no place is where it does.
-    if let (End::Speed(of, speed), None) = (scene.end, &scene.carried) {
-        let speed = scene.value(speed, data);
-        let has = |(c, v): (Coordinate, Num)| c == of && scene.value(v, data).abs().total_cmp(&speed).is_eq();
-        let there = |c: &&mut Check| c.kind == CheckKind::Reaches && scene.start_speeds().any(has);
-        for check in checks.iter_mut().filter(there) {
-            *check = Check { ok: false, margin: -1.0, available: check.required, ..*check };
-        }
-    }
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
     if let (Some((_, scene)), Some(next)) = (next, &road.next) {
         checks.push(physical::judge_next(scene, next));

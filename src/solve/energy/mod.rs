@@ -544,7 +544,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         // The turning point is where it is: no comparison with itself.
         let turns = matches!(self.scene.end, End::TurningPoint(_));
         let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s));
-        self.road.course = Some(Course { sense, drive, asked: s, farthest: limit, reached });
+        self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         // The extremes of the tension are where the account of the way opens and where it is closed.
         let closing = if reached && self.scene.span == Span::ToEnd { s } else { turning };
@@ -623,8 +623,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let reached = declared && extent.not_negative() && (onward || self.turned);
         let turn_back = if self.turned { momentum.sign() } else { 1.0 };
         let sense = sense * turn_back;
-        let (asked, farthest) = (Some(extent), T::of(f64::INFINITY));
-        self.road.course = Some(Course { sense, drive, asked, farthest, reached });
+        self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
         self.grip(zero, whole);
         if !reached {
             self.standing(whole);

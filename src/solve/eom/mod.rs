@@ -624,13 +624,9 @@ impl<'a, T: Real> Walk<'a, T> {
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
         let (asked, s) = self.asked(&travel, turning, sense);
         let reached = !wrong_way && s.is_some_and(|s| s.at_most(limit) && s.not_negative());
-        self.road.course = Some(Course {
-            sense,
-            drive: (T::zero(), T::zero()),
-            asked,
-            farthest: self.farthest(&travel, limit),
-            reached,
-        });
+        let begins = if matches!(self.scene.end, End::Speed(..)) { travel.u0 } else { zero };
+        let farthest = self.farthest(&travel, limit);
+        self.road.course = Some(Course { asked, begins, farthest, ..Course::moving(sense, reached) });
 
         // The tension falls or grows all the way: its extremes are at the start and at the end of what is looked at, 0 when slack.
         let spring = self.spring;
@@ -734,12 +730,10 @@ impl<'a, T: Real> Walk<'a, T> {
         let straight = least.sign() > 0.0 && (u0.sign() > 0.0 || f0.not_negative());
         self.turned = !straight && self.scene.may_turn() && !last.is_zero();
         let reached = !wrong_way && extent.not_negative() && (straight || self.turned);
-        let farthest = T::of(f64::INFINITY);
         // Told is the sense in which it moves at the end.
         let back = if self.turned { last.sign() } else { 1.0 };
         let sense = sense * back;
-        self.road.course =
-            Some(Course { sense, drive: (zero, zero), asked: Some(extent), farthest, reached });
+        self.road.course = Some(Course { asked: Some(extent), ..Course::moving(sense, reached) });
         self.grip(zero, whole);
         if !reached {
             self.standing(whole);
