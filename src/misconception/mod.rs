@@ -190,12 +190,13 @@ impl<'p> Methods<'p> {
     /// The solutions of the scenes that these methods take for the right one.
     fn roads(&self, methods: &[PreparedMethod], data: &[f64], solved: &Solved) -> Vec<Option<Told>> {
         let Some(quick) = &methods[0].solves else { return Vec::new() };
-        let changed: Vec<Option<Set>> =
-            methods.iter().map(|m| m.changed(self.problem, data, solved)).collect();
+        let mut sets: Vec<Set> = Vec::with_capacity(methods.len() + 1);
         // Several sets are solved as the first one moves: the right one leads.
-        let right = (methods.len() > 1).then(|| data.to_vec());
-        let leads = usize::from(right.is_some());
-        let sets: Vec<Set> = right.into_iter().chain(changed.iter().flatten().cloned()).collect();
+        let leads = usize::from(methods.len() > 1);
+        sets.extend((leads > 0).then(|| data.to_vec()));
+        let admitted =
+            methods.iter().map(|m| m.changed(self.problem, data, solved).map(|set| sets.push(set)));
+        let admitted: Vec<Option<()>> = admitted.collect();
         let asked = methods.iter().fold(Scope::only([]), |all, m| all.with(m.asked));
         let mut found = quick.roads(&sets, asked).into_iter().skip(leads);
         // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
@@ -205,7 +206,7 @@ impl<'p> Methods<'p> {
             Told::Lane(..) => false,
         };
         let ends = |told: &Told| !(quick.is_pinned() && stops(told));
-        changed.iter().map(|set| set.as_ref().and_then(|_| found.next()?.filter(ends))).collect()
+        admitted.into_iter().map(|set| set.and_then(|()| found.next()?.filter(ends))).collect()
     }
 }
 

@@ -22,6 +22,9 @@ pub const MAX_TRIES: u32 = 10_000;
 /// A relation between parts holds if it gives the right answer within this share: it is computed in doubles.
 const RELATION: f64 = 1e-9;
 
+/// A draw is refused in doubles alone where it breaks a rule by more than this share of its limit, far above their rounding.
+const CLEARLY: f64 = 1e-6;
+
 /// A wrong method nearer to the right answer than this many of its half-widths cannot be told from it.
 pub const APART: f64 = 2.0;
 
@@ -83,7 +86,6 @@ pub struct RefusedDraw {
 pub struct Maker<'p> {
     problem: &'p Problem,
     source: Source,
-    margins: Vec<f64>,
     max_tries: u32,
     watching: bool,
     /// What is the same for all draws of a case, of each that was drawn.
@@ -100,8 +102,10 @@ pub struct Maker<'p> {
 #[derive(Debug)]
 struct DrawPlan<'p> {
     methods: Methods<'p>,
-    /// What the rules ask of the first road.
+    /// How far both roads go.
     asked: Scope,
+    /// What the rules ask of a first road in doubles, where one in 32 digits costs many times as much and many draws are refused.
+    screen: Option<Scope>,
 }
 
 /// A student's words, the case, and room for the data.
@@ -116,12 +120,9 @@ type Accepted = (f64, f64);
 impl<'p> Maker<'p> {
     /// A maker for a problem of the set `set`, drawn with `seed`.
     pub fn new(problem: &'p Problem, seed: u64, set: &str) -> Self {
-        let margin =
-            |kind: &CheckKind| problem.margins.iter().find(|(k, _)| k == kind).map_or(0.0, |(_, m)| *m);
         Self {
             problem,
             source: Source::new(seed, set, &problem.id),
-            margins: CheckKind::ALL.iter().map(margin).collect(),
             max_tries: MAX_TRIES,
             watching: false,
             plans: problem.cases.iter().map(|_| OnceLock::new()).collect(),
@@ -176,7 +177,7 @@ impl<'p> Maker<'p> {
         let most = if constant { 1 } else { self.max_tries };
         for tries in 1..=most {
             self.draw(&mut words, tries, case, &mut values, &mut data);
-            match self.solve_within_rules(index, &data, self.plan(index).asked, &mut refusals) {
+            match self.solve_within_rules(index, &data, &mut refusals) {
                 Ok((solved, wrong)) => {
                     let within = make_key::within(self.problem, &solved);
                     return Ok(Variant { case: index, values, data, solved, tries, refusals, within, wrong });
@@ -263,8 +264,8 @@ impl<'p> Maker<'p> {
     pub fn again(&self, student: &str, tries: u32) -> Option<Variant> {
         let (case, values, data) = self.drawn(student, tries);
         let mut refusals = Refusals::default();
-        // It will hold: the first road is walked once, and whole.
-        let (solved, wrong) = self.solve_within_rules(case, &data, Scope::ALL, &mut refusals).ok()?;
+        // It will hold.
+        let (solved, wrong) = self.solve_within(case, &data, Scope::ALL, &mut refusals, &mut Err).ok()?;
         let within = make_key::within(self.problem, &solved);
         Some(Variant { case, values, data, solved, tries, refusals, within, wrong })
     }
@@ -310,8 +311,7 @@ impl<'p> Maker<'p> {
                 continue;
             }
             let mut refusals = Refusals::default();
-            let asked = self.plan(index).asked;
-            let Err(refused) = self.solve_within_rules(index, &data, asked, &mut refusals) else { continue };
+            let Err(refused) = self.solve_within_rules(index, &data, &mut refusals) else { continue };
             if found.iter().any(|(rule, _)| *rule == refused.rule) {
                 continue;
             }
@@ -359,11 +359,14 @@ impl<'p> Maker<'p> {
         &self,
         index: usize,
         data: &[f64],
-        asked: Scope,
         refusals: &mut Refusals,
     ) -> Result<(Solved, Vec<Wrong>), Refused> {
+        let asked = self.plan(index).asked;
         if !self.problem.cases[index].is_constant() {
-            return self.solve_within(index, data, asked, refusals, &mut Err);
+            return match self.screened(index, data) {
+                Some(refused) => Err(refused),
+                None => self.solve_within(index, data, asked, refusals, &mut Err),
+            };
         }
         let mut broken = Vec::new();
         let mut hear = |refused: Refused| {
@@ -382,6 +385,32 @@ impl<'p> Maker<'p> {
         let Some(last) = broken.pop() else { return solved };
         broken.into_iter().for_each(|refused| refusals.add(refused));
         Err(last)
+    }
+
+    /// The first rule that a draw breaks, if it does so clearly, as doubles tell.
+    fn screened(&self, index: usize, data: &[f64]) -> Option<Refused> {
+        let (case, plan) = (&self.problem.cases[index], self.plan(index));
+        // Not in a page, which is to be small.
+        let scope = plan.screen.filter(|_| cfg!(feature = "program"))?;
+        if let Err(refused) = bounds(case, false, data, &|_| f64::NAN, &mut Err) {
+            return Some(refused);
+        }
+        let half = agree::roughly(&case.scene, data, scope)?;
+        let clear = |refused: &Refused| {
+            let off = |limit: f64| (refused.found - limit).abs() > CLEARLY * limit.abs().max(1.0);
+            match refused.rule {
+                DrawRule::Check(kind) => kind.is_share() && off(self.margin(kind)),
+                DrawRule::Bound(i) => [case.bounds[i].min, case.bounds[i].max].into_iter().flatten().all(off),
+                DrawRule::Mistake(_) => true,
+                _ => false,
+            }
+        };
+        let held = self.rules(case, half.preview(), data, &mut Err).and_then(|()| match self.watching {
+            // Then wrong methods come last.
+            true => Ok(()),
+            false => self.far(&plan.methods, data, half.preview(), &mut Err).map(drop),
+        });
+        held.err().filter(clear)
     }
 
     /// Solves, the first road of what is asked at first.
@@ -449,29 +478,25 @@ impl<'p> Maker<'p> {
             let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
             let methods = Methods::new(self.problem, index, &labels, &|_| true);
             let bounds = self.problem.cases[index].bounds.iter().flat_map(|b| b.expression.quantities());
-            let energies = [Quantity::KineticEnergy, Quantity::Rise, Quantity::WorkPull];
             let named = labels.iter().copied().chain(bounds).map(|label| label.quantity);
-            let asked = Scope::only(named.chain(energies).chain(methods.quantities()));
-            // A formula may need any quantity.
+            let named = Scope::only(named.chain(methods.quantities()));
             let scene = &self.problem.cases[index].scene;
-            let all = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
-            let asked = match (all, scene.lead()) {
-                (false, None) if scene.pinned().is_some() => Scope { held: true, ..asked },
-                // Of other scenes the rest follows at once.
-                (false, Some(_)) if !asked.quantities.has(Quantity::T) => Scope::TIMELESS,
-                _ => Scope::ALL,
-            };
-            DrawPlan { methods, asked }
+            // A formula may need any quantity; where nothing is joined all follow at once.
+            let formulas = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
+            let timeless = !formulas && scene.lead().is_some() && !named.quantities.has(Quantity::T);
+            let asked = if timeless { Scope::TIMELESS } else { Scope::ALL };
+            let screen = (scene.pinned().is_some() && !formulas).then_some(Scope { held: true, ..named });
+            DrawPlan { methods, asked, screen }
         })
     }
 
-    /// For each question what a wrong method must keep away from: by its tolerance, or by the least that it may have, which needs
-    /// no condition number.
+    /// For each question what a wrong method must keep away from: by its tolerance, or by clearly less than the least that it may have,
+    /// which needs no condition number.
     fn right(&self, solved: &Solved, least: bool) -> Vec<Accepted> {
         let right = |q: &Question| match solved.get(q.label) {
             Some(e) => {
-                let cond = if least { 0.0 } else { e.cond };
-                (e.value(), APART * make_key::half_width(q, e.value(), e.scale, cond))
+                let (cond, share) = if least { (0.0, 1.0 - CLEARLY) } else { (e.cond, 1.0) };
+                (e.value(), share * APART * make_key::half_width(q, e.value(), e.scale, cond))
             }
             None => (f64::NAN, f64::NAN),
         };
@@ -573,11 +598,15 @@ impl<'p> Maker<'p> {
         Ok(())
     }
 
+    /// The margin with which conditions of this kind are to hold.
+    fn margin(&self, kind: CheckKind) -> f64 {
+        self.problem.margins.iter().find(|(k, _)| *k == kind).map_or(0.0, |(_, m)| *m)
+    }
+
     /// Do these checks hold, with their margins?
     fn checks(&self, solved: &Solved, of: impl Fn(&Check) -> bool, hear: Hears) -> Result<(), Refused> {
         for check in solved.checks.iter().filter(|c| of(c)) {
-            let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
-            if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
+            if !check.ok || check.margin.is_nan() || check.margin < self.margin(check.kind) {
                 // A condition may fail for more than its margin says: then no number tells why.
                 let told = check.ok || check.margin < 0.0;
                 hear(DrawRule::Check(check.kind).found(if told { check.margin } else { f64::NAN }))?;
@@ -591,11 +620,10 @@ impl<'p> Maker<'p> {
         if !solved.regime.stays_as(&case.regimes) {
             return self.checks(solved, |c| c.kind == CheckKind::Moves, hear);
         }
-        let kind = CheckKind::ALL.iter().position(|k| *k == CheckKind::Moves).unwrap_or(0);
         for check in solved.checks.iter().filter(|c| c.kind == CheckKind::Moves) {
             // What nothing drives needs no margin.
             let driven = check.available > 0.0 || check.available.is_nan();
-            if driven && (check.margin.is_nan() || -check.margin < self.margins[kind]) {
+            if driven && (check.margin.is_nan() || -check.margin < self.margin(check.kind)) {
                 hear(DrawRule::Check(check.kind).found(check.margin))?;
             }
         }

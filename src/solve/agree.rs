@@ -54,6 +54,11 @@ pub fn first(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal>
     first_in::<Dd>(scene, data, asked, fitting)
 }
 
+/// The same in doubles: enough to refuse a draw that breaks a rule clearly. `None` where they may not do, or nothing is said.
+pub fn roughly(scene: &Scene, data: &[f64], asked: Scope) -> Option<Half> {
+    first_in::<Fast>(scene, data, asked, |_, _| None).ok()
+}
+
 /// The first road alone, in doubles, for a scene like one that both roads have solved before: an answer is judged alike by it, and
 /// the program and the page that checks itself come to the same bits. Errors: as for [`first`].
 pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
@@ -295,20 +300,10 @@ impl Half {
         self.tell(scene);
     }
 
-    /// Runs both roads whole and publishes what agrees; the condition numbers are those that were asked for. Errors: a
-    /// disagreement, or a quantity that only one road reaches.
+    /// Runs the second road, as far as the first one went, and publishes what agrees. Errors: a disagreement, or a quantity that only
+    /// one road reaches.
     pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let (course, next, scales) = (self.course, self.next, self.solved.scales);
-        let whole = self.asked == Scope::ALL || scene.lead().is_some() && self.asked == Scope::TIMELESS;
-        if !whole {
-            let known = std::mem::replace(self.own(), Solved::none());
-            self = in_scales(scales, scene, data, |scene, data| alone::<Dd>(scene, data, Scope::ALL))?;
-            self.solved.scales = scales;
-            for entry in &mut self.solved.entries {
-                entry.cond = known.get(entry.label).map_or(f64::NAN, |e| e.cond);
-            }
-        }
-        let asked = self.asked;
+        let (asked, course, next, scales) = (self.asked, self.course, self.next, self.solved.scales);
         let own = self.own();
         let compared =
             in_scales(scales, scene, data, |scene, data| compared(scene, data, asked, (own, course, next)));

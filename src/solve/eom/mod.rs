@@ -67,7 +67,8 @@ pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
 /// So many sets of data are walked together at less cost than one by one, if any are.
 #[cfg(feature = "program")]
 fn least_together(scene: &Scene) -> Option<usize> {
-    let joined = is_given(scene) && scene.lead().is_some() && !scene.is_still();
+    let placed = scene.lead().is_some() || scene.pinned().is_some();
+    let joined = is_given(scene) && placed && !scene.is_still();
     if side_by_side(scene) { Some(2) } else { joined.then_some(4) }
 }
 
