@@ -830,16 +830,26 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// Half the square of the rate after a way, from that at the start; `first` is where everything is there.
     fn half_square(&self, way: T, start: (&Poses<T>, T)) -> Result<T, Refusal> {
-        self.half_square_at(&(way, None), start)
+        self.half_square_at(&(way, None), None, start)
     }
-    fn half_square_at(&self, place: &At<T>, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+    /// The same at a place, where everything there may be known.
+    fn half_square_at(
+        &self,
+        place: &At<T>,
+        known: Option<&Poses<T>>,
+        (first, from): (&Poses<T>, T),
+    ) -> Result<T, Refusal> {
         if self.is_rubbed() {
             return self.collocated(place.0, from);
         }
-        self.balanced(&self.at(place)?, place, (first, from))
-    }
-    /// The same where nothing rubs and everything is so at that place.
-    fn balanced(&self, poses: &Poses<T>, place: &At<T>, (first, from): (&Poses<T>, T)) -> Result<T, Refusal> {
+        let own;
+        let poses = match known {
+            Some(poses) => poses,
+            None => {
+                own = self.at(place)?;
+                &own
+            }
+        };
         let kinetic = if from.is_zero() { from } else { self.inertia(first) * from };
         let work = self.work(&self.between(first, poses, place), place.0)?;
         Ok(kinetic.balance(work) / self.inertia(poses))
@@ -853,10 +863,7 @@ impl<'a, T: Real> Account<'a, T> {
             return Ok(Rc::clone(seen));
         }
         let poses = self.poses(way)?;
-        let half_square = match self.is_rubbed() {
-            true => self.collocated(way, from.1)?,
-            false => self.balanced(&poses, &(way, None), from)?,
-        };
+        let half_square = self.half_square_at(&(way, None), Some(&poses), from)?;
         let seen = Rc::new(Seen { way, poses, half_square });
         self.seen.borrow_mut().push(Rc::clone(&seen));
         Ok(seen)
@@ -1113,7 +1120,8 @@ impl<'a, T: Real> Account<'a, T> {
             return Ok(T::zero());
         }
         if let Some(pendulum) = &self.pendulum {
-            let speed = if rest { T::zero() } else { self.half_square_at(place, from)?.scale2(1).root() };
+            let speed =
+                if rest { T::zero() } else { self.half_square_at(place, None, from)?.scale2(1).root() };
             return Ok(pendulum.time(way, &self.angle(place), speed));
         }
         // A quadrature settles, it proves nothing.
@@ -1292,7 +1300,7 @@ impl<'a, T: Real> Account<'a, T> {
         let timed = self.proves() && self.pendulum.is_none() && matches!(scene.end, End::Time(..));
         let open = |x: T| if timed { x.widened(|| f64::INFINITY) } else { x };
         let searched = self.looked.replace(0);
-        let half_square = if turns { T::zero() } else { self.half_square_at(&place, from)? };
+        let half_square = if turns { T::zero() } else { self.half_square_at(&place, None, from)? };
         let rest = turns || !T::ENCLOSES && half_square.is_zero();
         let mut rate = open(half_square).scale2(1).root();
         let mut time = match scene.end {
