@@ -4,6 +4,7 @@
 //! acts. Lengths go with the magnitudes, but no arrow is shorter than can be seen. What is 0 is not drawn, but for the force of a contact that ends there. A symbol between
 //! bars is negative in the signs of the scene.
 use crate::bank::{FigureLabels, Problem};
+use crate::figure::joined::{Laid, PlaneLayout};
 use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
@@ -204,7 +205,7 @@ fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
         _ if this.planar.is_some() => {
-            let plane = joined::PlaneLayout::new(view)?;
+            let plane = PlaneLayout::new(view)?;
             let ends = plane.at_end(view).unwrap_or_else(|| vec![plane.start.clone()]).into_iter();
             let diagrams = ends.filter_map(|laid| in_the_plane(view, &plane, laid, body));
             // Of the positions on either side it is the one at which the forces turn the body as it turns.
@@ -651,8 +652,8 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 /// The diagrams of a body in the plane, at the position that is asked.
 fn in_the_plane<'a>(
     view: &'a SceneView<'a>,
-    plane: &joined::PlaneLayout,
-    mut laid: Vec<joined::Laid>,
+    plane: &PlaneLayout,
+    mut laid: Vec<Laid>,
     body: usize,
 ) -> Option<Diagram<'a>> {
     let this = &view.scene.bodies[body];
@@ -712,12 +713,7 @@ fn name(view: &SceneView, joint: usize, symbol: &str) -> Vec<TextRun> {
 }
 
 /// The forces of the joints on a body in the plane.
-fn joint_forces(
-    view: &SceneView,
-    plane: &joined::PlaneLayout,
-    laid: &[joined::Laid],
-    body: usize,
-) -> Vec<ForceArrow> {
+fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usize) -> Vec<ForceArrow> {
     let name = |joint: usize, symbol: &str| name(view, joint, symbol);
     let force = |at: Vec2, value: f64, towards: Vec2, label| ForceArrow::signed(at, towards, value, label);
     // Of the contact that ends here the equations have the force still, as 0.
@@ -774,12 +770,7 @@ fn joint_forces(
 }
 
 /// The forces of springs and the given ones on a body in the plane.
-fn given_forces(
-    view: &SceneView,
-    plane: &joined::PlaneLayout,
-    laid: &[joined::Laid],
-    body: usize,
-) -> Vec<ForceArrow> {
+fn given_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usize) -> Vec<ForceArrow> {
     let force = |at: Vec2, value: f64, towards: Vec2, label| ForceArrow::signed(at, towards, value, label);
     let mut forces = Vec::new();
     for (s, strut) in view.scene.struts.iter().enumerate().filter(|(_, strut)| !strut.twists()) {
@@ -827,8 +818,8 @@ fn couples_in_the_plane(view: &SceneView, body: usize, clockwise: bool) -> Vec<T
 fn surfaces(
     board: &mut Board,
     view: &SceneView,
-    plane: &joined::PlaneLayout,
-    laid: &[joined::Laid],
+    plane: &PlaneLayout,
+    laid: &[Laid],
     body: usize,
     shift: Vec2,
 ) {
@@ -863,7 +854,7 @@ fn surfaces(
 }
 
 /// The angle of the leading body, where its axis lies.
-fn angle_of(board: &mut Board, view: &SceneView, laid: &[joined::Laid], body: usize) {
+fn angle_of(board: &mut Board, view: &SceneView, laid: &[Laid], body: usize) {
     let Some(planar) = view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) else { return };
     let given = match view.scene.end {
         End::Angle(_, n) => Some(n),

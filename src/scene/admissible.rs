@@ -65,13 +65,9 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
         body_rules(body, slips, tell);
     }
     scene.ties.iter().for_each(|tie| tie_rules(tie, tell));
-    for c in &scene.couples {
-        tell(c.moment_n_m, NotNegative);
-    }
+    scene.couples.iter().for_each(|c| tell(c.moment_n_m, NotNegative));
     joint_rules(scene, tell);
-    for g in &scene.growths {
-        tell(g.rate, NotNegative);
-    }
+    scene.growths.iter().for_each(|g| tell(g.rate, NotNegative));
     for s in &scene.start {
         match s {
             Start::Speed(_, v) => tell(*v, Finite),
@@ -108,11 +104,8 @@ fn body_rules(b: &Body, slips: bool, tell: &mut dyn FnMut(Num, Rule)) {
     let light = b.planar.is_some() && matches!(b.mass, Mass::Kilograms(Num::Fixed(_)));
     let moves = b.line.is_some() || b.pin.is_some() || b.planar.is_some();
     let mass = if moves && !light { Positive } else { NotNegative };
-    if b.particles.is_empty() {
-        match &b.mass {
-            Mass::Kilograms(n) | Mass::Weight(n) => tell(*n, mass),
-            Mass::OfParts => {}
-        }
+    if let (true, Mass::Kilograms(n) | Mass::Weight(n)) = (b.particles.is_empty(), &b.mass) {
+        tell(*n, mass);
     }
     let inertia = if slips { Positive } else { NotNegative };
     match &b.inertia {
@@ -129,9 +122,7 @@ fn body_rules(b: &Body, slips: bool, tell: &mut dyn FnMut(Num, Rule)) {
         }
     }
     let radius = |name: &str| b.radii_m.iter().find(|(n, _)| n == name).map(|(_, r)| *r);
-    for (_, r) in &b.radii_m {
-        tell(*r, Positive);
-    }
+    b.radii_m.iter().for_each(|(_, r)| tell(*r, Positive));
     for (small, large) in [("hub", "rim"), ("inner", "outer")] {
         if let (Some(r), Some(rim)) = (radius(small), radius(large)) {
             tell(r, Rule::NotAbove(rim));
@@ -159,9 +150,7 @@ fn tie_rules(tie: &Tie, tell: &mut dyn FnMut(Num, Rule)) {
     match tie {
         Tie::Roll { radius_m, mu_s, .. } => {
             tell(*radius_m, Positive);
-            if let Some(mu) = mu_s {
-                tell(*mu, NotNegative);
-            }
+            mu_s.iter().for_each(|mu| tell(*mu, NotNegative));
         }
         Tie::Slip { radius_m, mu_s, mu_k, .. } => {
             tell(*radius_m, Positive);

@@ -198,13 +198,9 @@ pub fn is_massive(unit: &str) -> bool {
 /// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.
 pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     tell(&mut scene.gravity_m_s2, "m/s^2");
-    for body in &mut scene.bodies {
-        of_body(body, tell);
-    }
+    scene.bodies.iter_mut().for_each(|body| of_body(body, tell));
     scene.ties.iter_mut().for_each(|tie| of_tie(tie, tell));
-    for couple in &mut scene.couples {
-        tell(&mut couple.moment_n_m, "N*m");
-    }
+    scene.couples.iter_mut().for_each(|couple| tell(&mut couple.moment_n_m, "N*m"));
     scene.joints.iter_mut().for_each(|joint| of_joint(&mut joint.kind, tell));
     for push in &mut scene.pushes {
         tell(&mut push.force_n, if push.blow { "N*s" } else { "N" });
