@@ -39,11 +39,11 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 fn looks(scene: &Scene, all: &[Check]) -> &'static str {
     // Where it never turns there is no turning point to speak of.
     let endless = all.iter().any(|c| c.kind == CheckKind::Reaches && c.available.is_infinite());
-    match (scene.spring(), scene.span) {
-        (None, _) => "",
-        (Some(_), Span::ToEnd) => " up to the end that is asked",
-        (Some(_), Span::ToTurningPoint) if endless => " over the whole motion",
-        (Some(_), Span::ToTurningPoint) => " up to the turning point",
+    match (scene.is_sprung(), scene.span) {
+        (false, _) => "",
+        (true, Span::ToEnd) => " up to the end that is asked",
+        (true, Span::ToTurningPoint) if endless => " over the whole motion",
+        (true, Span::ToTurningPoint) => " up to the turning point",
     }
 }
 
@@ -371,7 +371,6 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
         Unsupported::ThrownEnd => "a body thrown with slip on a surface ends where it begins to roll, or after a time",
         Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
-        Unsupported::TwoSprings => "more than one spring is not solved",
         Unsupported::MovingLamina => "of a body of particles only what holds at the instant can be asked; write `end: at once`",
         Unsupported::PinnedInCompany => "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point",
         Unsupported::Overwound => "a torsion spring may be wound by less than half a turn, from the start to the end",

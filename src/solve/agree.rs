@@ -455,14 +455,8 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
-    let springs =
-        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. })));
-    let springs = springs.count();
-    if springs > 1 {
-        return refuse(Unsupported::TwoSprings);
-    }
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-    if slips && springs > 0 {
+    if slips && scene.is_sprung() {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
@@ -471,7 +465,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);
     }
-    if freedoms > 1 && springs > 0 {
+    if freedoms > 1 && scene.is_sprung() {
         return refuse(Unsupported::SpringWithTwoFreedoms);
     }
     if let Some(thrown) = scene.thrown() {

@@ -6,8 +6,8 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Taken,
-    Term, admissible, pose,
+    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene,
+    SpringTie, Taken, Term, admissible, pose,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
@@ -592,8 +592,6 @@ pub enum Unsupported {
     ThrownEnd,
     /// The start of rolling of a body that is not thrown with slip.
     NotThrown,
-    /// More than one spring.
-    TwoSprings,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
     /// A pinned body with another body, with ties, or with an end that belongs to a line.
@@ -914,7 +912,7 @@ impl<T: Real> Road<T> {
         }
         let road = other(next, &all, &taken)?;
         // How far a cord is slack is not known to the motion that follows.
-        if let Some((tie, _, _, false)) = next.spring() {
+        for SpringTie { tie, .. } in next.springs().filter(|s| !s.rigid) {
             let pulls = road.get(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) });
             let slack = |(t, ended): (&Taken, &T)| t.label.quantity == Quantity::Tension && ended.is_zero();
             if next.formulas.taken.iter().zip(&taken).any(slack)

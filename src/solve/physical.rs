@@ -34,8 +34,7 @@ pub fn fill_drive<P: Real>(
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
     let balanced = scene.starts_from_rest() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
     if balanced {
-        let held =
-            scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
+        let held = scene.is_sprung() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
         regime.motion = if held { Motion::Rest } else { Motion::Balanced };
         for (_, word) in words.iter_mut().filter(|(l, _)| l.quantity == Quantity::Direction) {
             *word = Word::Stays;
@@ -195,7 +194,7 @@ fn motion<P: Real>(scene: &Scene, course: &Course<P>, held: &[Held<P>]) -> Motio
     if body.pin.is_some() || body.planar.is_some() {
         let swings = [Motion::SwingsOk, Motion::SwingsTurningPoint, Motion::SwingsUnreachable];
         if course.sense == 0.0 { Motion::Rest } else { swings[end] }
-    } else if scene.spring().is_some() {
+    } else if scene.is_sprung() {
         way.map_or(Motion::Rest, |way| way.ends[end])
     } else {
         way.map_or(Motion::Balanced, |way| way.moves)

@@ -780,15 +780,6 @@ fn ties_that_leave_nothing_free() {
 }
 
 #[test]
-fn two_springs() {
-    assert_snapshot!(found(&[("- slides: {body: block, mu_k: 0.2}", "- slides: {body: block, mu_k: 0.2}\n        - cord: {from: {body: block, tied at: centre, leaves: up}, spring: {stiffness: 5 N/m, stretch: 0 m}}\n        - cord: {from: {body: block, tied at: centre, leaves: down}, spring: {stiffness: 5 N/m, stretch: 0 m}}")]), @r#"
-     18 |         - cord: {from: {body: block, tied at: centre, leaves: up}, spring: {stiffness: 5 N/m, stretch: 0 m}}
-     19 |         - cord: {from: {body: block, tied at: centre, leaves: down}, spring: {stiffness: 5 N/m, stretch: 0 m}}
-    test.yaml:13:7: problems.slide.scene: a scene has at most one spring
-    "#);
-}
-
-#[test]
 fn faults_in_the_scene_hide_no_others() {
     assert_snapshot!(found(&[("mass: m,", "mass: N,"), ("20 to 60 step 5", "20 to 95 step 5"), ("unit: m/s}", "unit: kg}"), ("    regimes:", "    bounds: {vel: {max: 8}}\n    regimes:")]), @r#"
      11 |       theta: {name: slope, unit: deg, draw: 20 to 95 step 5}

@@ -366,7 +366,6 @@ impl SceneReader<'_> {
     pub(super) fn spring(&self, node: &Node) -> Option<Far> {
         let mut fields = Fields::open(node, "a spring (stiffness, stretch)", self.faults)?;
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let stretch = self.need_number(&mut fields, "stretch", "x0", Need::LENGTH);
         let rigid = fields.get("attached").map_or(Some(false), |n| {
             self.word(
                 n,
@@ -374,6 +373,9 @@ impl SceneReader<'_> {
                 &[("by the cord", false), ("cord", false), ("rigidly", true), ("rigid", true)],
             )
         });
+        // A cord cannot be compressed.
+        let need = if rigid == Some(true) { Need::STRETCH } else { Need::LENGTH };
+        let stretch = self.need_number(&mut fields, "stretch", "x0", need);
         Some(Far::Spring { stiffness_n_m: stiffness?, stretch_m: stretch?, rigid: rigid? })
     }
 

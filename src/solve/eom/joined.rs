@@ -703,7 +703,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let u0 = self.from.half_square.scale2(1).root().f64();
         let force = law(0, 0.0, u0).abs().max(law(0, 0.5 * expected, u0).abs());
         let pace = if let [(Event::Time(t), _)] = events { *t } else { pace(expected, force, u0) };
-        let route = Route { law, presses: &presses, switch: None, u0, pace, time: known };
+        let route = Route { law, presses: &presses, switches: &[], u0, pace, time: known };
         route.states(events, rung).map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })
     }
 
