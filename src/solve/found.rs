@@ -18,14 +18,17 @@ const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
 /// Enclosures of parts of the range that are spent on showing that there is no other root.
 const MOST: u32 = 20_000;
 
-/// How a road answers.
+/// What a road says of what is asked, with these data.
+type Says<'f, T> = &'f dyn Fn(&[f64], Scope) -> Result<Road<T>, Refusal>;
+
+/// How a road answers, as far as is asked.
 pub struct Forward<'f, T: Real> {
-    /// In doubles, what is asked.
-    pub rough: &'f dyn Fn(&[f64], Scope) -> Result<Road<Fast>, Refusal>,
-    /// What is asked.
-    pub measured: &'f dyn Fn(&[f64], Scope) -> Result<Road<T>, Refusal>,
-    /// The whole road.
-    pub exact: &'f dyn Fn(&[f64]) -> Result<Road<T>, Refusal>,
+    /// In doubles.
+    pub rough: Says<'f, Fast>,
+    /// As it stands.
+    pub measured: Says<'f, T>,
+    /// With what is asked by formulas.
+    pub exact: Says<'f, T>,
 }
 
 /// What is measured on a road, less its printed value.
@@ -45,9 +48,9 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Resul
         return enclosed(found, &mut at, root, forward);
     }
     at[unknown] = root;
-    let mut near = (forward.exact)(&at)?;
+    let mut near = (forward.exact)(&at, Scope::ALL)?;
     at[unknown] = root * (1.0 + STEP);
-    let beside = (forward.exact)(&at)?;
+    let beside = (forward.exact)(&at, Scope::ALL)?;
     let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
@@ -173,5 +176,5 @@ fn enclosed<T: Real>(
         }
     }
     at[unknown] = root;
-    ball::spread(unknown, width, || (forward.exact)(at))
+    ball::spread(unknown, width, || (forward.exact)(at, Scope::ALL))
 }

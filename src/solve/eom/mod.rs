@@ -46,7 +46,7 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
             let forward = Forward {
                 rough: &|data, asked| alone(scene, data, asked),
                 measured: &|data, asked| alone(scene, data, asked),
-                exact: &|data| answered(scene, data),
+                exact: &|data, _| answered(scene, data),
             };
             found::road(found, data, &forward)
         }
