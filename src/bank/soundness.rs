@@ -130,7 +130,11 @@ fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
     if !(simple && ends) {
         let message =
             told!("a force grows with {with}, and the scene is not one whose acceleration then grows alike");
-        faults.hint(node, message, told!("one freedom, contacts that roll, no spring, no pin, and {end}"));
+        faults.hint(
+            node,
+            message,
+            told!("one freedom, contacts that roll or are smooth, no spring, no pin, and {end}"),
+        );
     } else if mixed {
         let hint = "write the same `with:` for all of them";
         faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);

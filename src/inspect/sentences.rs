@@ -450,13 +450,21 @@ fn not_found(problem: &Problem, scene: &Scene, why: &Refusal) -> String {
     };
     let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
     match why {
-        Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
-        Refusal::NotUnique(Some(value)) => format!(
-            "in a part of the range of {unknown} there is no {measured} to measure: with {}, say, the motion does not get there; narrow `unknown:` to the values with which it does",
-            in_unit(problem, scene, *value)
+        Refusal::NotFound => format!(
+            "no value of {unknown} in its range gives the measured {measured}; one with which the motion only just gets there, or a contact only just holds on the way, is not found"
         ),
+        Refusal::NotUnique(Some(value)) => {
+            let (lacks, has) = match scene.end {
+                End::AtOnce => ("the bodies do not hold or move as declared", "they do"),
+                _ => ("the motion does not get there", "it does"),
+            };
+            let value = in_unit(problem, scene, *value);
+            format!(
+                "in a part of the range of {unknown} there is no {measured} to measure: with {value}, say, {lacks}; narrow `unknown:` to the values with which {has}"
+            )
+        }
         _ => format!(
-            "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place and not where it turns"
+            "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place, not where it turns nor after friction in a guide"
         ),
     }
 }

@@ -4,7 +4,7 @@ use crate::scene::admissible::Rule;
 use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
-    Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
+    Check, CheckKind, Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
 };
 use crate::solve::{condition, energy, eom, physical};
 
@@ -104,6 +104,19 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
     let (regime, mut checks, words) = physical::judge_road(scene, &road);
+    // A force that was measured to be 0 is at its limit: rounding does not decide whether it presses.
+    let nothing = |label: Label| entries.iter().any(|e| e.label == label && e.value() == 0.0);
+    if let Some(found) =
+        scene.formulas.found.filter(|f| f.label.quantity == Quantity::Normal && nothing(f.label))
+    {
+        let of = |c: &Check| if scene.joints.is_empty() { Owner::Body(c.of) } else { Owner::Joint(c.of) };
+        let presses = |c: &&mut Check| {
+            matches!(c.kind, CheckKind::Pressed | CheckKind::Taut) && of(c) == found.label.of
+        };
+        for check in checks.iter_mut().filter(presses) {
+            *check = Check { ok: true, available: 0.0, margin: 0.0, ..*check };
+        }
+    }
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
     if let (Some((_, scene)), Some(next)) = (next, &road.next) {
         checks.push(physical::judge_next(scene, next));

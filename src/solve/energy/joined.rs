@@ -204,10 +204,9 @@ impl<T: Real> Account<'_, T> {
             return Ok(road);
         }
         if scene.end == End::Equilibrium {
-            // What is searched for is not enclosed.
-            ball::unwatched(|| self.rest(&mut road))?;
-            self.open.set(true);
-            return Ok(road);
+            let (found, doubt) = ball::watch(|| self.rest(&mut road));
+            self.open.set(doubt);
+            return found.map(|()| road);
         }
         let first = self.poses(T::zero())?;
         if scene.is_struck() {
