@@ -158,7 +158,7 @@ fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     let held = scene.is_sprung();
     #[rustfmt::skip] // a table
     let rules: [SceneRule; 3] = [
-        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away"),
+        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away, or write `slips:` for a wheel that they keep from rolling"),
         (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is not solved",
             "let the wheel roll, or take the spring away"),
         (several.filter(|_| held), "", "a spring holds a scene with {} freedoms; one is solved", "let the wheel roll"),

@@ -775,7 +775,7 @@ fn ties_that_leave_nothing_free() {
     assert_snapshot!(found(&[("- slides: {body: block, mu_k: 0.2}", "- slides: {body: block, mu_k: 0.2}\n        - cord: {from: {body: block, tied at: centre, leaves: up}, held: fast}")]), @r#"
      18 |         - cord: {from: {body: block, tied at: centre, leaves: up}, held: fast}
     test.yaml:13:7: problems.slide.scene: the ties leave nothing free to move
-        hint: take one of the ties away
+        hint: take one of the ties away, or write `slips:` for a wheel that they keep from rolling
     "#);
 }
 
