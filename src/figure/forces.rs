@@ -4,6 +4,7 @@
 //! acts. Lengths go with the magnitudes, but no arrow is shorter than can be seen. What is 0 is not drawn, but for the force of a contact that ends there. A symbol between
 //! bars is negative in the signs of the scene.
 use crate::bank::{FigureLabels, Problem};
+use crate::figure::joined::{Laid, PlaneLayout};
 use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
@@ -204,7 +205,7 @@ fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
         _ if this.planar.is_some() => {
-            let plane = joined::PlaneLayout::new(view)?;
+            let plane = PlaneLayout::new(view)?;
             let ends = plane.at_end(view).unwrap_or_else(|| vec![plane.start.clone()]).into_iter();
             let diagrams = ends.filter_map(|laid| in_the_plane(view, &plane, laid, body));
             // Of the positions on either side it is the one at which the forces turn the body as it turns.
@@ -253,27 +254,10 @@ pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usiz
 fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let plan = layout::layout(view);
     let mut p = plan.bodies.get(body).cloned().flatten()?;
-    let radius = if p.on_rail() { ON_RAIL } else { RADIUS };
-    let scale = radius / layout::outer_m(view, body);
-    p.centre = Vec2::ZERO;
-    let ratio = match &p.look {
-        BodyLook::Wheel { outer, .. } => radius / outer,
-        BodyLook::Block { along, .. } => (LONG_LOAD / along).min(1.25),
-    };
+    let ratio = enlarge(view, &mut p, body);
     let bears = view.scene.ties.iter().enumerate().filter(|(_, t)| is_load(t));
     let bears: Vec<(usize, &Tie)> = bears.filter(|(_, t)| t.actions().any(|a| a.body == body)).collect();
     let rests = view.scene.rests(body);
-    p.look = match p.look {
-        BodyLook::Wheel { open, .. } => match layout::look(view, body, scale) {
-            BodyLook::Wheel { outer, rings, .. } => BodyLook::Wheel { outer, rings, open },
-            block @ BodyLook::Block { .. } => block,
-        },
-        BodyLook::Block { along, across } => BodyLook::Block { along: along * ratio, across: across * ratio },
-    };
-    p.contact *= ratio;
-    if let (true, BodyLook::Block { across, .. }) = (rests, &p.look) {
-        p.contact = *across;
-    }
     let this = &view.scene.bodies[body];
     let own = view.numbers(this);
     let mass = own.mass;
@@ -346,30 +330,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let kinetic = Kinetic { parts, turn, round: p.reach(Vec2::RIGHT) + 10.0 };
     let centre = p.centre;
     let rolls = view.scene.ties.iter().any(|t| matches!(t, Tie::Roll { body: b, .. } if *b == body));
-    let draw = move |board: &mut Board| {
-        if p.on.is_some() && !rests {
-            // The surface, cut away, as a reference.
-            let at = p.centre - p.top * p.contact;
-            let long = p.reach(p.forward) + 22.0;
-            board.line(at - p.forward * long, at + p.forward * long, Role::Ghost);
-        }
-        parts::outline(board, &p);
-        parts::inside(board, &p);
-        match p.look {
-            BodyLook::Block { .. } => board.dot(p.centre),
-            BodyLook::Wheel { .. } => {
-                let mut letter = |text: &str, at: Vec2, degrees: &[f64]| {
-                    let spots = degrees.iter().map(|d| (at, p.direction(*d))).collect();
-                    board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
-                };
-                letter("G", p.centre, &[135.0, 45.0, 180.0, 0.0]);
-                if rolls {
-                    letter("C", p.centre - p.top * p.contact, &[225.0, 315.0]);
-                    board.dot(p.centre - p.top * p.contact);
-                }
-            }
-        }
-    };
+    let draw = move |board: &mut Board| alone(board, &p, rests, rolls);
     Some(Diagram {
         forces,
         couples,
@@ -382,6 +343,55 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         held,
         body: Box::new(draw),
     })
+}
+
+/// Draws a body as large as a diagram has room for it, with its centre at the origin; by how much it grows.
+fn enlarge(view: &SceneView, p: &mut Placed, body: usize) -> f64 {
+    let radius = if p.on_rail() { ON_RAIL } else { RADIUS };
+    let scale = radius / layout::outer_m(view, body);
+    p.centre = Vec2::ZERO;
+    let ratio = match &p.look {
+        BodyLook::Wheel { outer, .. } => radius / outer,
+        BodyLook::Block { along, .. } => (LONG_LOAD / along).min(1.25),
+    };
+    p.look = match p.look {
+        BodyLook::Wheel { open, .. } => match layout::look(view, body, scale) {
+            BodyLook::Wheel { outer, rings, .. } => BodyLook::Wheel { outer, rings, open },
+            block @ BodyLook::Block { .. } => block,
+        },
+        BodyLook::Block { along, across } => BodyLook::Block { along: along * ratio, across: across * ratio },
+    };
+    p.contact *= ratio;
+    if let (true, BodyLook::Block { across, .. }) = (view.scene.rests(body), &p.look) {
+        p.contact = *across;
+    }
+    ratio
+}
+
+/// A body on a line or an axle without what touches it.
+fn alone(board: &mut Board, p: &Placed, rests: bool, rolls: bool) {
+    if p.on.is_some() && !rests {
+        // The surface, cut away, as a reference.
+        let at = p.centre - p.top * p.contact;
+        let long = p.reach(p.forward) + 22.0;
+        board.line(at - p.forward * long, at + p.forward * long, Role::Ghost);
+    }
+    parts::outline(board, p);
+    parts::inside(board, p);
+    match p.look {
+        BodyLook::Block { .. } => board.dot(p.centre),
+        BodyLook::Wheel { .. } => {
+            let mut letter = |text: &str, at: Vec2, degrees: &[f64]| {
+                let spots = degrees.iter().map(|d| (at, p.direction(*d))).collect();
+                board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
+            };
+            letter("G", p.centre, &[135.0, 45.0, 180.0, 0.0]);
+            if rolls {
+                letter("C", p.centre - p.top * p.contact, &[225.0, 315.0]);
+                board.dot(p.centre - p.top * p.contact);
+            }
+        }
+    }
 }
 
 /// Does a body rest on a wheel here?
@@ -642,17 +652,69 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
 /// The diagrams of a body in the plane, at the position that is asked.
 fn in_the_plane<'a>(
     view: &'a SceneView<'a>,
-    plane: &joined::PlaneLayout,
-    mut laid: Vec<joined::Laid>,
+    plane: &PlaneLayout,
+    mut laid: Vec<Laid>,
     body: usize,
 ) -> Option<Diagram<'a>> {
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let g = plane.centre(view, &laid, body);
-    let name = |joint: usize, symbol: &str| {
-        let whole = names::tagged(symbol, &names::joint(view.scene, joint));
-        symbol::symbol(&names::free(view.problem, &[whole]))
+    let mut forces = Vec::new();
+    if !view.scene.lies_level() {
+        let weight = mass * view.of(view.scene.gravity_m_s2);
+        forces.push(ForceArrow::signed(g, Vec2::DOWN, weight, names::weight(view, body)));
+    }
+    forces.extend(apparent(view, body, g));
+    forces.extend(joint_forces(view, plane, &laid, body));
+    forces.extend(given_forces(view, plane, &laid, body));
+    let planar = this.planar.as_ref()?;
+    let with = Numbers::<f64>::new(view.scene, &view.variant.data).carried.unwrap_or([0.0; 2]);
+    let part = |quantity: Quantity, towards: Vec2, with: f64, way: &str| {
+        // Where nothing accelerates on the carrier, nothing is told of it.
+        let a = view.solved(quantity, Owner::Body(body)).map_or(0.0, |a| a - with);
+        let symbol = symbol::symbol(&names::acceleration(view, body, way));
+        let label = [names::mass(view, body), symbol::magnitude(symbol, a < 0.0)].concat();
+        ForceArrow::new(g, towards, mass * a, label).of(Role::Motion)
     };
+    let mut parts =
+        vec![part(Quantity::AX, Vec2::RIGHT, with[0], "x"), part(Quantity::AY, Vec2::UP, with[1], "y")];
+    let alpha = found(view, Quantity::Alpha, body);
+    let turn = this.turns.then(|| {
+        let inertia = names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]);
+        let symbols = [inertia, names::alpha(view, body)].map(|s| symbol::symbol(&s));
+        Turning::kinetic(alpha, view.inertia(this), planar.clockwise, symbols)
+    });
+    let couples = couples_in_the_plane(view, body, planar.clockwise);
+    // The mass centre stands at the origin, level with the sign between the diagrams.
+    let close = plane.close_up(view, body, LONG_BODY);
+    let ratio = close.scale / plane.scale;
+    for f in forces.iter_mut().chain(&mut parts) {
+        f.at = (f.at - g) * ratio;
+    }
+    laid[body].origin = (laid[body].origin - g) * ratio;
+    let scale = close.scale;
+    let draw = move |board: &mut Board| {
+        surfaces(board, view, &close, &laid, body, -g * ratio);
+        close.outline(board, view, &laid, body, Role::Body);
+        board.dot(Vec2::ZERO);
+        joined::letters(board, view, &close, &laid, Some(body));
+        angle_of(board, view, &laid, body);
+    };
+    let kinetic = Kinetic { parts, turn, round: 27.0 };
+    let (centre, pole) = (Vec2::ZERO, Vec2::ZERO);
+    let (unknown, axes, held, body) = (None, true, None, Box::new(draw));
+    Some(Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body })
+}
+
+/// Name of a force or couple of a joint.
+fn name(view: &SceneView, joint: usize, symbol: &str) -> Vec<TextRun> {
+    let whole = names::tagged(symbol, &names::joint(view.scene, joint));
+    symbol::symbol(&names::free(view.problem, &[whole]))
+}
+
+/// The forces of the joints on a body in the plane.
+fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usize) -> Vec<ForceArrow> {
+    let name = |joint: usize, symbol: &str| name(view, joint, symbol);
     let force = |at: Vec2, value: f64, towards: Vec2, label| ForceArrow::signed(at, towards, value, label);
     // Of the contact that ends here the equations have the force still, as 0.
     let pressing = |joint: usize, at: Vec2, value: f64, towards: Vec2, mut label: Vec<TextRun>| {
@@ -664,15 +726,10 @@ fn in_the_plane<'a>(
         force(at, value, towards, label)
     };
     let mut forces = Vec::new();
-    if !view.scene.lies_level() {
-        let weight = mass * view.of(view.scene.gravity_m_s2);
-        forces.push(force(g, weight, Vec2::DOWN, names::weight(view, body)));
-    }
-    forces.extend(apparent(view, body, g));
     for (j, joint) in view.scene.joints.iter().enumerate() {
         let found = |q: Quantity| view.solved(q, Owner::Joint(j)).unwrap_or(0.0);
         for (i, spot) in joint.kind.spots().enumerate().filter(|(_, s)| s.body == body) {
-            let at = plane.spot(view, &laid, spot);
+            let at = plane.spot(view, laid, spot);
             // The force on the second body of a hinge is the opposite one.
             let side = if i == 0 { 1.0 } else { -1.0 };
             match joint.kind {
@@ -709,9 +766,16 @@ fn in_the_plane<'a>(
             }
         }
     }
+    forces
+}
+
+/// The forces of springs and the given ones on a body in the plane.
+fn given_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usize) -> Vec<ForceArrow> {
+    let force = |at: Vec2, value: f64, towards: Vec2, label| ForceArrow::signed(at, towards, value, label);
+    let mut forces = Vec::new();
     for (s, strut) in view.scene.struts.iter().enumerate().filter(|(_, strut)| !strut.twists()) {
         let pull = view.solved(Quantity::SpringForce, Owner::Strut(s)).unwrap_or(0.0);
-        let (near, far) = plane.ends(view, &laid, strut);
+        let (near, far) = plane.ends(view, laid, strut);
         let label = || symbol::symbol(r"F_{\mathrm{s}}");
         if strut.at.body == body {
             forces.push(force(near, pull, (far - near).unit(), label()));
@@ -723,32 +787,19 @@ fn in_the_plane<'a>(
     for push in view.scene.pushes.iter().filter(|p| p.at.body == body && !p.blow) {
         let given = view.symbol(push.force_n);
         let label = if given.is_empty() { symbol::symbol("P") } else { given };
-        let towards = joined::towards(view, plane, &laid, push);
-        forces.push(force(plane.spot(view, &laid, push.at), view.of(push.force_n), towards, label));
+        let towards = joined::towards(view, plane, laid, push);
+        forces.push(force(plane.spot(view, laid, push.at), view.of(push.force_n), towards, label));
     }
-    let planar = this.planar.as_ref()?;
-    let with = Numbers::<f64>::new(view.scene, &view.variant.data).carried.unwrap_or([0.0; 2]);
-    let part = |quantity: Quantity, towards: Vec2, with: f64, way: &str| {
-        // Where nothing accelerates on the carrier, nothing is told of it.
-        let a = view.solved(quantity, Owner::Body(body)).map_or(0.0, |a| a - with);
-        let symbol = symbol::symbol(&names::acceleration(view, body, way));
-        let label = [names::mass(view, body), symbol::magnitude(symbol, a < 0.0)].concat();
-        ForceArrow::new(g, towards, mass * a, label).of(Role::Motion)
-    };
-    let mut parts =
-        vec![part(Quantity::AX, Vec2::RIGHT, with[0], "x"), part(Quantity::AY, Vec2::UP, with[1], "y")];
-    let alpha = found(view, Quantity::Alpha, body);
-    let turn = this.turns.then(|| {
-        let inertia = names::free(view.problem, &["I_G".to_owned(), "J_G".to_owned()]);
-        let symbols = [inertia, names::alpha(view, body)].map(|s| symbol::symbol(&s));
-        Turning::kinetic(alpha, view.inertia(this), planar.clockwise, symbols)
-    });
-    let mut couples = couples_on(view, body, planar.clockwise);
-    // The couples of welds, of torsion springs and of the drive.
+    forces
+}
+
+/// All couples on a body in the plane: the given ones, those of welds, of torsion springs and of the drive.
+fn couples_in_the_plane(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
+    let mut couples = couples_on(view, body, clockwise);
     for j in 0..view.scene.joints.len() {
         let Some(moment) = view.solved(Quantity::Moment, Owner::Joint(j)) else { continue };
         for (i, _) in view.scene.joints[j].kind.spots().enumerate().filter(|(_, s)| s.body == body) {
-            couples.push(Turning::signed(if i == 0 { moment } else { -moment }, name(j, "M")));
+            couples.push(Turning::signed(if i == 0 { moment } else { -moment }, name(view, j, "M")));
         }
     }
     let twisting = view.scene.struts.iter().enumerate().filter(|(_, strut)| strut.at.body == body);
@@ -756,37 +807,19 @@ fn in_the_plane<'a>(
         .filter_map(|(s, _)| Some((Owner::Strut(s), view.solved(Quantity::Moment, Owner::Strut(s))?)));
     let drive = view.solved(Quantity::Drive, Owner::Body(body)).map(|moment| (Owner::Body(body), moment));
     for (of, moment) in springs.chain(drive) {
-        let value = if planar.clockwise { -moment } else { moment };
+        let value = if clockwise { -moment } else { moment };
         let letter = if matches!(of, Owner::Strut(_)) { r"M_{\mathrm{s}}" } else { "M" };
         couples.push(Turning::signed(value, symbol::symbol(letter)));
     }
-    // The mass centre stands at the origin, level with the sign between the diagrams.
-    let close = plane.close_up(view, body, LONG_BODY);
-    let ratio = close.scale / plane.scale;
-    for f in forces.iter_mut().chain(&mut parts) {
-        f.at = (f.at - g) * ratio;
-    }
-    laid[body].origin = (laid[body].origin - g) * ratio;
-    let scale = close.scale;
-    let draw = move |board: &mut Board| {
-        surfaces(board, view, &close, &laid, body, -g * ratio);
-        close.outline(board, view, &laid, body, Role::Body);
-        board.dot(Vec2::ZERO);
-        joined::letters(board, view, &close, &laid, Some(body));
-        angle_of(board, view, &laid, body);
-    };
-    let kinetic = Kinetic { parts, turn, round: 27.0 };
-    let (centre, pole) = (Vec2::ZERO, Vec2::ZERO);
-    let (unknown, axes, held, body) = (None, true, None, Box::new(draw));
-    Some(Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body })
+    couples
 }
 
 /// What a body in the plane stands on or leans against, cut away, as a reference; what is fixed is drawn off by `shift`.
 fn surfaces(
     board: &mut Board,
     view: &SceneView,
-    plane: &joined::PlaneLayout,
-    laid: &[joined::Laid],
+    plane: &PlaneLayout,
+    laid: &[Laid],
     body: usize,
     shift: Vec2,
 ) {
@@ -821,7 +854,7 @@ fn surfaces(
 }
 
 /// The angle of the leading body, where its axis lies.
-fn angle_of(board: &mut Board, view: &SceneView, laid: &[joined::Laid], body: usize) {
+fn angle_of(board: &mut Board, view: &SceneView, laid: &[Laid], body: usize) {
     let Some(planar) = view.scene.planar(body).filter(|_| view.scene.lead() == Some(body)) else { return };
     let given = match view.scene.end {
         End::Angle(_, n) => Some(n),

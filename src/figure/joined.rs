@@ -932,26 +932,8 @@ pub fn towards(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], push: &crat
 
 /// What the picture shows, in words.
 pub fn tell(view: &SceneView, out: &mut Vec<String>) {
-    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.joined.{name}"), pieces);
-    let called = |spot: Spot| {
-        let (_, point) = view.scene.point_name(spot).unwrap_or(("", ""));
-        let body = names::body_within(view.words, view.scene, spot.body);
-        let the = names::the_body(view.words, view.scene, spot.body);
-        let name = if view.scene.bodies[spot.body].turns { "point" } else { "itself" };
-        say(name, &[("point", point), ("body", &body), ("the", &the)])
-    };
-    let place = |place: [Num; 2]| {
-        let (x, y) = (say::text(view, place[0], "m"), say::text(view, place[1], "m"));
-        say("place", &[("x", &x), ("y", &y)])
-    };
-    let line = |direction_deg: Num| {
-        let name = match direction_deg {
-            Num::Fixed(d) if d % 180.0 == 0.0 => "level",
-            Num::Fixed(d) if (d % 180.0).abs().to_bits() == 90.0_f64.to_bits() => "upright",
-            _ => "sloped",
-        };
-        say(name, &[("angle", &say::text(view, direction_deg, "°"))])
-    };
+    let teller = Teller { view };
+    let say = |name: &str, pieces: &[(&str, &str)]| teller.say(name, pieces);
     for (b, body) in view.scene.bodies.iter().enumerate() {
         let name = if view.scene.lies_level() { "flat_body" } else { "body" };
         out.push(say(name, &[("body", &say::named(view, body))]));
@@ -974,60 +956,99 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
             out.push(say("end", &[("angle", &say::text(view, n, "°"))]));
         }
     }
-    for joint in &view.scene.joints {
-        out.push(match joint.kind {
+    out.extend(view.scene.joints.iter().map(|joint| teller.joint(joint.kind)));
+    for push in &view.scene.pushes {
+        let (name, unit) = if push.blow { ("blow", "N·s") } else { ("force", "N") };
+        let name = if push.toward_m.is_some() { "pull" } else { name };
+        let force = say::text(view, push.force_n, unit);
+        let to = push.toward_m.map_or_else(String::new, |place| teller.place(place));
+        out.push(say(name, &[("force", &force), ("point", &teller.called(push.at)), ("place", &to)]));
+    }
+    out.extend(view.scene.struts.iter().map(|strut| teller.strut(strut)));
+    // The letter of a point stays as it is.
+    for said in out.iter_mut().filter(|said| said.chars().nth(1).is_some_and(char::is_alphabetic)) {
+        *said = capital(said);
+    }
+}
+
+/// The words of the pieces of a scene of joined bodies.
+struct Teller<'v, 'a> {
+    view: &'v SceneView<'a>,
+}
+
+impl Teller<'_, '_> {
+    fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        self.view.words.say(&format!("figure.joined.{name}"), pieces)
+    }
+    fn called(&self, spot: Spot) -> String {
+        let (_, point) = self.view.scene.point_name(spot).unwrap_or(("", ""));
+        let body = names::body_within(self.view.words, self.view.scene, spot.body);
+        let the = names::the_body(self.view.words, self.view.scene, spot.body);
+        let name = if self.view.scene.bodies[spot.body].turns { "point" } else { "itself" };
+        self.say(name, &[("point", point), ("body", &body), ("the", &the)])
+    }
+    fn place(&self, place: [Num; 2]) -> String {
+        let (x, y) = (say::text(self.view, place[0], "m"), say::text(self.view, place[1], "m"));
+        self.say("place", &[("x", &x), ("y", &y)])
+    }
+    /// A line that is level, upright or sloped.
+    fn line(&self, direction_deg: Num) -> String {
+        let name = match direction_deg {
+            Num::Fixed(d) if d % 180.0 == 0.0 => "level",
+            Num::Fixed(d) if (d % 180.0).abs().to_bits() == 90.0_f64.to_bits() => "upright",
+            _ => "sloped",
+        };
+        self.say(name, &[("angle", &say::text(self.view, direction_deg, "°"))])
+    }
+    fn joint(&self, kind: JointKind) -> String {
+        match kind {
             JointKind::Pin { at, place_m } => {
-                say("pin", &[("point", &called(at)), ("place", &place(place_m))])
+                self.say("pin", &[("point", &self.called(at)), ("place", &self.place(place_m))])
             }
             JointKind::Hinge { one, other, turned_deg } => {
                 let name = if turned_deg.is_some() { "weld" } else { "hinge" };
-                say(name, &[("one", &called(one)), ("other", &called(other))])
+                self.say(name, &[("one", &self.called(one)), ("other", &self.called(other))])
             }
             JointKind::Guide { at, direction_deg, one_sided, .. } => {
                 let what = if one_sided { "touches" } else { "guide" };
-                say(what, &[("point", &called(at)), ("line", &line(direction_deg))])
+                self.say(what, &[("point", &self.called(at)), ("line", &self.line(direction_deg))])
             }
             JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
                 let what = match rolls {
                     true if teeth => "meshes",
                     true => "rolls",
-                    false if view.of(radius_m) == 0.0 => "slides_itself",
+                    false if self.view.of(radius_m) == 0.0 => "slides_itself",
                     false => "slides",
                 };
                 let on = match surface {
                     Surface::Line { direction_deg, .. } => {
-                        let line = say("sloped", &[("angle", &say::text(view, direction_deg, "°"))]);
-                        say("surface", &[("line", &line)])
+                        let line =
+                            self.say("sloped", &[("angle", &say::text(self.view, direction_deg, "°"))]);
+                        self.say("surface", &[("line", &line)])
                     }
                     Surface::Arc { radius_m, inside, .. } => {
                         let name = if inside { "within" } else { "outside" };
-                        say(name, &[("radius", &say::text(view, radius_m, "m"))])
+                        self.say(name, &[("radius", &say::text(self.view, radius_m, "m"))])
                     }
                 };
-                let radius = say::text(view, radius_m, "m");
-                let point = match view.scene.bodies[at.body].turns {
-                    true => called(at),
-                    false => capital(&names::the_body(view.words, view.scene, at.body)),
+                let radius = say::text(self.view, radius_m, "m");
+                let point = match self.view.scene.bodies[at.body].turns {
+                    true => self.called(at),
+                    false => capital(&names::the_body(self.view.words, self.view.scene, at.body)),
                 };
-                say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
+                self.say(what, &[("point", &point), ("radius", &radius), ("on", &on)])
             }
             JointKind::Cord { at, place_m, rod } => {
                 let what = if rod { "rod" } else { "cord" };
-                say(what, &[("point", &called(at)), ("place", &place(place_m))])
+                self.say(what, &[("point", &self.called(at)), ("place", &self.place(place_m))])
             }
-        });
+        }
     }
-    for push in &view.scene.pushes {
-        let (name, unit) = if push.blow { ("blow", "N·s") } else { ("force", "N") };
-        let name = if push.toward_m.is_some() { "pull" } else { name };
-        let force = say::text(view, push.force_n, unit);
-        let to = push.toward_m.map_or_else(String::new, place);
-        out.push(say(name, &[("force", &force), ("point", &called(push.at)), ("place", &to)]));
-    }
-    for strut in &view.scene.struts {
+    fn strut(&self, strut: &Strut) -> String {
         let (Rest::Length(rest) | Rest::Stretch(rest)) = strut.rest;
         let units = if strut.twists() { ["N·m/rad", "°"] } else { ["N/m", "m"] };
-        let list = [say::text(view, strut.stiffness_n_m, units[0]), say::text(view, rest, units[1])];
+        let list =
+            [say::text(self.view, strut.stiffness_n_m, units[0]), say::text(self.view, rest, units[1])];
         let name = match (strut.to, strut.acts) {
             (StrutEnd::Twist, _) => "torsion",
             (_, Acts::Both) => "spring",
@@ -1036,19 +1057,15 @@ pub fn tell(view: &SceneView, out: &mut Vec<String>) {
         };
         let to = match strut.to {
             StrutEnd::Twist => String::new(),
-            StrutEnd::Ground(p) => place(p),
-            StrutEnd::Spot(spot) => called(spot),
+            StrutEnd::Ground(p) => self.place(p),
+            StrutEnd::Spot(spot) => self.called(spot),
             StrutEnd::Guide { through_m, direction_deg } => {
-                let name = [("line", line(direction_deg)), ("place", place(through_m))];
-                say("guided", &name.each_ref().map(|(name, text)| (*name, text.as_str())))
+                let name = [("line", self.line(direction_deg)), ("place", self.place(through_m))];
+                self.say("guided", &name.each_ref().map(|(name, text)| (*name, text.as_str())))
             }
         };
-        let list = list.join(say::separator(view));
-        out.push(say(name, &[("point", &called(strut.at)), ("to", &to), ("list", &list)]));
-    }
-    // The letter of a point stays as it is.
-    for said in out.iter_mut().filter(|said| said.chars().nth(1).is_some_and(char::is_alphabetic)) {
-        *said = capital(said);
+        let list = list.join(say::separator(self.view));
+        self.say(name, &[("point", &self.called(strut.at)), ("to", &to), ("list", &list)])
     }
 }
 

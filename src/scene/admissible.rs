@@ -4,6 +4,7 @@ use crate::scene::{
     Arm, Attach, Body, End, Far, JointKind, Mass, Num, Pin, Place, Rest, RotaryInertia, Scene, Shape, Slope,
     Start, StrutEnd, Surface, Tie, Zero,
 };
+use Rule::{Finite, NotNegative, Positive};
 
 /// What a datum must satisfy to be part of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,114 +59,15 @@ pub struct Inadmissible {
 
 /// Every number of the scene with its rule, in the order of the scene.
 pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
-    use Rule::{Finite, NotNegative, Positive};
     tell(scene.gravity_m_s2, Positive);
-    let slipping = |b: usize| scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == b));
-    for (i, b) in scene.bodies.iter().enumerate() {
-        for p in &b.particles {
-            tell(p.mass_kg, Positive);
-            tell(p.x_m, Finite);
-            tell(p.y_m, Finite);
-        }
-        // What is told to be light in the plane has a mass of 0; a datum is none.
-        let light = b.planar.is_some() && matches!(b.mass, Mass::Kilograms(Num::Fixed(_)));
-        let moves = b.line.is_some() || b.pin.is_some() || b.planar.is_some();
-        let mass = if moves && !light { Positive } else { NotNegative };
-        if b.particles.is_empty() {
-            match &b.mass {
-                Mass::Kilograms(n) | Mass::Weight(n) => tell(*n, mass),
-                Mass::OfParts => {}
-            }
-        }
-        let inertia = if slipping(i) { Positive } else { NotNegative };
-        match &b.inertia {
-            None => {}
-            Some(RotaryInertia::Gyration(n) | RotaryInertia::Moment(n)) => tell(*n, inertia),
-            Some(RotaryInertia::Shape(_, n)) => tell(*n, Positive),
-            Some(RotaryInertia::Parts(parts)) => {
-                for p in parts {
-                    if let Mass::Kilograms(n) | Mass::Weight(n) = p.mass {
-                        tell(n, NotNegative);
-                    }
-                    tell(p.radius_m, Positive);
-                }
-            }
-        }
-        let radius = |name: &str| b.radii_m.iter().find(|(n, _)| n == name).map(|(_, r)| *r);
-        for (_, r) in &b.radii_m {
-            tell(*r, Positive);
-        }
-        for (small, large) in [("hub", "rim"), ("inner", "outer")] {
-            if let (Some(r), Some(rim)) = (radius(small), radius(large)) {
-                tell(r, Rule::NotAbove(rim));
-            }
-        }
-        if let Some(Slope::Degrees(angle)) = b.line.map(|l| l.slope) {
-            tell(angle, Rule::Slope);
-        }
-        if let Some(pin) = &b.pin {
-            pin_rules(pin, tell);
-        }
-        if let Some(planar) = &b.planar {
-            for place in planar.points.iter().flat_map(|(_, p)| p).chain([&planar.centre]) {
-                let (Place::At(x) | Place::HalfOf(x)) = place;
-                tell(*x, Finite);
-            }
-            planar.start_deg.iter().for_each(|angle| tell(*angle, Rule::Angle));
-            planar.driven.iter().for_each(|alpha| tell(*alpha, Finite));
-            planar.origin_m.iter().flatten().for_each(|x| tell(*x, Finite));
-        }
+    for (i, body) in scene.bodies.iter().enumerate() {
+        let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == i));
+        body_rules(body, slips, tell);
     }
-    for t in &scene.ties {
-        match t {
-            Tie::Roll { radius_m, mu_s, .. } => {
-                tell(*radius_m, Positive);
-                if let Some(mu) = mu_s {
-                    tell(*mu, NotNegative);
-                }
-            }
-            Tie::Slip { radius_m, mu_s, mu_k, .. } => {
-                tell(*radius_m, Positive);
-                tell(*mu_s, NotNegative);
-                tell(*mu_k, NotNegative);
-                tell(*mu_k, Rule::NotAbove(*mu_s));
-            }
-            Tie::Slide { mu_s, mu_k, .. } => {
-                tell(*mu_k, NotNegative);
-                if let Some(mu) = mu_s {
-                    tell(*mu, NotNegative);
-                    tell(*mu_k, Rule::NotAbove(*mu));
-                }
-            }
-            Tie::Cord(c) => {
-                let mut wound = |a: Attach| {
-                    if let Attach::Wound(r, _) = a {
-                        tell(r, Positive);
-                    }
-                };
-                wound(c.from.attach);
-                if let Far::Body(end) = &c.to {
-                    wound(end.attach);
-                }
-                c.from.tilt_deg.iter().for_each(|tilt| tell(*tilt, Rule::Angle));
-                match &c.to {
-                    Far::Pull(p) => tell(*p, NotNegative),
-                    Far::Spring { stiffness_n_m, stretch_m, rigid } => {
-                        tell(*stiffness_n_m, Positive);
-                        tell(*stretch_m, if *rigid { Finite } else { NotNegative });
-                    }
-                    Far::Body(_) | Far::Fixed => {}
-                }
-            }
-        }
-    }
-    for c in &scene.couples {
-        tell(c.moment_n_m, NotNegative);
-    }
+    scene.ties.iter().for_each(|tie| tie_rules(tie, tell));
+    scene.couples.iter().for_each(|c| tell(c.moment_n_m, NotNegative));
     joint_rules(scene, tell);
-    for g in &scene.growths {
-        tell(g.rate, NotNegative);
-    }
+    scene.growths.iter().for_each(|g| tell(g.rate, NotNegative));
     for s in &scene.start {
         match s {
             Start::Speed(_, v) => tell(*v, Finite),
@@ -188,6 +90,101 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
         End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),
         End::Position(_, s) => tell(s, Finite),
         End::Angle(_, a) => tell(a, Rule::Angle),
+    }
+}
+
+/// The numbers of a body.
+fn body_rules(b: &Body, slips: bool, tell: &mut dyn FnMut(Num, Rule)) {
+    for p in &b.particles {
+        tell(p.mass_kg, Positive);
+        tell(p.x_m, Finite);
+        tell(p.y_m, Finite);
+    }
+    // What is told to be light in the plane has a mass of 0; a datum is none.
+    let light = b.planar.is_some() && matches!(b.mass, Mass::Kilograms(Num::Fixed(_)));
+    let moves = b.line.is_some() || b.pin.is_some() || b.planar.is_some();
+    let mass = if moves && !light { Positive } else { NotNegative };
+    if let (true, Mass::Kilograms(n) | Mass::Weight(n)) = (b.particles.is_empty(), &b.mass) {
+        tell(*n, mass);
+    }
+    let inertia = if slips { Positive } else { NotNegative };
+    match &b.inertia {
+        None => {}
+        Some(RotaryInertia::Gyration(n) | RotaryInertia::Moment(n)) => tell(*n, inertia),
+        Some(RotaryInertia::Shape(_, n)) => tell(*n, Positive),
+        Some(RotaryInertia::Parts(parts)) => {
+            for p in parts {
+                if let Mass::Kilograms(n) | Mass::Weight(n) = p.mass {
+                    tell(n, NotNegative);
+                }
+                tell(p.radius_m, Positive);
+            }
+        }
+    }
+    let radius = |name: &str| b.radii_m.iter().find(|(n, _)| n == name).map(|(_, r)| *r);
+    b.radii_m.iter().for_each(|(_, r)| tell(*r, Positive));
+    for (small, large) in [("hub", "rim"), ("inner", "outer")] {
+        if let (Some(r), Some(rim)) = (radius(small), radius(large)) {
+            tell(r, Rule::NotAbove(rim));
+        }
+    }
+    if let Some(Slope::Degrees(angle)) = b.line.map(|l| l.slope) {
+        tell(angle, Rule::Slope);
+    }
+    if let Some(pin) = &b.pin {
+        pin_rules(pin, tell);
+    }
+    if let Some(planar) = &b.planar {
+        for place in planar.points.iter().flat_map(|(_, p)| p).chain([&planar.centre]) {
+            let (Place::At(x) | Place::HalfOf(x)) = place;
+            tell(*x, Finite);
+        }
+        planar.start_deg.iter().for_each(|angle| tell(*angle, Rule::Angle));
+        planar.driven.iter().for_each(|alpha| tell(*alpha, Finite));
+        planar.origin_m.iter().flatten().for_each(|x| tell(*x, Finite));
+    }
+}
+
+/// The numbers of a contact or cord.
+fn tie_rules(tie: &Tie, tell: &mut dyn FnMut(Num, Rule)) {
+    match tie {
+        Tie::Roll { radius_m, mu_s, .. } => {
+            tell(*radius_m, Positive);
+            mu_s.iter().for_each(|mu| tell(*mu, NotNegative));
+        }
+        Tie::Slip { radius_m, mu_s, mu_k, .. } => {
+            tell(*radius_m, Positive);
+            tell(*mu_s, NotNegative);
+            tell(*mu_k, NotNegative);
+            tell(*mu_k, Rule::NotAbove(*mu_s));
+        }
+        Tie::Slide { mu_s, mu_k, .. } => {
+            tell(*mu_k, NotNegative);
+            if let Some(mu) = mu_s {
+                tell(*mu, NotNegative);
+                tell(*mu_k, Rule::NotAbove(*mu));
+            }
+        }
+        Tie::Cord(c) => {
+            let mut wound = |a: Attach| {
+                if let Attach::Wound(r, _) = a {
+                    tell(r, Positive);
+                }
+            };
+            wound(c.from.attach);
+            if let Far::Body(end) = &c.to {
+                wound(end.attach);
+            }
+            c.from.tilt_deg.iter().for_each(|tilt| tell(*tilt, Rule::Angle));
+            match &c.to {
+                Far::Pull(p) => tell(*p, NotNegative),
+                Far::Spring { stiffness_n_m, stretch_m, rigid } => {
+                    tell(*stiffness_n_m, Positive);
+                    tell(*stretch_m, if *rigid { Finite } else { NotNegative });
+                }
+                Far::Body(_) | Far::Fixed => {}
+            }
+        }
     }
 }
 

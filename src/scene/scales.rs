@@ -198,67 +198,10 @@ pub fn is_massive(unit: &str) -> bool {
 /// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.
 pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     tell(&mut scene.gravity_m_s2, "m/s^2");
-    for body in &mut scene.bodies {
-        of_body(body, tell);
-    }
-    for tie in &mut scene.ties {
-        match tie {
-            Tie::Roll { radius_m, mu_s, .. } => {
-                tell(radius_m, "m");
-                mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
-            }
-            Tie::Slip { radius_m, mu_s, mu_k, .. } => {
-                tell(radius_m, "m");
-                tell(mu_s, "1");
-                tell(mu_k, "1");
-            }
-            Tie::Slide { mu_s, mu_k, .. } => {
-                mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
-                tell(mu_k, "1");
-            }
-            Tie::Cord(cord) => {
-                of_end(&mut cord.from, tell);
-                match &mut cord.to {
-                    Far::Pull(force) => tell(force, "N"),
-                    Far::Body(end) => of_end(end, tell),
-                    Far::Spring { stiffness_n_m, stretch_m, .. } => {
-                        tell(stiffness_n_m, "N/m");
-                        tell(stretch_m, "m");
-                    }
-                    Far::Fixed => {}
-                }
-            }
-        }
-    }
-    for couple in &mut scene.couples {
-        tell(&mut couple.moment_n_m, "N*m");
-    }
-    for joint in &mut scene.joints {
-        match &mut joint.kind {
-            JointKind::Hinge { turned_deg, .. } => turned_deg.iter_mut().for_each(|angle| tell(angle, "1")),
-            JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
-                place_m.iter_mut().for_each(|x| tell(x, "m"));
-            }
-            JointKind::Contact { radius_m, surface, .. } => {
-                tell(radius_m, "m");
-                match surface {
-                    Surface::Line { through_m, direction_deg } => {
-                        through_m.iter_mut().for_each(|x| tell(x, "m"));
-                        tell(direction_deg, "1");
-                    }
-                    Surface::Arc { centre_m, radius_m, .. } => {
-                        centre_m.iter_mut().for_each(|x| tell(x, "m"));
-                        tell(radius_m, "m");
-                    }
-                }
-            }
-            JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
-                through_m.iter_mut().for_each(|x| tell(x, "m"));
-                tell(direction_deg, "1");
-                mu_k.iter_mut().for_each(|mu| tell(mu, "1"));
-            }
-        }
-    }
+    scene.bodies.iter_mut().for_each(|body| of_body(body, tell));
+    scene.ties.iter_mut().for_each(|tie| of_tie(tie, tell));
+    scene.couples.iter_mut().for_each(|couple| tell(&mut couple.moment_n_m, "N*m"));
+    scene.joints.iter_mut().for_each(|joint| of_joint(&mut joint.kind, tell));
     for push in &mut scene.pushes {
         tell(&mut push.force_n, if push.blow { "N*s" } else { "N" });
         tell(&mut push.direction_deg, "1");
@@ -306,6 +249,65 @@ pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
         End::Time(_, t) => tell(t, "s"),
         End::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
         End::Angle(_, angle) => tell(angle, "1"),
+    }
+}
+
+/// The numbers of a contact or cord.
+fn of_tie(tie: &mut Tie, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+    match tie {
+        Tie::Roll { radius_m, mu_s, .. } => {
+            tell(radius_m, "m");
+            mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
+        }
+        Tie::Slip { radius_m, mu_s, mu_k, .. } => {
+            tell(radius_m, "m");
+            tell(mu_s, "1");
+            tell(mu_k, "1");
+        }
+        Tie::Slide { mu_s, mu_k, .. } => {
+            mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
+            tell(mu_k, "1");
+        }
+        Tie::Cord(cord) => {
+            of_end(&mut cord.from, tell);
+            match &mut cord.to {
+                Far::Pull(force) => tell(force, "N"),
+                Far::Body(end) => of_end(end, tell),
+                Far::Spring { stiffness_n_m, stretch_m, .. } => {
+                    tell(stiffness_n_m, "N/m");
+                    tell(stretch_m, "m");
+                }
+                Far::Fixed => {}
+            }
+        }
+    }
+}
+
+/// The numbers of a joint.
+fn of_joint(kind: &mut JointKind, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+    match kind {
+        JointKind::Hinge { turned_deg, .. } => turned_deg.iter_mut().for_each(|angle| tell(angle, "1")),
+        JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
+            place_m.iter_mut().for_each(|x| tell(x, "m"));
+        }
+        JointKind::Contact { radius_m, surface, .. } => {
+            tell(radius_m, "m");
+            match surface {
+                Surface::Line { through_m, direction_deg } => {
+                    through_m.iter_mut().for_each(|x| tell(x, "m"));
+                    tell(direction_deg, "1");
+                }
+                Surface::Arc { centre_m, radius_m, .. } => {
+                    centre_m.iter_mut().for_each(|x| tell(x, "m"));
+                    tell(radius_m, "m");
+                }
+            }
+        }
+        JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
+            through_m.iter_mut().for_each(|x| tell(x, "m"));
+            tell(direction_deg, "1");
+            mu_k.iter_mut().for_each(|mu| tell(mu, "1"));
+        }
     }
 }
 

@@ -70,7 +70,7 @@ type Outcome<T> = Option<(Kind, Values<T>)>;
 type Roads<'r, T> = &'r dyn Fn(&[Set], Scope) -> Vec<Outcome<T>>;
 
 /// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell. If data may
-/// `follow` others, those are not changed.
+/// `follow` others, those are not changed, save for what is told so beside a kink: that needs the slope of each datum.
 fn quotients<T: Real>(
     scene: &Scene,
     data: &[f64],
@@ -79,12 +79,36 @@ fn quotients<T: Real>(
     roads: Roads<T>,
     follow: bool,
 ) -> (Vec<f64>, Vec<bool>) {
-    let mut used = used(scene, data);
-    let followers = if follow { followers(scene, &mut used) } else { Vec::new() };
-    let mut rounded = vec![false; entries.len()];
+    let mut found = (vec![None; entries.len()], vec![false; entries.len()]);
+    let all = used(scene, data);
+    let mut changed = all.clone();
+    let followers = if follow { followers(scene, &mut changed) } else { Vec::new() };
+    let plans = [(changed, followers), (all, Vec::new())];
+    for (used, followers) in &plans {
+        search((scene, data, kind), entries, roads, (used, followers), &mut found);
+        if found.0.iter().all(Option::is_some) {
+            break;
+        }
+    }
+    let told = |cond: Option<f64>| match cond {
+        Some(cond) if cond < NOTHING => 0.0,
+        Some(cond) if !cond.is_nan() => cond,
+        _ => f64::INFINITY,
+    };
+    (found.0.into_iter().map(told).collect(), found.1)
+}
+
+/// Looks for those condition numbers that are missing, with the data that are changed and what follows from their slopes; what that
+/// does not tell stays missing.
+fn search<T: Real>(
+    (scene, data, kind): (&Scene, &[f64], Kind),
+    entries: &[Entry],
+    roads: Roads<T>,
+    (used, followers): (&[usize], &[Vec<f64>]),
+    (conds, rounded): &mut (Vec<Option<f64>>, Vec<bool>),
+) {
     let mut kinked: Vec<usize> = Vec::new();
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
-    let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
     // Where each datum is changed, after the data as they are if these are wanted.
     let changed = |by: f64, conds: &[Option<f64>], own: bool| -> Vec<Changed<T>> {
         // What was found needs no further road.
@@ -110,12 +134,12 @@ fn quotients<T: Real>(
     let mut base = None;
     'found: for power in STEPS {
         let step = pow2(power);
-        let mut up = changed(step, &conds, base.is_none());
+        let mut up = changed(step, conds, base.is_none());
         let base = base.get_or_insert_with(|| up.remove(0).values);
         let mut down: Vec<Changed<T>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
-                down = changed(-step, &conds, false);
+                down = changed(-step, conds, false);
             } else if !up.iter().all(|c| c.alike) {
                 continue;
             }
@@ -127,13 +151,12 @@ fn quotients<T: Real>(
                 let uneven = slopes.iter().any(|s| s.uneven);
                 let mut sum: f64 = slopes.iter().map(|s| s.per.abs()).sum();
                 if !followers.is_empty() {
-                    // What follows from the slopes of others cannot be told beside a kink.
                     if uneven {
                         kinked.push(at);
                         *cond = Some(f64::NAN);
                         continue;
                     }
-                    sum += followed(scene, entry, &followers, &slopes);
+                    sum += followed(scene, entry, followers, &slopes);
                 }
                 let found = relative(entry, sum);
                 let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
@@ -155,19 +178,7 @@ fn quotients<T: Real>(
             }
         }
     }
-    let told = |cond: Option<f64>| match cond {
-        Some(cond) if cond < NOTHING => 0.0,
-        Some(cond) if !cond.is_nan() => cond,
-        _ => f64::INFINITY,
-    };
-    let mut conds: Vec<f64> = conds.into_iter().map(told).collect();
-    if !kinked.is_empty() {
-        let (all, roughly) = quotients(scene, data, kind, entries, roads, false);
-        for at in kinked {
-            (conds[at], rounded[at]) = (all[at], roughly[at]);
-        }
-    }
-    (conds, rounded)
+    kinked.into_iter().for_each(|at| conds[at] = None);
 }
 
 /// The slopes, added up, of the data that follow others.

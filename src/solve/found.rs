@@ -1,9 +1,9 @@
 //! The inverse question: of a datum that was measured, the solution with the value of another datum that gives just this
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
 use crate::num::dd::pow2;
-use crate::num::{Real, ball, root};
-use crate::scene::{Found, Label};
-use crate::solve::outcome::{Refusal, Road, Said};
+use crate::num::{Fast, Real, ball, root};
+use crate::scene::Found;
+use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
 /// Places of the stated range at which a change of sign is looked for.
 const PLACES: u32 = 16;
@@ -18,20 +18,17 @@ const WIDTHS: [i32; 4] = [-44, -40, -34, -28];
 /// Enclosures of parts of the range that are spent on showing that there is no other root.
 const MOST: u32 = 20_000;
 
-/// How a road answers: rounded to a double, and as it stands.
-pub trait Forward<T: Real> {
-    /// What is measured, in doubles; NaN where there is none.
-    fn rough(&self, data: &[f64], label: Label) -> f64;
-    /// The whole road.
-    ///
-    /// # Errors
-    /// Those of the road.
-    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal>;
-    /// The road as far as it says what is measured.
-    ///
-    /// # Errors
-    /// Those of the road.
-    fn measured(&self, data: &[f64], label: Label) -> Result<Road<T>, Refusal>;
+/// What a road says of what is asked, with these data.
+type Says<'f, T> = &'f dyn Fn(&[f64], Scope) -> Result<Road<T>, Refusal>;
+
+/// How a road answers, as far as is asked.
+pub struct Forward<'f, T: Real> {
+    /// In doubles.
+    pub rough: Says<'f, Fast>,
+    /// As it stands.
+    pub measured: Says<'f, T>,
+    /// With what is asked by formulas.
+    pub exact: Says<'f, T>,
 }
 
 /// What is measured on a road, less its printed value.
@@ -43,7 +40,7 @@ fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
 ///
 /// # Errors
 /// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
-pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Result<Road<T>, Refusal> {
+pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
     let root = search(found, data, forward).ok_or(Refusal::NotFound)?;
     let mut at = data.to_vec();
     let unknown = found.unknown.datum;
@@ -51,9 +48,9 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> R
         return enclosed(found, &mut at, root, forward);
     }
     at[unknown] = root;
-    let mut near = forward.exact(&at)?;
+    let mut near = (forward.exact)(&at, Scope::ALL)?;
     at[unknown] = root * (1.0 + STEP);
-    let beside = forward.exact(&at)?;
+    let beside = (forward.exact)(&at, Scope::ALL)?;
     let (y0, y1) = (miss(found, &near, data), miss(found, &beside, data));
     let (Some(y0), Some(y1)) = (y0, y1) else { return Err(Refusal::NotFound) };
     // The share of the step at which nothing is missing.
@@ -75,12 +72,13 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> R
 }
 
 /// The root to a few units of doubles, in the first place of the range where the sign changes.
-fn search<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Option<f64> {
+fn search<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Option<f64> {
     let printed: f64 = found.measured.value(data);
     let miss = |x: f64| {
         let mut at = data.to_vec();
         at[found.unknown.datum] = x;
-        forward.rough(&at, found.label) - printed
+        let road = (forward.rough)(&at, Scope::only([found.label.quantity])).ok();
+        road.and_then(|road| Some(road.get(found.label)?.value)).unwrap_or(f64::NAN) - printed
     };
     let between = |low: (f64, f64), high: (f64, f64)| {
         let value = |x: f64| Ok::<_, ()>(miss(x));
@@ -137,7 +135,7 @@ fn enclosed<T: Real>(
     found: &Found,
     at: &mut [f64],
     root: f64,
-    forward: &dyn Forward<T>,
+    forward: &Forward<T>,
 ) -> Result<Road<T>, Refusal> {
     let unknown = found.unknown.datum;
     // The sign of what is missing over an interval, where the enclosure decides it.
@@ -145,8 +143,8 @@ fn enclosed<T: Real>(
         let middle = f64::midpoint(low, high);
         at[unknown] = middle;
         let radius = (high - middle).max(middle - low);
-        let (road, doubt) =
-            ball::watch(|| ball::spread(unknown, radius, || forward.measured(at, found.label)));
+        let asked = Scope::only([found.label.quantity]);
+        let (road, doubt) = ball::watch(|| ball::spread(unknown, radius, || (forward.measured)(at, asked)));
         let Some(missed) = miss(found, &road.ok()?, at) else {
             // All over it there is nothing to measure.
             return (!doubt).then_some(f64::NAN);
@@ -178,5 +176,5 @@ fn enclosed<T: Real>(
         }
     }
     at[unknown] = root;
-    ball::spread(unknown, width, || forward.exact(at))
+    ball::spread(unknown, width, || (forward.exact)(at, Scope::ALL))
 }

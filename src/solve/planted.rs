@@ -277,19 +277,66 @@ fn carried(mut scene: Scene) -> Scene {
 
 /// One scene of each kind, all data constants.
 fn scenes() -> Vec<(&'static str, Scene)> {
-    let wheel = || body("wheel", Some(25.0), 40.0, Some(0.22));
-    let roll = |c: f64| Tie::Roll { body: 0, radius_m: f(c), mu_s: Some(f(0.9)) };
-    let slip = |mu_s: f64, mu_k: f64| Tie::Slip { body: 0, radius_m: f(0.2), mu_s: f(mu_s), mu_k: f(mu_k) };
-    let spring = |x0: f64, rigid| Far::Spring { stiffness_n_m: f(700.0), stretch_m: f(x0), rigid };
-    let mut couple =
-        scene(vec![wheel()], vec![roll(0.2), cord((0, Some(0.3), false), spring(0.0, false))], 0.2);
+    [wheels(), hoists(), thrown(), joined()].concat()
+}
+
+const ALONG: Coordinate = Coordinate { body: 0, degree: Degree::Along };
+
+fn wheel() -> Body {
+    body("wheel", Some(25.0), 40.0, Some(0.22))
+}
+
+fn roll(c: f64) -> Tie {
+    Tie::Roll { body: 0, radius_m: f(c), mu_s: Some(f(0.9)) }
+}
+
+/// A wheel on an incline.
+fn wheels() -> Vec<(&'static str, Scene)> {
+    let wheeled = |ties: Vec<Tie>, d: f64| scene(vec![wheel()], ties, d);
+    let pull = |p: f64| cord((0, Some(0.4), true), Far::Pull(f(p)));
+    let slip = Tie::Slip { body: 0, radius_m: f(0.2), mu_s: f(0.2), mu_k: f(0.15) };
+    let spring = |x0: f64| Far::Spring { stiffness_n_m: f(700.0), stretch_m: f(x0), rigid: false };
+    let sprung = |x0: f64, d: f64| wheeled(vec![roll(0.4), cord((0, Some(0.2), true), spring(x0))], d);
+    let tilted = |p: f64, arm: Option<f64>| {
+        let mut pull = cord((0, arm, true), Far::Pull(f(p)));
+        if let Tie::Cord(cord) = &mut pull {
+            cord.from.tilt_deg = Some(f(20.0));
+        }
+        pull
+    };
+    let mut couple = wheeled(vec![roll(0.2), cord((0, Some(0.3), false), spring(0.0))], 0.2);
     couple.couples.push(Couple { body: 0, moment_n_m: f(75.0), forward: true });
-    let mut thrown = scene(
+    vec![
+        ("pulled-rolling", wheeled(vec![roll(0.2), pull(200.0)], 2.0)),
+        ("pulled-rolling, carried", carried(wheeled(vec![roll(0.2), pull(300.0)], 2.0))),
+        ("pulled-slipping", wheeled(vec![slip.clone(), pull(400.0)], 1.0)),
+        ("pulled at an angle, slipping", wheeled(vec![slip, tilted(400.0, Some(0.4))], 1.0)),
+        ("pulled at an angle, rolling", wheeled(vec![roll(0.2), tilted(300.0, None)], 1.0)),
+        ("spring, slack", sprung(0.6, 0.5)),
+        ("spring, down", sprung(0.05, 0.1)),
+        ("couple and spring", couple),
+        ("a pull and a couple that grow", {
+            let mut scene = wheeled(vec![roll(0.2), pull(150.0)], 1.0);
+            scene.couples = vec![Couple { body: 0, moment_n_m: f(4.0), forward: false }];
+            scene.growths = vec![
+                Growth { of: GivenForce::Pull(1), law: Law::EVEN, rate: f(30.0), unit: f(1.0) },
+                Growth { of: GivenForce::Couple(0), law: Law::EVEN, rate: f(2.5), unit: f(1.0) },
+            ];
+            scene.start.push(Start::Speed(ALONG, f(0.8)));
+            scene.end = End::Time(ALONG, f(1.5));
+            scene
+        }),
+    ]
+}
+
+/// Bodies with cords, a block and a plate.
+fn hoists() -> Vec<(&'static str, Scene)> {
+    let mut sliding = scene(
         vec![body("block", Some(25.0), 3.0, None)],
         vec![Tie::Slide { body: 0, mu_s: None, mu_k: f(0.3) }],
         0.4,
     );
-    thrown.start.push(Start::Speed(Coordinate { body: 0, degree: Degree::Along }, f(4.0)));
+    sliding.start.push(Start::Speed(Coordinate { body: 0, degree: Degree::Along }, f(4.0)));
     let mut lamina = scene(vec![body("plate", None, 1.0, None)], Vec::new(), 1.0);
     lamina.bodies[0].particles = [(1.0, 0.1, 0.2), (2.0, 1.1, 0.3), (1.5, 0.7, 0.9)]
         .iter()
@@ -304,39 +351,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         spin_rad_s: f(2.5),
     });
     lamina.end = End::AtOnce;
-    let ball = |slope: f64, speed: f64, spin: f64, mu_k: f64, end: End| {
-        let mut s = scene(
-            vec![body("ball", Some(slope), 6.0, Some(0.07))],
-            vec![Tie::Slip { body: 0, radius_m: f(0.11), mu_s: f(0.4), mu_k: f(mu_k) }],
-            1.0,
-        );
-        s.start = [(Degree::Along, speed), (Degree::Turn, spin)]
-            .map(|(degree, value)| Start::Speed(Coordinate { body: 0, degree }, f(value)))
-            .to_vec();
-        s.end = end;
-        s
-    };
-    let along = Coordinate { body: 0, degree: Degree::Along };
-    let mut braked = ball(15.0, 4.0, -20.0, 0.2, End::Rolling(along));
-    braked.couples.push(Couple { body: 0, moment_n_m: f(0.3), forward: false });
     vec![
-        (
-            "pulled-rolling",
-            scene(vec![wheel()], vec![roll(0.2), cord((0, Some(0.4), true), Far::Pull(f(200.0)))], 2.0),
-        ),
-        (
-            "pulled-slipping",
-            scene(vec![wheel()], vec![slip(0.2, 0.15), cord((0, Some(0.4), true), Far::Pull(f(400.0)))], 1.0),
-        ),
-        (
-            "spring, slack",
-            scene(vec![wheel()], vec![roll(0.4), cord((0, Some(0.2), true), spring(0.6, false))], 0.5),
-        ),
-        (
-            "spring, down",
-            scene(vec![wheel()], vec![roll(0.4), cord((0, Some(0.2), true), spring(0.05, false))], 0.1),
-        ),
-        ("couple and spring", couple),
         (
             "block over a massive pulley pulls a wheel",
             scene(
@@ -357,38 +372,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
                 0.6,
             ),
         ),
-        ("sliding block", thrown),
-        ("a pull and a couple that grow", {
-            let pull = cord((0, Some(0.4), true), Far::Pull(f(150.0)));
-            let mut scene = scene(vec![wheel()], vec![roll(0.2), pull], 1.0);
-            scene.couples = vec![Couple { body: 0, moment_n_m: f(4.0), forward: false }];
-            scene.growths = vec![
-                Growth { of: GivenForce::Pull(1), law: Law::EVEN, rate: f(30.0), unit: f(1.0) },
-                Growth { of: GivenForce::Couple(0), law: Law::EVEN, rate: f(2.5), unit: f(1.0) },
-            ];
-            scene.start.push(Start::Speed(along, f(0.8)));
-            scene.end = End::Time(along, f(1.5));
-            scene
-        }),
-        ("thrown with backspin", ball(10.0, 5.0, -30.0, 0.2, End::Rolling(along))),
-        ("thrown on a level", ball(0.0, 5.0, 10.0, 0.2, End::Rolling(along))),
-        ("thrown, still slipping", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(0.4)))),
-        ("thrown, rolling since long", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(5.0)))),
-        ("thrown and braked", braked),
-        (
-            "pulled-rolling, carried",
-            carried(scene(
-                vec![wheel()],
-                vec![roll(0.2), cord((0, Some(0.4), true), Far::Pull(f(300.0)))],
-                2.0,
-            )),
-        ),
-        ("thrown, carried", carried(ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(0.4))))),
-        ("rod in two guides, carried", carried(guided(None, 38.0))),
-        (
-            "rod in two guides, carried at rest",
-            carried(Scene { end: End::Equilibrium, ..guided(None, 38.0) }),
-        ),
+        ("sliding block", sliding),
         ("lamina", lamina),
         ("hoist at an instant", {
             let bodies =
@@ -409,6 +393,39 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             let ties = vec![cord((0, Some(0.25), true), Far::Body(cord_end((1, None, false))))];
             carried(Scene { end: End::AtOnce, ..scene(bodies, ties, 1.0) })
         }),
+    ]
+}
+
+/// A ball that is thrown with slip.
+fn thrown() -> Vec<(&'static str, Scene)> {
+    let ball = |slope: f64, speed: f64, spin: f64, mu_k: f64, end: End| {
+        let mut s = scene(
+            vec![body("ball", Some(slope), 6.0, Some(0.07))],
+            vec![Tie::Slip { body: 0, radius_m: f(0.11), mu_s: f(0.4), mu_k: f(mu_k) }],
+            1.0,
+        );
+        s.start = [(Degree::Along, speed), (Degree::Turn, spin)]
+            .map(|(degree, value)| Start::Speed(Coordinate { body: 0, degree }, f(value)))
+            .to_vec();
+        s.end = end;
+        s
+    };
+    let mut braked = ball(15.0, 4.0, -20.0, 0.2, End::Rolling(ALONG));
+    braked.couples.push(Couple { body: 0, moment_n_m: f(0.3), forward: false });
+    let spun = |end| ball(10.0, 5.0, -30.0, 0.2, end);
+    vec![
+        ("thrown with backspin", spun(End::Rolling(ALONG))),
+        ("thrown on a level", ball(0.0, 5.0, 10.0, 0.2, End::Rolling(ALONG))),
+        ("thrown, still slipping", spun(End::Time(ALONG, f(0.4)))),
+        ("thrown, rolling since long", spun(End::Time(ALONG, f(5.0)))),
+        ("thrown and braked", braked),
+        ("thrown, carried", carried(spun(End::Time(ALONG, f(0.4))))),
+    ]
+}
+
+/// Bodies on pins and joined ones.
+fn joined() -> Vec<(&'static str, Scene)> {
+    vec![
         ("pinned body falls", pinned(Zero::Upright, 20.0, 130.0)),
         ("pendulum", pinned(Zero::Hanging, 75.0, -30.0)),
         ("driven flywheel", {
@@ -426,20 +443,11 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("rod on a cord", hanging()),
         ("rod on a cord, struck", struck(hanging())),
         ("rod on two light rods", linked()),
-        ("pulled at an angle, slipping", {
-            let mut pull = cord((0, Some(0.4), true), Far::Pull(f(400.0)));
-            if let Tie::Cord(cord) = &mut pull {
-                cord.from.tilt_deg = Some(f(20.0));
-            }
-            scene(vec![wheel()], vec![slip(0.2, 0.15), pull], 1.0)
-        }),
-        ("pulled at an angle, rolling", {
-            let mut pull = cord((0, None, true), Far::Pull(f(300.0)));
-            if let Tie::Cord(cord) = &mut pull {
-                cord.from.tilt_deg = Some(f(20.0));
-            }
-            scene(vec![wheel()], vec![roll(0.2), pull], 1.0)
-        }),
+        ("rod in two guides, carried", carried(guided(None, 38.0))),
+        (
+            "rod in two guides, carried at rest",
+            carried(Scene { end: End::Equilibrium, ..guided(None, 38.0) }),
+        ),
         ("slider-crank, struck", struck(linkage(true))),
         ("slider-crank, driven", {
             let mut scene = linkage(true);

@@ -16,7 +16,7 @@ use crate::num::dd::Dd;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Fast, Real, ball, trig};
+use crate::num::{Real, ball, trig};
 use crate::scene::{
     Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Span, SpringTie, Tie, speed,
@@ -25,8 +25,7 @@ use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
-use crate::solve::found;
-use crate::solve::found::Forward;
+use crate::solve::found::{self, Forward};
 use crate::solve::method::Method;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Refusal, Road, Said, Scope};
@@ -43,7 +42,14 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 /// The same without the time of joined bodies if that is not asked: it is a quadrature of its own. Errors: those of [`road`].
 pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     match &scene.formulas.found {
-        Some(found) => found::road(found, data, &Here(scene)),
+        Some(found) => {
+            let forward = Forward {
+                rough: &|data, asked| alone(scene, data, asked),
+                measured: &|data, asked| alone(scene, data, asked),
+                exact: &|data, asked| answered(scene, data, asked),
+            };
+            found::road(found, data, &forward)
+        }
         None => answered(scene, data, asked),
     }
 }
@@ -51,22 +57,6 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
 /// [`road_of`] with all data given.
 fn answered<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     alone(scene, data, asked)?.answering(scene, data, &another)
-}
-
-/// This road of a scene, for the search of what is found from a measurement.
-struct Here<'s>(&'s Scene);
-
-impl<T: Real> Forward<T> for Here<'_> {
-    fn rough(&self, data: &[f64], label: Label) -> f64 {
-        let road = alone::<Fast>(self.0, data, Scope::only([label.quantity])).ok();
-        road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
-    }
-    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
-        answered(self.0, data, Scope::ALL)
-    }
-    fn measured(&self, data: &[f64], label: Label) -> Result<Road<T>, Refusal> {
-        alone(self.0, data, Scope::only([label.quantity]))
-    }
 }
 
 /// [`road`] without what is asked by formulas.

@@ -5,6 +5,7 @@
 //! over the angle, up to a constant, and `A` alone is needed. From rest the angle goes as the square of the variable, which takes
 //! the root singularity out of the time, or beside an equilibrium as the square of its hyperbolic sine, as the time itself would
 //! if the drive grew with the angle; the last half of a way that ends at rest is summed as the way back from there.
+mod instant;
 mod pin;
 mod tell;
 
@@ -190,62 +191,17 @@ pub fn road_by<T: Real>(
 
 /// Follows the bodies to the instant or the end that is asked, and tells what is there.
 fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
-    let (scene, n, mechanism) = (teller.scene, teller.n, teller.mechanism);
+    let (scene, mechanism) = (teller.scene, teller.mechanism);
     let mut spin = mechanism.start_rate()?;
     if teller.pinned.is_some() {
         teller.tell_lasting(spin)?;
     }
     let nothing: SmallVec<[f64; 4]> = scene.joints.iter().map(|_| 0.0).collect();
     if matches!(scene.end, End::AtOnce) {
-        let state = mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?;
-        if scene.is_struck() {
-            let jumps = mechanism.struck(&state)?;
-            teller.tell_blow(&jumps);
-            teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
-            return Ok(());
-        }
-        if let Some(alpha) = scene.driven() {
-            // From rest it sets off as it is driven.
-            let alpha = n.get(alpha);
-            let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
-            let state = mechanism.state(T::zero(), true)?;
-            let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
-            outcome::all_slide(scene, &slides)?;
-            let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
-            let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
-            let (response, moment) = driven(&rubs)?;
-            let size = moment.size() + teller.pulls() * mechanism.size();
-            teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
-            teller.watch(&response, spin.square());
-            let lead = mechanism.leading(&response);
-            teller.tell(&state, &response, (spin, lead), &rubs)?;
-            return Ok(());
-        }
-        let smooth = mechanism.respond(&state, &nothing)?;
-        // What starts from rest slides as it would without friction, if friction lets it.
-        let from_rest = |response| sliding(mechanism, &|at| mechanism.pull_off(&state, response, at));
-        let slides = if spin.is_zero() {
-            from_rest(&smooth)
-        } else {
-            sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
-        };
-        if !spin.is_zero() {
-            outcome::all_slide(scene, &slides)?;
-        }
-        let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
-        let response = mechanism.respond(&state, &rubs)?;
-        if spin.is_zero() && from_rest(&response) != slides {
-            teller.road.course = Some(Course::at_rest());
-            return Ok(());
-        }
-        teller.watch(&response, spin.square());
-        let lead = mechanism.leading(&response);
-        teller.tell(&state, &response, (spin, lead), &rubs)?;
-        return Ok(());
+        return instant::at_once(teller, spin, &nothing);
     }
     if scene.end == End::Equilibrium {
-        teller.tell_equilibrium(&nothing)?;
-        return Ok(());
+        return teller.tell_equilibrium(&nothing);
     }
     let state = mechanism.state(T::zero(), true)?;
     if scene.is_struck() {
@@ -289,8 +245,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         teller.road.course = Some(Course::at_rest());
         return teller.tell_standing(&state, &free, T::zero());
     }
-    motion.set_off(&state)?.to_its_end(teller)?;
-    Ok(())
+    motion.set_off(&state)?.to_its_end(teller)
 }
 
 /// The angle up to which a motion is followed.

@@ -13,9 +13,9 @@ pub mod travel;
 use crate::num::dd::Dd;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::{Fast, Real, trig};
 #[cfg(feature = "program")]
 use crate::num::{Lanes, lanes};
+use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made, Num,
@@ -24,8 +24,7 @@ use crate::scene::{
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{Leg, State, Travel};
-use crate::solve::found;
-use crate::solve::found::Forward;
+use crate::solve::found::{self, Forward};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Set, Told, Unsupported};
@@ -43,7 +42,14 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 /// What they say of what is asked; where a formula asks, that is everything. Errors: those of [`road`].
 pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     match &scene.formulas.found {
-        Some(found) => found::road(found, data, &Here(scene)),
+        Some(found) => {
+            let forward = Forward {
+                rough: &|data, asked| alone(scene, data, asked),
+                measured: &|data, asked| alone(scene, data, asked),
+                exact: &|data, _| answered(scene, data),
+            };
+            found::road(found, data, &forward)
+        }
         None if scene.formulas.asked.is_empty() => alone(scene, data, asked),
         None => answered(scene, data),
     }
@@ -104,22 +110,6 @@ fn is_given(scene: &Scene) -> bool {
 /// [`road`] with all data given.
 fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     alone(scene, data, Scope::ALL)?.answering(scene, data, &another)
-}
-
-/// This road of a scene, for the search of what is found from a measurement.
-struct Here<'s>(&'s Scene);
-
-impl<T: Real> Forward<T> for Here<'_> {
-    fn rough(&self, data: &[f64], label: Label) -> f64 {
-        let road = alone::<Fast>(self.0, data, Scope::only([label.quantity])).ok();
-        road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
-    }
-    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
-        answered(self.0, data)
-    }
-    fn measured(&self, data: &[f64], label: Label) -> Result<Road<T>, Refusal> {
-        alone(self.0, data, Scope::only([label.quantity]))
-    }
 }
 
 /// [`road_of`] without what is asked by formulas.

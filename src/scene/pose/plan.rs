@@ -1,0 +1,267 @@
+//! The order in which joined bodies can be placed: which one leads, and how each other one hangs on those before it.
+use crate::num::Real;
+use crate::num::half::Half;
+use crate::scene::pose::{
+    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, less,
+    of_spot, off, parallel,
+};
+use crate::scene::{Branch, JointKind, Planar, Spot, Surface, pose};
+use smallvec::SmallVec;
+
+/// Where a body lies by default, and the other side.
+const SIDES: [f64; 2] = [1.0, -1.0];
+
+/// 1 where a body lies on the side where it lies by default, else -1.
+fn branch(side: Option<Branch>) -> f64 {
+    if side == Some(Branch::Behind) { -1.0 } else { 1.0 }
+}
+
+/// Finds the order in which bodies can be placed.
+pub struct Planner<'l, 'a, T: Real> {
+    pub layout: &'l Layout<'a, T>,
+    pub at_start: bool,
+    pub placed: SmallVec<[bool; 4]>,
+    pub steps: Steps<T>,
+}
+
+impl<'a, T: Real> Planner<'_, 'a, T> {
+    pub fn add(&mut self, body: usize, step: Step<T>) {
+        for placed in [Some(body), step.partner()].into_iter().flatten() {
+            self.placed[placed] = true;
+        }
+        self.steps.push((body, step));
+    }
+    fn planar(&self, body: usize) -> Option<&'a Planar> {
+        self.layout.scene.bodies[body].planar.as_ref()
+    }
+    fn spot(&self, spot: Spot) -> [T; 2] {
+        of_spot(self.layout.scene, self.layout.n, spot)
+    }
+    /// Points of a body that are held at a known place.
+    pub fn held(&self, body: usize) -> Option<Held<T>> {
+        self.layout.scene.joints.iter().find_map(|joint| {
+            let known = |spot: Spot| self.placed[spot.body].then(|| Known::Of(spot.body, self.spot(spot)));
+            let (own, place) = match joint.kind {
+                JointKind::Pin { at, place_m } => (at, Known::Fixed(ground(self.layout.n, place_m))),
+                JointKind::Hinge { one, other, .. } if one.body == body => (one, known(other)?),
+                JointKind::Hinge { one, other, .. } if other.body == body => (other, known(one)?),
+                _ => return None,
+            };
+            (own.body == body).then(|| Held { at: self.spot(own), place })
+        })
+    }
+    /// Points of a body that are guided, itself or by what is hinged there.
+    fn guided(&self, body: usize) -> impl Iterator<Item = Guided<T>> {
+        let joints = self.layout.scene.joints.iter().zip(&self.layout.lines).enumerate();
+        joints.filter_map(move |(j, (joint, unit))| {
+            let (at, through) = match joint.kind {
+                JointKind::Cord { at, place_m, .. } if !self.at_start => (at, ground(self.layout.n, place_m)),
+                JointKind::Guide { at, through_m, .. } => (at, ground(self.layout.n, through_m)),
+                // The centre of a wheel is a radius off the line.
+                JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
+                    let ([x, y], radius) = (ground(self.layout.n, through_m), self.layout.n.get(radius_m));
+                    (at, [x - unit[1] * radius, y + unit[0] * radius])
+                }
+                JointKind::Contact { at, rolls: false, surface: Surface::Arc { centre_m, .. }, .. } => {
+                    (at, ground(self.layout.n, centre_m))
+                }
+                _ => return None,
+            };
+            let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
+            let ring = self.layout.apart(j);
+            Some(Guided { at: self.spot(own), through, unit: *unit, ring })
+        })
+    }
+    /// The point of `body` that is hinged to a slider, a body that does not turn, or to a wheel at the point that is guided.
+    fn slider(&self, guided: Spot, body: usize) -> Option<Spot> {
+        if self.placed[guided.body] {
+            return None;
+        }
+        let slides = |spot: Spot| {
+            spot == guided || spot.body == guided.body && !self.layout.scene.bodies[spot.body].turns
+        };
+        self.layout.scene.joints.iter().find_map(|joint| match joint.kind {
+            JointKind::Hinge { one, other, turned_deg: None } if one.body == body && slides(other) => {
+                Some(one)
+            }
+            JointKind::Hinge { one, other, turned_deg: None } if other.body == body && slides(one) => {
+                Some(other)
+            }
+            _ => None,
+        })
+    }
+
+    /// The line on which a body rolls.
+    fn rolls(&self, body: usize) -> Option<Track<T>> {
+        let layout = self.layout;
+        layout.scene.joints.iter().enumerate().find_map(|(joint, j)| match j.kind {
+            JointKind::Contact {
+                at,
+                radius_m,
+                surface: Surface::Line { through_m, .. },
+                rolls: true,
+                ..
+            } if at.body == body => {
+                let through = ground(layout.n, through_m);
+                let radius = layout.n.get(radius_m);
+                Some(Track { joint, at: self.spot(at), through, unit: layout.lines[joint], radius })
+            }
+            _ => None,
+        })
+    }
+
+    pub fn lead(&mut self) -> Option<()> {
+        let (layout, body) = (self.layout, self.layout.lead);
+        let planar = self.planar(body)?;
+        let held = self.held(body);
+        let (one, other) = {
+            let mut guides = self.guided(body);
+            (guides.next(), guides.next())
+        };
+        let origin = planar.origin_m.map(|place| ground(layout.n, place)).or_else(|| {
+            // Guides that are parallel leave open where along them it is: nothing hangs on that.
+            let one =
+                one.as_ref().filter(|one| other.as_ref().is_some_and(|o| parallel(one.unit, o.unit)))?;
+            let [c, s] = axis(planar, &layout.start);
+            let [ahead, aside] = one.at;
+            Some(less(one.through, [c * ahead - s * aside, s * ahead + c * aside]))
+        });
+        let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
+        let step = if let Some(arc) = &layout.arc {
+            let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
+            Step::Arc(self.spot(at))
+        } else if let (Some(track), None) = (self.rolls(body), held) {
+            Step::Wheel(track, from(track.through, track.unit))
+        } else {
+            match (held, one, other, origin) {
+                (Some(held), ..) => Step::Leads(held),
+                (None, _, _, Some(place)) if let Some((unit, bend)) = layout.glide => {
+                    Step::Glides(place, unit, bend)
+                }
+                (None, Some(one), Some(other), _)
+                    if one.ring.is_some() || other.ring.is_some() || !parallel(one.unit, other.unit) =>
+                {
+                    self.sided(body, SIDES.map(|side| Step::Slides([one, other], side)))?
+                }
+                (None, Some(guide), None, _)
+                    if guide.ring.is_none() && (self.at_start || layout.scene.drifts().is_some()) =>
+                {
+                    // Nothing moves the mass centre along the line.
+                    let centre = pose::along(layout.n, planar.centre);
+                    // Where it is told where its axis begins, its mass centre is so far ahead of that.
+                    let ahead = dot(axis(planar, &layout.start), guide.unit) * centre;
+                    let ahead = if origin.is_some() { ahead } else { T::zero() };
+                    Step::Drops(guide, centre, from(guide.through, guide.unit) + ahead)
+                }
+                (None, _, _, Some(place)) if self.at_start => {
+                    Step::Leads(Held { at: [T::zero(); 2], place: Known::Fixed(place) })
+                }
+                _ => return None,
+            }
+        };
+        self.add(body, step);
+        Some(())
+    }
+
+    /// How far a gear turns per turn of the leading body, which is pinned at the axis of the fixed gear with which it meshes and carries
+    /// its centre.
+    fn orbits(&self, body: usize, held: &Held<T>) -> Option<T> {
+        let layout = self.layout;
+        let lead = |spot: &Spot| spot.body == layout.lead;
+        let arc = (0..layout.scene.joints.len()).find_map(|joint| {
+            let own = layout.scene.joints[joint].kind.spots().next().filter(|at| at.body == body)?;
+            let [along, aside] = self.spot(own);
+            let at = along.same(held.at[0]) && aside.same(held.at[1]);
+            let meshes = matches!(layout.scene.joints[joint].kind, JointKind::Contact { teeth: true, .. });
+            Arc::of(layout.scene, layout.n, joint).filter(|_| at && meshes)
+        })?;
+        let pinned = layout.scene.joints.iter().any(|joint| match joint.kind {
+            JointKind::Pin { at, place_m } if lead(&at) => {
+                off(ground(layout.n, place_m), arc.axis) <= MET * arc.apart.size()
+            }
+            _ => false,
+        });
+        let carried = matches!(held.place, Known::Of(by, _) if by == layout.lead);
+        (pinned && carried && layout.arc.is_none()).then_some(arc.ratio)
+    }
+
+    /// How a body is placed, of two ways the one that is meant; where cords or light rods guide, that in which it is at the start.
+    fn sided(&self, body: usize, steps: [Step<T>; 2]) -> Option<Step<T>> {
+        let mut meant = usize::from(branch(self.planar(body)?.side) < 0.0);
+        if let Some(first) = self.layout.first.as_ref().filter(|_| !self.at_start) {
+            let gaps = steps.map(|step| {
+                let pose = self.layout.place(T::zero(), &step, &mut first.clone());
+                let near =
+                    |pose: Pose<T>| off(pose.origin, first[body].origin) + off(pose.axis, first[body].axis);
+                pose.map_or(f64::NAN, near)
+            });
+            meant ^= usize::from(gaps[1 - meant] < gaps[meant]);
+        }
+        Some(steps[meant])
+    }
+
+    /// How a body is placed that is welded to one that has a place.
+    fn welded(&self, body: usize) -> Option<Step<T>> {
+        self.layout.scene.joints.iter().find_map(|joint| {
+            let JointKind::Hinge { one, other, turned_deg: Some(turned) } = joint.kind else { return None };
+            let (own, to, sense) = if one.body == body { (one, other, -1.0) } else { (other, one, 1.0) };
+            if own.body != body || !self.placed[to.body] {
+                return None;
+            }
+            let [c, s] = direction(self.layout.n, turned);
+            let held = Held { at: self.spot(own), place: Known::Of(to.body, self.spot(to)) };
+            Some(Step::Welded(held, to.body, [c, s.signed(sense)]))
+        })
+    }
+
+    /// How a body is placed beside those that have a place, if its joints do.
+    pub fn follow(&self, body: usize) -> Option<Step<T>> {
+        let planar = self.planar(body)?;
+        let scene = self.layout.scene;
+        if let Some(step) = self.welded(body) {
+            return Some(step);
+        }
+        let held = self.held(body);
+        if !scene.bodies[body].turns {
+            return Some(Step::Still(held?, planar.from.components().map(T::of)));
+        }
+        let start = || {
+            axis(planar, &Half::of_degrees(planar.start_deg.map_or_else(T::zero, |x| self.layout.n.get(x))))
+        };
+        if self.at_start && planar.start_deg.is_some() {
+            // What leads elsewhere moves it: its own angle is known at the start alone.
+            let place = || Some(Known::Fixed(ground(self.layout.n, planar.origin_m?)));
+            let held = held.or_else(|| Some(Held { at: [T::zero(); 2], place: place()? }))?;
+            return Some(Step::Still(held, start()));
+        }
+        let held = held?;
+        if let Some(track) = self.rolls(body)
+            && track.at[0].same(held.at[0])
+            && track.at[1].same(held.at[1])
+        {
+            return Some(Step::Rolls(held, track, start()));
+        }
+        if let Some(ratio) = self.orbits(body, &held) {
+            return Some(Step::Orbits(held, ratio, start()));
+        }
+        if let Some(guide) = self.guided(body).next() {
+            return self.sided(body, SIDES.map(|side| Step::Rod(held, guide, side)));
+        }
+        // The other rod of the pair, where both are hinged, and where that one is held.
+        scene.joints.iter().find_map(|joint| {
+            let JointKind::Hinge { one, other, turned_deg: None } = joint.kind else { return None };
+            let (own, other) = if one.body == body { (one, other) } else { (other, one) };
+            if own.body != body || self.placed[other.body] || !scene.bodies[other.body].turns {
+                return None;
+            }
+            let far = self.held(other.body)?;
+            let beyond = |spot: Spot, from: [T; 2]| {
+                let [along, aside] = self.spot(spot);
+                [along - from[0], aside - from[1]]
+            };
+            let apart = [beyond(own, held.at), beyond(other, far.at)];
+            let side = planar.side.or(self.planar(other.body)?.side);
+            Some(Step::Pair(held, other.body, far, apart, branch(side)))
+        })
+    }
+}

@@ -1,0 +1,57 @@
+//! Instants of joined bodies: just after a blow, as they are driven, or as they set off.
+use crate::num::Real;
+use crate::scene::{Owner, Quantity};
+use crate::solve::eom::joined::{Teller, rubbing, sliding};
+use crate::solve::outcome::{self, Course, Refusal};
+
+/// The instant of the start, from this rate.
+pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Result<(), Refusal> {
+    let (scene, mechanism) = (teller.scene, teller.mechanism);
+    let state = mechanism.state(T::zero(), !spin.is_zero() || teller.pinned.is_some())?;
+    if scene.is_struck() {
+        let jumps = mechanism.struck(&state)?;
+        teller.tell_blow(&jumps);
+        teller.tell_motion(&mechanism.after(state, spin, &jumps), T::of(1.0), None);
+        return Ok(());
+    }
+    if let Some(alpha) = scene.driven() {
+        return driven(teller, teller.n.get(alpha), spin);
+    }
+    let smooth = mechanism.respond(&state, nothing)?;
+    // What starts from rest slides as it would without friction, if friction lets it.
+    let from_rest = |response| sliding(mechanism, &|at| mechanism.pull_off(&state, response, at));
+    let slides = if spin.is_zero() {
+        from_rest(&smooth)
+    } else {
+        sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
+    };
+    if !spin.is_zero() {
+        outcome::all_slide(scene, &slides)?;
+    }
+    let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
+    let response = mechanism.respond(&state, &rubs)?;
+    if spin.is_zero() && from_rest(&response) != slides {
+        teller.road.course = Some(Course::at_rest());
+        return Ok(());
+    }
+    teller.watch(&response, spin.square());
+    let lead = mechanism.leading(&response);
+    teller.tell(&state, &response, (spin, lead), &rubs)
+}
+
+/// An instant of what is driven with this angular acceleration: from rest it sets off as it is driven.
+fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refusal> {
+    let (scene, mechanism) = (teller.scene, teller.mechanism);
+    let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
+    let state = mechanism.state(T::zero(), true)?;
+    let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
+    outcome::all_slide(scene, &slides)?;
+    let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
+    let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;
+    let (response, moment) = driven(&rubs)?;
+    let size = moment.size() + teller.pulls() * mechanism.size();
+    teller.say_scaled(Quantity::Drive, Owner::Body(mechanism.lead), moment, size);
+    teller.watch(&response, spin.square());
+    let lead = mechanism.leading(&response);
+    teller.tell(&state, &response, (spin, lead), &rubs)
+}
