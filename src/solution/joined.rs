@@ -44,9 +44,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             End::TurningPoint(_) => "pinned.idea_turning",
             _ => "pinned.idea_speed",
         };
-        if !self.measured() {
-            self.say(name, &[]);
-        }
+        self.say(name, &[]);
         let carrier = self.carrier.clone();
         self.page.say_carried(carrier.as_ref());
         if self.scene.is_still() || self.rubs() {
@@ -114,10 +112,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         if asked.is_empty() {
             return Ok(());
         }
-        let told = if self.single() { None } else { self.by_rate(&asked) };
-        if told.is_none() || asked.len() > 1 {
-            self.eliminate();
-        }
+        let told = if self.single() { None } else { self.by_rate() };
         let mut values: Vec<SymbolId> = Vec::new();
         for label in asked {
             // Components come before what they give.
@@ -134,7 +129,19 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
                 }
             }
         }
-        self.tell_values(values);
+        if values.is_empty() {
+            return Ok(());
+        }
+        // Where the leading angular acceleration is that of all equations, the rate at which the work grows gives it.
+        let alone = told.is_none() && !self.still() && self.eliminated().is_some();
+        let order = if alone { None } else { self.in_order(told, &values) };
+        if let Some(order) = order {
+            let room = MOST.saturating_sub(self.lines());
+            self.tell_in_order(&order, &values, room);
+        } else {
+            self.eliminate();
+            self.tell_values(values);
+        }
         Ok(())
     }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
@@ -225,6 +232,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
 impl<'d, 'a> Plane<'d, 'a> {
     fn instant(&self) -> bool {
         self.scene.end == End::AtOnce
+    }
+    fn still(&self) -> bool {
+        self.scene.end == End::Equilibrium
     }
     /// Do all bodies turn in ratios that do not change on the way, as gears and welded rods do?
     fn evenly(&self) -> bool {
@@ -602,10 +612,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.begin("swings");
         self.skip_new();
         self.kinetic();
-        let fits = width(&self.step_of(k)) <= LINE;
-        let shown = if fits && self.single() { self.names(&[k]) } else { self.shown(k) };
-        self.say(if self.single() { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
-        if fits && self.single() {
+        // By the moments it has a formula, by the potential energy a number.
+        let closed = self.from(k) != Expr::from(k);
+        let fits = closed && width(&self.step_of(k)) <= LINE;
+        let shown = if fits { self.names(&[k]) } else { self.shown(k) };
+        self.say(if closed { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
+        if fits {
             self.tell([k]);
         }
         self.skip_new();
@@ -798,15 +810,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// What is left when the forces of the joints have been eliminated, of a single body.
     fn eliminate(&mut self) {
-        if self.scene.end == End::Equilibrium {
-            self.unravel(None);
-            self.say("joined.rest_rows", &[]);
-            return;
-        }
-        let Some([power, bend]) = self.eliminated() else {
-            if self.bodies.len() > 1 {
-                self.say("joined.by_hand", &[]);
-            }
+        let Some([power, bend]) = self.eliminated().filter(|_| !self.still()) else {
             self.say("joined.together", &[]);
             return;
         };
@@ -835,13 +839,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         }
     }
-    /// The leading angular acceleration of several bodies, if it is asked, by the rate of the balance.
-    fn by_rate(&mut self, asked: &[Label]) -> Option<SymbolId> {
+    /// The leading angular acceleration of several bodies by the rate of the balance.
+    fn by_rate(&mut self) -> Option<SymbolId> {
         let (j, letter) = (self.j.filter(|_| !self.scene.is_still())?, self.letter.clone());
         let (lead, rate) = (&self.bodies[self.lead], self.rate);
-        let alpha = lead
-            .alpha
-            .filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.lead)))?;
+        let alpha = lead.alpha.filter(|_| lead.omega == Some(rate))?;
         let [force, _] = self.derivatives(&|plane| plane.work())?;
         let [growth, _] = self.derivatives(&|plane| {
             let speeds = plane.speeds();

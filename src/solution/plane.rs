@@ -31,7 +31,7 @@ const ROUNDING: f64 = 1e-12;
 /// Below this a component that is 0 is rounding, m.
 const NOTHING: f64 = 1e-12;
 
-type Vector = [Sum; 2];
+pub type Vector = [Sum; 2];
 
 /// To the right and up.
 fn axes() -> [Vector; 2] {
@@ -56,7 +56,7 @@ pub struct Turn {
 
 /// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
 #[derive(Debug, Clone, Default)]
-struct Line {
+pub struct Line {
     fixed: Sum,
     waves: Vec<(Factors, usize, Wave)>,
 }
@@ -86,12 +86,12 @@ impl Line {
 }
 
 /// A point of the plane.
-type Point = [Line; 2];
+pub type Point = [Line; 2];
 
 fn plus(a: &Point, b: &Point) -> Point {
     [a[0].plus(&b[0]), a[1].plus(&b[1])]
 }
-fn less(a: &Point, b: &Point) -> Point {
+pub fn less(a: &Point, b: &Point) -> Point {
     [a[0].less(&b[0]), a[1].less(&b[1])]
 }
 fn times(a: &Point, by: &Factors) -> Point {
@@ -112,7 +112,7 @@ fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
 fn left(unit: &[Factors; 2]) -> [Factors; 2] {
     [unit[1].opposite(), unit[0].clone()]
 }
-fn cross(a: &Vector, b: &Vector) -> Sum {
+pub fn cross(a: &Vector, b: &Vector) -> Sum {
     a[0].by(&b[1]).plus(&a[1].by(&b[0]).opposite())
 }
 /// `a . b`
@@ -288,7 +288,7 @@ pub struct Plane<'d, 'a> {
     /// What blows at the start do.
     pub blow: Option<Blow>,
     /// The place of which forces are told: at the start for blows, else [`END`].
-    here: usize,
+    pub here: usize,
     g: Expr,
     /// What carries it all.
     pub carrier: Option<Carrying>,
@@ -660,10 +660,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn point(&self, body: usize, at: &[Factors; 2]) -> Point {
         plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))
     }
-    fn centre(&self, body: usize) -> Point {
+    pub fn centre(&self, body: usize) -> Point {
         self.point(body, &[self.bodies[body].centre.clone(), Factors::zero()])
     }
-    fn spot(&mut self, spot: Spot) -> Point {
+    pub fn spot(&mut self, spot: Spot) -> Point {
         let distance = self.of_spot(spot);
         self.point(spot.body, &distance)
     }
@@ -702,7 +702,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             size.times(square(&self.turns[*turn].rate[END])).times(self.wave(*turn, *wave, END)).opposite()
         }))
     }
-    fn places(&mut self, point: &Point, which: usize) -> Vector {
+    pub fn places(&mut self, point: &Point, which: usize) -> Vector {
         [self.at(&point[0], which), self.at(&point[1], which)]
     }
     fn rates(&self, point: &Point, which: usize) -> Vector {
@@ -1816,7 +1816,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => ZERO,
         }
     }
-    fn sense_of(&self, body: usize) -> i8 {
+    pub fn sense_of(&self, body: usize) -> i8 {
         if self.bodies[body].clockwise { -1 } else { 1 }
     }
 
@@ -1935,7 +1935,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// body, else the curvature of the potential energy along the way of the joints.
     pub fn stiffness(&mut self) -> Option<SymbolId> {
         let k = self.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
-        if self.bodies.len() > 1 || !self.lengths().is_empty() {
+        if self.bodies.len() > 1 || self.turns.iter().any(|turn| turn.link.is_some()) {
             let [_, curvature] = self.derivatives(&|plane| plane.work())?;
             self.symbols.settle(k, -curvature, 0.0);
         } else {
@@ -1978,21 +1978,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn unravel(&mut self, known: Option<SymbolId>) {
         let mut open = [self.accelerations(), self.reactions()].concat();
         open.retain(|s| Some(*s) != known && !self.symbols.value(*s).is_nan());
-        let mut all = self.demands();
-        all.extend((0..self.bodies.len()).flat_map(|b| self.equations(b)));
-        while let Some((at, symbol, is)) = all.iter().enumerate().find_map(|(at, row)| {
-            let uses = [row.0.uses(), row.1.uses()].concat();
-            let mut unknown = open.iter().filter(|s| uses.contains(s));
-            let (Some(symbol), None) = (unknown.next(), unknown.next()) else { return None };
-            Some((at, *symbol, self.isolated(row, *symbol)?))
-        }) {
-            // What is 0 but for rounding stays 0.
-            if self.symbols.value(symbol) != 0.0 {
-                self.page.step(symbol, is);
-            }
-            open.retain(|s| *s != symbol);
-            all.remove(at);
-        }
+        let rows = self.rows_in_order(false);
+        self.page.untangle(rows, &mut open, false);
     }
 
     /// At an instant, the velocities that go with a turn of a single body that its joints do not place, where each force of a joint
