@@ -10,6 +10,7 @@ use crate::solution::expr::{
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
+use crate::solution::order::Row;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{
@@ -46,15 +47,8 @@ pub struct GrownForce {
     pub mean: Option<SymbolId>,
 }
 
-/// A reaction as it leaves the equations: from which row, and what it is there.
-#[derive(Debug, Clone)]
-pub struct Eliminated {
-    pub row: Coordinate,
-    /// The reaction.
-    pub force: SymbolId,
-    /// What it is equal to, with the acceleration in it.
-    pub is: Expr,
-}
+/// A reaction as it leaves the equations: from which row, and what it is equal to, with the acceleration in it.
+pub type Eliminated = (Coordinate, SymbolId, Expr);
 
 /// Names and units of a speed and a spin of the start.
 pub const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
@@ -97,8 +91,6 @@ pub struct Account<'d, 'a> {
     pub short: Short,
     /// The rows as they are numbered.
     pub rows: Vec<(Coordinate, usize)>,
-    /// The reactions that have been eliminated.
-    pub gone: Vec<Eliminated>,
     /// Does a thrown body still slip at the time that is asked?
     pub still_slips: bool,
     /// Are the ratios of displacements on the page?
@@ -110,8 +102,6 @@ pub struct Account<'d, 'a> {
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
-    /// The ties whose reactions are being solved for, each for the one before it.
-    solving: Vec<usize>,
 }
 
 /// The symbols of a quantity that is not among the terms; the first that is free is taken.
@@ -239,14 +229,12 @@ impl<'d, 'a> Account<'d, 'a> {
             rolled,
             short: Short::Instant,
             rows: Vec::new(),
-            gone: Vec::new(),
             still_slips: false,
             ratios_told: false,
             grounded: false,
             supposed: Vec::new(),
             known: Vec::new(),
             seen: Vec::new(),
-            solving: Vec::new(),
         };
         // What is only supposed to roll has no names of its own.
         if rolled.is_none() {
@@ -1143,37 +1131,25 @@ impl<'d, 'a> Account<'d, 'a> {
         if !spring.rigid && self.value(&stretch) < slack { ZERO } else { stretch }
     }
 
-    /// The reactions in the order in which they leave the equations, and the row that is left: each from a row in which it is the
-    /// only one, moments first.
-    pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
+    /// The reactions in the order in which they leave the equations, moments first, and the row that is left.
+    pub fn elimination(&mut self) -> Option<(Vec<Eliminated>, Coordinate)> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
-        let (mut gone, mut ties): (Vec<Eliminated>, Vec<usize>) = (Vec::new(), Vec::new());
-        while rows.len() > 1 {
-            let next = rows.iter().enumerate().find_map(|(at, c)| {
-                let mut open = self.open(*c).filter(|(t, _)| !ties.contains(t));
-                open.next().filter(|_| open.next().is_none()).map(|one| (at, one))
-            });
-            let Some((at, (tie, force))) = next else { return unfound() };
-            let row = rows.remove(at);
-            gone.push(Eliminated { row, force, is: self.solved(row, force)? });
-            ties.push(tie);
-        }
-        rows.pop().map(|last| (gone, last)).ok_or(Beyond::Unfound.into())
+        let gone = self.eliminated(&rows, self.m.reactions().into_iter().map(|(_, force)| force).collect());
+        let mut left = rows.iter().filter(|c| !gone.iter().any(|(row, ..)| row == *c));
+        let last = *left.next()?;
+        left.next().is_none().then(|| (gone.clone(), last))
     }
 
-    /// The reactions in a row, each with its tie.
-    fn open(&self, c: Coordinate) -> impl Iterator<Item = (usize, SymbolId)> {
-        self.row(c).into_iter().filter_map(|(a, _)| match (a.kind, &a.force, a.source) {
-            (ForceKind::Reaction, Expr::Symbol(force), ForceSource::Tie(t)) => Some((t, *force)),
-            _ => None,
-        })
-    }
-
-    /// A row, solved for one of its forces.
-    fn solved(&self, c: Coordinate, force: SymbolId) -> Result<Expr, DerivationStop> {
-        let row = (self.row_sum(c), self.gain(c));
-        self.isolated(&row, force).ok_or(Beyond::Unfound.into())
+    /// What these rows give of what is open, each reaction from one in which it is the only one.
+    fn eliminated(&mut self, rows: &[Coordinate], mut open: Vec<SymbolId>) -> Vec<Eliminated> {
+        let row = |(at, c): (usize, &Coordinate)| {
+            let sides = (self.row_sum(*c), self.gain(*c));
+            Row { at, name: String::new(), sides, told: true }
+        };
+        let all = rows.iter().enumerate().map(row).collect();
+        let found = self.page.untangle(all, &mut open, false).into_iter();
+        found.filter_map(|f| Some((rows[f.rows[0].at], f.symbols[0], f.is?))).collect()
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1210,7 +1186,6 @@ impl<'d, 'a> Account<'d, 'a> {
         };
         if matches!(label.quantity, Quantity::Friction | Quantity::Tension) {
             return self.reaction(label, body).or_else(|_| {
-                self.solving.clear();
                 self.together()?;
                 self.known(label).ok_or(Beyond::Unfound.into())
             });
@@ -1435,44 +1410,46 @@ impl<'d, 'a> Account<'d, 'a> {
         self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm))
     }
 
-    /// A reaction: from the row in which it is the only unknown left, others first where need be.
+    /// A reaction: from a row in which it is the only unknown left, lines before turns; others first where need be.
     fn reaction(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let tie = match label.of {
             Owner::Tie(t) => Some(t),
             _ => self.contact_of(body),
         };
-        let Some(tie) = tie else { return unfound() };
-        // Each would need the other first.
-        if self.solving.contains(&tie) {
-            return unfound();
+        let reactions = self.m.reactions();
+        let Some(symbol) = tie.and_then(|t| self.m.force_of(t)) else { return unfound() };
+        let mut rows: Vec<Coordinate> = self.scene.coordinates().collect();
+        rows.sort_by_key(|c| c.degree == Degree::Turn);
+        let unknown = |(t, _): &&(usize, SymbolId)| self.known(self.label_of_tie(*t)).is_none();
+        let open: Vec<SymbolId> = reactions.iter().filter(unknown).map(|(_, force)| *force).collect();
+        let alone: Vec<Coordinate> = rows
+            .iter()
+            .copied()
+            .filter(|c| {
+                let uses = self.row_sum(*c).uses();
+                open.iter().filter(|s| uses.contains(s)).eq([&symbol])
+            })
+            .collect();
+        let found = self.eliminated(if alone.is_empty() { &rows } else { &alone }, open);
+        let (mut needed, mut kept) = (vec![symbol], Vec::new());
+        for (c, force, is) in found.into_iter().rev() {
+            if needed.contains(&force) {
+                needed.extend(is.uses());
+                kept.push((c, force, is));
+            }
         }
-        self.solving.push(tie);
-        // The row that asks for the fewest other reactions; lines before turns.
-        let known = |t: usize| self.known(self.label_of_tie(t)).is_some();
-        let rows = self.scene.coordinates().filter(|c| self.open(*c).any(|(t, _)| t == tie));
-        let rows = rows.map(|c| {
-            let others = self.open(c).map(|(t, _)| t).filter(|t| *t != tie && !known(*t));
-            (c, others.collect::<Vec<usize>>())
-        });
-        let rows = rows.filter(|(_, others)| !others.iter().any(|t| self.solving.contains(t)));
-        let price =
-            |(c, others): &(Coordinate, Vec<usize>)| 2 * others.len() + usize::from(c.degree == Degree::Turn);
-        let Some((c, others)) = rows.min_by_key(price) else { return unfound() };
-        for other in others {
-            self.get(self.label_of_tie(other))?;
+        for (c, force, is) in kept.into_iter().rev() {
+            if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
+                self.get(of_body(Quantity::A, c.body))?;
+            }
+            let own = reactions.iter().find(|(_, f)| *f == force).map(|(t, _)| self.label_of_tie(*t));
+            // Another one may have taken all equations together.
+            if let Some(own) = own.filter(|own| self.known(*own).is_none()) {
+                self.found(own, force, is);
+            }
         }
-        if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
-            self.get(of_body(Quantity::A, c.body))?;
-        }
-        // Another one may have taken all equations together.
-        let label = self.label_of_tie(tie);
-        if let Some(symbol) = self.known(label) {
-            return Ok(symbol);
-        }
-        let Some(symbol) = self.m.force_of(tie) else { return unfound() };
-        let from = self.solved(c, symbol)?;
-        self.solving.pop();
-        Ok(self.found(self.label_of_tie(tie), symbol, from))
+        let known = tie.and_then(|t| self.known(self.label_of_tie(t)));
+        known.ok_or(Beyond::Unfound.into())
     }
 
     fn least_grip(&mut self, body: usize) -> Result<Expr, DerivationStop> {

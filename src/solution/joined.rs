@@ -132,15 +132,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         if values.is_empty() {
             return Ok(());
         }
-        // Where the leading angular acceleration is that of all equations, the rate at which the work grows gives it.
-        let alone = told.is_none() && !self.still() && self.eliminated().is_some();
-        let order = if alone { None } else { self.in_order(told, &values) };
-        if let Some(order) = order {
-            let room = MOST.saturating_sub(self.lines());
-            self.tell_in_order(&order, &values, room);
-        } else {
-            self.eliminate();
-            self.tell_values(values);
+        let own = if self.single() && !self.still() { self.one_equation() } else { None };
+        if let Some(alpha) = own.filter(|alpha| !values.contains(alpha)) {
+            values.insert(0, alpha);
+        }
+        let known = told.or(own);
+        match self.in_order(known, &values) {
+            Some(order) => self.tell_in_order(&order, &values, MOST.saturating_sub(self.lines())),
+            None => self.tell_together(&values),
         }
         Ok(())
     }
@@ -808,12 +807,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.say("why.ask", &[]);
     }
 
-    /// What is left when the forces of the joints have been eliminated, of a single body.
-    fn eliminate(&mut self) {
-        let Some([power, bend]) = self.eliminated().filter(|_| !self.still()) else {
-            self.say("joined.together", &[]);
-            return;
-        };
+    /// What is left when the forces of the joints have been eliminated, of a single body: the angular acceleration that it gives.
+    fn one_equation(&mut self) -> Option<SymbolId> {
+        let [power, bend] = self.eliminated()?;
         if self.instant() {
             let before = self.steps.len();
             let speeds = self.speeds();
@@ -829,15 +825,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let bend = bend.times(square(self.rate)).opposite();
         let right = power.plus(&bend).expr();
         let line = format!(r"{}\,{alpha} = {}", self.factor(&self.moving.expr()), self.tex(&right));
-        let fits = width(&line) <= LINE;
-        self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
-        if fits {
-            self.formula(line);
-            let it = &self.bodies[self.lead];
-            if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.rate)) {
-                self.unravel(Some(alpha));
-            }
+        if width(&line) > LINE {
+            return None;
         }
+        self.say("joined.eliminate", &[]);
+        self.formula(line);
+        let it = &self.bodies[self.lead];
+        it.alpha.filter(|_| it.omega == Some(self.rate))
     }
     /// The leading angular acceleration of several bodies by the rate of the balance.
     fn by_rate(&mut self) -> Option<SymbolId> {
@@ -865,31 +859,21 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.display(alpha, &is, "");
         Some(alpha)
     }
-    /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
-    fn tell_values(&mut self, values: Vec<SymbolId>) {
+    /// Tells what all equations together were solved for, with all that is known besides, as far as the page has room.
+    fn tell_together(&mut self, values: &[SymbolId]) {
+        self.say("joined.together", &[]);
         let solved = [self.accelerations(), self.reactions()].concat();
         let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
-        let all = [&values[..], &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
-        let needed = self.behind(values.clone(), |s| solved.contains(&s));
-        let chains = |symbols: &[SymbolId]| {
-            let mut symbols = symbols.to_vec();
-            symbols
-                .sort_by_key(|s| self.steps.iter().position(|step| step.symbol == *s).map_or(0, |i| i + 1));
-            symbols.into_iter().map(|s| self.step_of(s)).collect::<Vec<_>>()
-        };
-        let plain = |symbols: &[SymbolId]| {
-            let uses = |s: SymbolId| self.from(s).uses();
-            let apart = |s: SymbolId| uses(s).iter().all(|u| !solved.contains(u) || symbols.contains(u));
-            let short = |s: SymbolId| self.chain(s, &s.into());
-            let each = symbols
-                .iter()
-                .map(|s| if solved.contains(s) || !apart(*s) { short(*s) } else { self.step_of(*s) });
-            each.collect::<Vec<_>>()
+        let all = [values, &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
+        let plain = |symbols: &[SymbolId]| -> Vec<String> {
+            let each = |s: &SymbolId| {
+                if solved.contains(s) { self.chain(*s, &(*s).into()) } else { self.step_of(*s) }
+            };
+            symbols.iter().map(each).collect()
         };
         let room = MOST.saturating_sub(self.lines());
-        let ways = [chains(&all), chains(&needed), plain(&all)];
-        let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
-        let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
+        let fits = self.single() && packed(plain(&all)).len() <= room;
+        let told = plain(if fits { &all } else { values });
         self.formulas_or_one(told);
         self.skip_new();
     }

@@ -1045,18 +1045,17 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => self.two_freedoms(),
             };
         }
-        let gone = if self.m.one { self.elimination().ok() } else { None };
+        let gone = if self.m.one { self.elimination() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
         let a = self.rate();
         let from: Vec<String> = gone
             .iter()
-            .map(|g| {
-                let n = self.number_of(g.row);
-                self.phrase("motion.from", &[("n", &n), ("is", &self.stated(g.force, &g.is))])
+            .map(|(row, force, is)| {
+                let n = self.number_of(*row);
+                self.phrase("motion.from", &[("n", &n), ("is", &self.stated(*force, is))])
             })
             .collect();
         let n = self.number_of(last);
-        self.gone = gone;
         if !from.is_empty() {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }

@@ -9,9 +9,10 @@ use crate::solution::plane::{Plane, cross, less};
 /// Lines that the values take at least, however full the page is.
 const LEAST: usize = 5;
 
-/// An equation, both sides, with what it is called within a sentence.
+/// An equation, both sides, with its place among them and what it is called within a sentence.
 #[derive(Debug, Clone)]
 pub struct Row {
+    pub at: usize,
     pub name: String,
     pub sides: (Expr, Expr),
     /// Does it stand on the page already?
@@ -23,6 +24,8 @@ pub struct Row {
 pub struct Found {
     pub rows: Vec<Row>,
     pub symbols: Vec<SymbolId>,
+    /// What the one that a single equation gives is equal to.
+    pub is: Option<Expr>,
 }
 
 impl Found {
@@ -32,8 +35,7 @@ impl Found {
 }
 
 impl Page<'_, '_> {
-    /// Takes what is open out of the equations, one after the other, and what a single one gives as a step; with `pairs` two from two
-    /// where no single one does.
+    /// Takes what is open out of the equations, one after the other; with `pairs` two from two where no single one does.
     pub fn untangle(&mut self, mut rows: Vec<Row>, open: &mut Vec<SymbolId>, pairs: bool) -> Vec<Found> {
         let mut all = Vec::new();
         loop {
@@ -46,12 +48,8 @@ impl Page<'_, '_> {
                 _ => None,
             });
             if let Some((at, symbol, is)) = single {
-                // What is 0 but for rounding stays 0.
-                if self.symbols.value(symbol) != 0.0 {
-                    self.step(symbol, is);
-                }
                 open.retain(|s| *s != symbol);
-                all.push(Found { rows: vec![rows.remove(at)], symbols: vec![symbol] });
+                all.push(Found { rows: vec![rows.remove(at)], symbols: vec![symbol], is: Some(is) });
                 continue;
             }
             let both = (0..rows.len()).flat_map(|i| (0..i).map(move |j| (j, i))).find_map(|(j, i)| {
@@ -63,7 +61,18 @@ impl Page<'_, '_> {
             let Some((j, i, symbols)) = both else { return all };
             open.retain(|s| !symbols.contains(s));
             let second = rows.remove(i);
-            all.push(Found { rows: vec![rows.remove(j), second], symbols });
+            all.push(Found { rows: vec![rows.remove(j), second], symbols, is: None });
+        }
+    }
+    /// Notes what single equations give.
+    pub fn follow(&mut self, found: &[Found]) {
+        for f in found {
+            // What is 0 but for rounding stays 0.
+            if let (Some(is), [symbol]) = (&f.is, &f.symbols[..])
+                && self.symbols.value(*symbol) != 0.0
+            {
+                self.step(*symbol, is.clone());
+            }
         }
     }
     /// Do these equations determine what is unknown in them?
@@ -72,6 +81,9 @@ impl Page<'_, '_> {
     }
     /// `$X$ from (7)`, in order.
     fn say_order(&mut self, found: &[Found]) {
+        if found.is_empty() {
+            return;
+        }
         let names = |f: &Found| -> Vec<String> {
             let mut names: Vec<String> = f.rows.iter().map(|row| row.name.clone()).collect();
             names.dedup();
@@ -101,10 +113,10 @@ impl Plane<'_, '_> {
     pub fn rows_in_order(&mut self, moments: bool) -> Vec<Row> {
         let joints = self.phrase("order.joints", &[]);
         let demands = if self.scene.end == End::Equilibrium { Vec::new() } else { self.demands() };
-        let named = |(name, sides)| Row { name, sides, told: true };
-        let mut all: Vec<Row> = demands.into_iter().map(|sides| named((joints.clone(), sides))).collect();
+        let named = |name, sides| Row { at: 0, name, sides, told: true };
+        let mut all: Vec<Row> = demands.into_iter().map(|sides| named(joints.clone(), sides)).collect();
         let equations = (0..self.bodies.len()).flat_map(|b| self.equations(b));
-        all.extend(equations.zip(1..).map(|(sides, n)| named((format!("({n})"), sides))));
+        all.extend(equations.zip(1..).map(|(sides, n)| named(format!("({n})"), sides)));
         for body in 0..if moments { self.bodies.len() } else { 0 } {
             all.extend(self.moments_about_joints(body));
         }
@@ -137,7 +149,7 @@ impl Plane<'_, '_> {
             let turned = sum(it.inertia.iter().map(|i| i.by(alpha)));
             let still = scene.end == End::Equilibrium;
             let right = if still { ZERO } else { positive_first([turned, moved]) };
-            all.push(Row { name, sides: (left, right), told: false });
+            all.push(Row { at: 0, name, sides: (left, right), told: false });
         }
         all
     }
@@ -151,13 +163,16 @@ impl Plane<'_, '_> {
         let mut all = Vec::new();
         if self.bodies.len() > 1 && (known.is_some() || self.driver.is_some()) {
             // The joints give all accelerations by that of the leading body.
-            let joints = Row { name: self.phrase("order.joints", &[]), sides: (ZERO, ZERO), told: true };
+            let name = self.phrase("order.joints", &[]);
+            let joints = Row { at: 0, name, sides: (ZERO, ZERO), told: true };
             rows.retain(|row| row.name != joints.name);
             open.retain(|s| !accelerations.contains(s));
             let symbols = accelerations.into_iter().filter(|s| Some(*s) != known).collect();
-            all.push(Found { rows: vec![joints], symbols });
+            all.push(Found { rows: vec![joints], symbols, is: None });
         }
-        all.extend(self.page.untangle(rows, &mut open, true));
+        let found = self.page.untangle(rows, &mut open, true);
+        self.page.follow(&found);
+        all.extend(found);
         let mut needed = self.page.behind(wanted.to_vec(), |s| all.iter().any(|f| f.symbols.contains(&s)));
         let solved = |s: &SymbolId| all.iter().any(|f| f.symbols.contains(s)) || !open.contains(s);
         if !needed.iter().all(solved) {
@@ -176,15 +191,19 @@ impl Plane<'_, '_> {
     /// Tells them with their values, how each follows where there is room for it, and what else is wanted.
     pub fn tell_in_order(&mut self, order: &[Found], wanted: &[SymbolId], room: usize) {
         self.page.say_order(order);
-        let mut all: Vec<SymbolId> = order.iter().flat_map(|f| f.symbols.clone()).collect();
-        all.extend(wanted.iter().filter(|s| !order.iter().any(|f| f.symbols.contains(s))));
-        // What the joints give together has no formula of its own.
-        let joints = order.iter().filter(|f| f.uses().next().is_none()).flat_map(|f| &f.symbols);
-        let plain: Vec<SymbolId> = joints.copied().collect();
+        let given = |s: &&SymbolId| !order.iter().any(|f| f.symbols.contains(s));
+        let (first, last): (Vec<SymbolId>, Vec<SymbolId>) =
+            wanted.iter().filter(given).partition(|s| self.bodies.iter().any(|b| b.alpha == Some(**s)));
+        let mut all: Vec<SymbolId> =
+            first.into_iter().chain(order.iter().flat_map(|f| f.symbols.clone())).collect();
+        all.extend(last);
         let short = |s: &SymbolId| self.chain(*s, &(*s).into());
-        let chains = all.iter().map(|s| if plain.contains(s) { short(s) } else { self.step_of(*s) });
+        // What several equations give together has no formula of its own.
+        let plain = |s: &SymbolId| order.iter().any(|f| f.is.is_none() && f.symbols.contains(s));
+        let chains = all.iter().map(|s| if plain(s) { short(s) } else { self.step_of(*s) });
         let chains: Vec<String> = chains.collect();
-        let fits = packed(chains.clone()).len() <= room.max(LEAST);
+        let room = if self.bodies.len() > 1 { room.max(LEAST) } else { room };
+        let fits = packed(chains.clone()).len() <= room;
         let told = if fits { chains } else { all.iter().map(short).collect() };
         self.page.formulas_or_one(told);
         self.skip_new();

@@ -522,7 +522,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all = [rows.clone(), demands.clone()].concat();
         self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
         let before = self.steps.len();
-        self.unravel(None);
+        self.unravel();
         let Some(change) = self.bodies[lead].alpha else { return beyond() };
         let change: Expr = match self.arc_of(self.lead) {
             Some(arc) => change.over(self.turning_of(arc)),
@@ -966,7 +966,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The change of the leading angle in degrees that the key has, with its sign.
-    fn way_of_key(&mut self) -> Option<f64> {
+    fn way_of_key(&mut self, first: f64) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
@@ -999,32 +999,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         if (ahead - behind).abs() > NOTHING {
             return Some(if ahead < behind { way } else { -way }.to_degrees());
         }
-        // Both alike: the sense in which weights, apparent forces, forces and couples set it off.
-        let moving = self.poses(0.0, false)?;
-        let [x, y] = numbers.carried.unwrap_or_default();
-        let powers = self.bodies.iter().zip(&moving).map(|(it, pose)| {
-            let v = pose.point([self.value(&it.centre.expr()), 0.0]).map(|v| v.first);
-            -self.value(&it.mass.expr()) * (v[0] * x + v[1] * (y + numbers.gravity))
-        });
-        let mut power: f64 = powers.sum();
-        for push in self.scene.pushes.iter().filter(|p| !p.blow && !p.turns) {
-            let at = moving[push.at.body].point(pose::of_spot(self.scene, &numbers, push.at));
-            let v = at.map(|x| x.first);
-            let [c, s] = match push.toward_m.map(|place| pose::ground(&numbers, place)) {
-                Some([x, y]) => {
-                    let apart = [x - at[0].value, y - at[1].value];
-                    apart.map(|a| a / apart[0].hypot(apart[1]))
-                }
-                None => pose::direction(&numbers, push.direction_deg),
-            };
-            power += self.datum(push.force_n) * (v[0] * c + v[1] * s);
-        }
-        for couple in &self.scene.couples {
-            let moment = signed(self.number(couple.moment_n_m, "M", "N m"), couple.forward);
-            let turn = moving[couple.body].turn().0 * f64::from(self.sense_of(couple.body));
-            power += self.value(&moment) * turn;
-        }
-        Some((way * power.signum()).to_degrees())
+        // Both alike: the sense in which the work of all forces sets it off.
+        let work = self.tried(first + 1.0, |plane| plane.work())?;
+        Some((way * work.signum()).to_degrees())
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -1064,12 +1041,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let last = match scene.end {
             End::AtOnce => first.clone(),
             End::Angle(_, angle) if self.varies.is_none() => self.number(angle, &format!("{name}_1"), "deg"),
-            end => {
-                let at = match end {
-                    End::Angle(_, angle) => self.datum(angle),
-                    _ => self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?,
-                };
-                let at = at + self.varies.unwrap_or(0.0);
+            _ => {
+                let start = self.value(&first);
+                let key = |this: &mut Self| Some(start + this.way_of_key(start)?);
+                let at = self.varies.or_else(|| key(self)).ok_or(Beyond::Unfound)?;
                 let name = self.free(&[format!("{name}_1"), format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
@@ -1974,12 +1949,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.value(&sum(self.works.clone()))
     }
 
-    /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
-    pub fn unravel(&mut self, known: Option<SymbolId>) {
+    /// What the equations give one after the other: each from one in which it is the only unknown.
+    fn unravel(&mut self) {
         let mut open = [self.accelerations(), self.reactions()].concat();
-        open.retain(|s| Some(*s) != known && !self.symbols.value(*s).is_nan());
+        open.retain(|s| !self.symbols.value(*s).is_nan());
         let rows = self.rows_in_order(false);
-        self.page.untangle(rows, &mut open, false);
+        let found = self.page.untangle(rows, &mut open, false);
+        self.page.follow(&found);
     }
 
     /// At an instant, the velocities that go with a turn of a single body that its joints do not place, where each force of a joint
@@ -2388,9 +2364,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// What is made of the same scene, its asked angle as one that varies, so much away.
     pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
+        self.tried(self.value(&self.turns[0].at[END]) + by_deg, of)
+    }
+    /// The same at this angle.
+    fn tried<T>(&self, at_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
         let d = &*self.page.draft;
         let mut draft = Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
-        draft.varies = Some(by_deg);
+        draft.varies = Some(at_deg);
         Plane::new(&mut draft).ok().map(|mut plane| of(&mut plane))
     }
     /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
