@@ -10,7 +10,7 @@ use crate::solution::expr::{
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
-use crate::solution::order::Row;
+use crate::solution::order::{Found, Row, needed};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{
@@ -46,9 +46,6 @@ pub struct GrownForce {
     /// Its mean over the way, if it grows with place, until [`Account::grow_up`].
     pub mean: Option<SymbolId>,
 }
-
-/// A reaction as it leaves the equations: from which row, and what it is equal to, with the acceleration in it.
-pub type Eliminated = (Coordinate, SymbolId, Expr);
 
 /// Names and units of a speed and a spin of the start.
 pub const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
@@ -183,16 +180,14 @@ const fn coordinate(quantity: Quantity, body: usize) -> Coordinate {
     }
 }
 
-/// What is 0 where nothing moves.
-const STILL: [Quantity; 7] = [
-    Quantity::V,
-    Quantity::Omega,
-    Quantity::KineticEnergy,
-    Quantity::VMax,
-    Quantity::DAtVMax,
-    Quantity::DTurn,
-    Quantity::AngularMomentum,
-];
+/// Is this 0 where nothing moves?
+const fn is_of_motion(quantity: Quantity) -> bool {
+    use Quantity as Q;
+    matches!(
+        quantity,
+        Q::V | Q::Omega | Q::KineticEnergy | Q::AngularMomentum | Q::VMax | Q::DAtVMax | Q::DTurn
+    )
+}
 
 /// What may have a symbol before it is asked.
 const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Quantity::T];
@@ -1132,24 +1127,23 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// The reactions in the order in which they leave the equations, moments first, and the row that is left.
-    pub fn elimination(&mut self) -> Option<(Vec<Eliminated>, Coordinate)> {
+    pub fn elimination(&mut self) -> Option<(Vec<Found>, Coordinate)> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
         let gone = self.eliminated(&rows, self.m.reactions().into_iter().map(|(_, force)| force).collect());
-        let mut left = rows.iter().filter(|c| !gone.iter().any(|(row, ..)| row == *c));
-        let last = *left.next()?;
-        left.next().is_none().then(|| (gone.clone(), last))
+        let mut left = (0..rows.len()).filter(|at| !gone.iter().any(|f| f.rows[0].at == *at));
+        let last = rows[left.next()?];
+        left.next().is_none().then_some((gone, last))
     }
 
     /// What these rows give of what is open, each reaction from one in which it is the only one.
-    fn eliminated(&mut self, rows: &[Coordinate], mut open: Vec<SymbolId>) -> Vec<Eliminated> {
+    fn eliminated(&mut self, rows: &[Coordinate], mut open: Vec<SymbolId>) -> Vec<Found> {
         let row = |(at, c): (usize, &Coordinate)| {
             let sides = (self.row_sum(*c), self.gain(*c));
-            Row { at, name: String::new(), sides, told: true }
+            Row { at, name: self.number_of(*c), sides, told: true }
         };
         let all = rows.iter().enumerate().map(row).collect();
-        let found = self.page.untangle(all, &mut open, false).into_iter();
-        found.filter_map(|f| Some((rows[f.rows[0].at], f.symbols[0], f.is?))).collect()
+        self.page.untangle(all, &mut open, false)
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1214,7 +1208,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What a quantity is equal to.
     fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
-        if self.stays() && STILL.contains(&label.quantity) {
+        if self.stays() && is_of_motion(label.quantity) {
             return Ok(ZERO);
         }
         let c = coordinate(label.quantity, body);
@@ -1422,30 +1416,23 @@ impl<'d, 'a> Account<'d, 'a> {
         rows.sort_by_key(|c| c.degree == Degree::Turn);
         let unknown = |(t, _): &&(usize, SymbolId)| self.known(self.label_of_tie(*t)).is_none();
         let open: Vec<SymbolId> = reactions.iter().filter(unknown).map(|(_, force)| *force).collect();
-        let alone: Vec<Coordinate> = rows
-            .iter()
-            .copied()
-            .filter(|c| {
-                let uses = self.row_sum(*c).uses();
-                open.iter().filter(|s| uses.contains(s)).eq([&symbol])
-            })
-            .collect();
-        let found = self.eliminated(if alone.is_empty() { &rows } else { &alone }, open);
-        let (mut needed, mut kept) = (vec![symbol], Vec::new());
-        for (c, force, is) in found.into_iter().rev() {
-            if needed.contains(&force) {
-                needed.extend(is.uses());
-                kept.push((c, force, is));
-            }
+        let alone = |c: &Coordinate| {
+            let uses = self.row_sum(*c).uses();
+            open.iter().filter(|s| uses.contains(s)).eq([&symbol])
+        };
+        if rows.iter().any(alone) {
+            rows.retain(alone);
         }
-        for (c, force, is) in kept.into_iter().rev() {
+        for found in needed(self.eliminated(&rows, open), vec![symbol]) {
+            let c = rows[found.rows[0].at];
             if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
                 self.get(of_body(Quantity::A, c.body))?;
             }
-            let own = reactions.iter().find(|(_, f)| *f == force).map(|(t, _)| self.label_of_tie(*t));
+            let own = reactions.iter().find(|(_, force)| found.symbols.contains(force));
             // Another one may have taken all equations together.
-            if let Some(own) = own.filter(|own| self.known(*own).is_none()) {
-                self.found(own, force, is);
+            let own = own.map(|(t, _)| self.label_of_tie(*t)).filter(|own| self.known(*own).is_none());
+            if let (Some(own), Some(is)) = (own, found.is) {
+                self.found(own, found.symbols[0], is);
             }
         }
         let known = tie.and_then(|t| self.known(self.label_of_tie(t)));

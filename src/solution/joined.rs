@@ -137,9 +137,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             values.insert(0, alpha);
         }
         let known = told.or(own);
-        match self.in_order(known, &values) {
-            Some(order) => self.tell_in_order(&order, &values, MOST.saturating_sub(self.lines())),
-            None => self.tell_together(&values),
+        let room = MOST.saturating_sub(self.lines());
+        if !self.tell_in_order(known, &values, room) {
+            self.tell_together(&values, room);
         }
         Ok(())
     }
@@ -860,7 +860,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         Some(alpha)
     }
     /// Tells what all equations together were solved for, with all that is known besides, as far as the page has room.
-    fn tell_together(&mut self, values: &[SymbolId]) {
+    fn tell_together(&mut self, values: &[SymbolId], room: usize) {
         self.say("joined.together", &[]);
         let solved = [self.accelerations(), self.reactions()].concat();
         let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
@@ -871,7 +871,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             };
             symbols.iter().map(each).collect()
         };
-        let room = MOST.saturating_sub(self.lines());
         let fits = self.single() && packed(plain(&all)).len() <= room;
         let told = plain(if fits { &all } else { values });
         self.formulas_or_one(told);

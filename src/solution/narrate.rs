@@ -1050,9 +1050,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.rate();
         let from: Vec<String> = gone
             .iter()
-            .map(|(row, force, is)| {
-                let n = self.number_of(*row);
-                self.phrase("motion.from", &[("n", &n), ("is", &self.stated(*force, is))])
+            .filter_map(|f| {
+                let is = self.stated(f.symbols[0], f.is.as_ref()?);
+                Some(self.phrase("motion.from", &[("n", &f.rows[0].name), ("is", &is)]))
             })
             .collect();
         let n = self.number_of(last);
@@ -1173,7 +1173,7 @@ impl<'d, 'a> Account<'d, 'a> {
         self.page.rows(&plain.collect::<Vec<_>>());
     }
 
-    fn number_of(&self, c: Coordinate) -> String {
+    pub fn number_of(&self, c: Coordinate) -> String {
         self.rows.iter().find(|(r, _)| *r == c).map_or_else(String::new, |(_, n)| n.to_string())
     }
 

@@ -34,6 +34,19 @@ impl Found {
     }
 }
 
+/// What of this is needed for what is wanted, in order.
+pub fn needed(all: Vec<Found>, mut wanted: Vec<SymbolId>) -> Vec<Found> {
+    let mut kept = Vec::new();
+    for mut found in all.into_iter().rev() {
+        found.symbols.retain(|s| found.rows.len() == 2 || wanted.contains(s));
+        if found.symbols.iter().any(|s| wanted.contains(s)) {
+            wanted.extend(found.uses());
+            kept.insert(0, found);
+        }
+    }
+    kept
+}
+
 impl Page<'_, '_> {
     /// Takes what is open out of the equations, one after the other; with `pairs` two from two where no single one does.
     pub fn untangle(&mut self, mut rows: Vec<Row>, open: &mut Vec<SymbolId>, pairs: bool) -> Vec<Found> {
@@ -155,7 +168,7 @@ impl Plane<'_, '_> {
     }
     /// The order in which the equations give the forces, once the acceleration of the leading body is known or by themselves; `None`
     /// where they have to be solved together for one of these quantities.
-    pub fn in_order(&mut self, known: Option<SymbolId>, wanted: &[SymbolId]) -> Option<Vec<Found>> {
+    fn in_order(&mut self, known: Option<SymbolId>, wanted: &[SymbolId]) -> Option<Vec<Found>> {
         let accelerations = self.accelerations();
         let mut rows = self.rows_in_order(true);
         let mut open = [accelerations.clone(), self.reactions()].concat();
@@ -170,42 +183,52 @@ impl Plane<'_, '_> {
             let symbols = accelerations.into_iter().filter(|s| Some(*s) != known).collect();
             all.push(Found { rows: vec![joints], symbols, is: None });
         }
-        let found = self.page.untangle(rows, &mut open, true);
-        self.page.follow(&found);
-        all.extend(found);
-        let mut needed = self.page.behind(wanted.to_vec(), |s| all.iter().any(|f| f.symbols.contains(&s)));
-        let solved = |s: &SymbolId| all.iter().any(|f| f.symbols.contains(s)) || !open.contains(s);
-        if !needed.iter().all(solved) {
-            return None;
-        }
-        let mut kept: Vec<Found> = Vec::new();
-        for mut found in all.into_iter().rev() {
-            found.symbols.retain(|s| found.rows.len() == 2 || needed.contains(s));
-            if found.symbols.iter().any(|s| needed.contains(s)) {
-                needed.extend(found.uses());
-                kept.insert(0, found);
-            }
-        }
-        Some(kept)
+        all.extend(self.page.untangle(rows, &mut open, true));
+        let behind = self.page.behind(wanted.to_vec(), |s| all.iter().any(|f| f.symbols.contains(&s)));
+        behind.iter().all(|s| !open.contains(s)).then(|| needed(all, behind))
     }
-    /// Tells them with their values, how each follows where there is room for it, and what else is wanted.
-    pub fn tell_in_order(&mut self, order: &[Found], wanted: &[SymbolId], room: usize) {
-        self.page.say_order(order);
-        let given = |s: &&SymbolId| !order.iter().any(|f| f.symbols.contains(s));
-        let (first, last): (Vec<SymbolId>, Vec<SymbolId>) =
-            wanted.iter().filter(given).partition(|s| self.bodies.iter().any(|b| b.alpha == Some(**s)));
-        let mut all: Vec<SymbolId> =
-            first.into_iter().chain(order.iter().flat_map(|f| f.symbols.clone())).collect();
-        all.extend(last);
-        let short = |s: &SymbolId| self.chain(*s, &(*s).into());
-        // What several equations give together has no formula of its own.
-        let plain = |s: &SymbolId| order.iter().any(|f| f.is.is_none() && f.symbols.contains(s));
-        let chains = all.iter().map(|s| if plain(s) { short(s) } else { self.step_of(*s) });
-        let chains: Vec<String> = chains.collect();
-        let room = if self.bodies.len() > 1 { room.max(LEAST) } else { room };
-        let fits = packed(chains.clone()).len() <= room;
-        let told = if fits { chains } else { all.iter().map(short).collect() };
-        self.page.formulas_or_one(told);
-        self.skip_new();
+    /// How these are told with their values: what was known before first, then in order, then what else is wanted; how each follows where
+    /// that fits.
+    fn lines_in_order(&self, order: &[Found], wanted: &[SymbolId], plain: bool) -> Vec<String> {
+        let ordered: Vec<SymbolId> = order.iter().flat_map(|f| f.symbols.clone()).collect();
+        let rest = wanted.iter().copied().filter(|s| !ordered.contains(s));
+        let (first, last): (Vec<_>, Vec<_>) =
+            rest.partition(|s| self.bodies.iter().any(|b| b.alpha == Some(*s)));
+        let each = [first, ordered, last].concat().into_iter().map(|s| {
+            let found = order.iter().find(|f| f.symbols.contains(&s));
+            let is = found.map_or_else(|| self.from(s), |f| f.is.clone().unwrap_or_else(|| s.into()));
+            let short = plain || self.symbols.value(s) == 0.0;
+            self.chain(s, &if short { s.into() } else { is })
+        });
+        each.collect()
+    }
+    /// Tells the forces and accelerations that are wanted in the order in which the equations give them, of a single body with all that
+    /// is known besides, as far as the page has room; `false` where no such order is found.
+    pub fn tell_in_order(&mut self, known: Option<SymbolId>, wanted: &[SymbolId], room: usize) -> bool {
+        let several = self.bodies.len() > 1;
+        let room = if several { room.max(LEAST) } else { room };
+        let mut all = wanted.to_vec();
+        if !several {
+            let solved = [self.accelerations(), self.reactions()].concat();
+            all.extend(
+                solved.into_iter().filter(|s| !wanted.contains(s) && !self.symbols.value(*s).is_nan()),
+            );
+        }
+        for (wanted, last) in [(&all[..], several), (wanted, true)] {
+            let Some(order) = self.in_order(known, wanted) else { continue };
+            let mut lines = self.lines_in_order(&order, wanted, false);
+            if packed(lines.clone()).len() > room {
+                if !last {
+                    continue;
+                }
+                lines = self.lines_in_order(&order, wanted, true);
+            }
+            self.page.say_order(&order);
+            self.page.formulas_or_one(lines);
+            self.page.follow(&order);
+            self.skip_new();
+            return true;
+        }
+        false
     }
 }

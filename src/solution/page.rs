@@ -59,9 +59,11 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// The magnitude of an expression, what is added in front, and no minus before a difference that can be turned.
     pub fn positive(&self, e: &Expr) -> Expr {
-        match positive_first([in_sense(e.clone(), self.value(e))]) {
-            negative @ Expr::Minus(_) => negative.factors().upright(&self.symbols).expr(),
-            size => size,
+        let size = positive_first([in_sense(e.clone(), self.value(e))]);
+        let Expr::Minus(_) = &size else { return size };
+        match size.factors().upright(&self.symbols).expr() {
+            Expr::Minus(_) => size,
+            turned => turned,
         }
     }
     /// `left = right`

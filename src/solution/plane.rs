@@ -1338,8 +1338,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         for (i, push) in scene.pushes.iter().enumerate().filter(|(_, p)| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             if let Some(place) = push.toward_m {
-                let tag = if scene.pushes.len() > 1 { format!(",{}", i + 1) } else { String::new() };
-                self.pull_toward(push.at, place, &size, &tag);
+                self.pull_toward(push.at, place, &size, &one_of(scene.pushes.len(), i));
                 continue;
             }
             let unit = self.direction(push.direction_deg);
@@ -1468,7 +1467,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn spring(&mut self, strut: usize) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let it = &scene.struts[strut];
-        let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+        let tag = one_of(scene.struts.len(), strut);
         if it.twists() {
             return self.torsion(it, &tag);
         }
@@ -2202,9 +2201,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::Drive, _) => return self.driver.ok_or_else(none),
             (Q::Moment, Owner::Strut(s)) => {
                 let moment = *self.springs.get(s).ok_or_else(none)?;
-                let several = self.scene.struts.len() > 1;
-                let name =
-                    if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
+                let name = format!(r"\mathrm{{t}}{}", one_of(self.scene.struts.len(), s));
                 return Ok(self.page.find(&[tagged("M", &name)], "N m", ZERO - moment));
             }
             (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
@@ -2451,6 +2448,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let cords = cords.filter(|(j, _)| matches!(self.scene.joints[*j].kind, JointKind::Cord { .. }));
         cords.map(|(_, length)| length).collect()
     }
+}
+
+/// What stands below a symbol that several have.
+fn one_of(several: usize, i: usize) -> String {
+    if several > 1 { format!(",{}", i + 1) } else { String::new() }
 }
 
 /// 1 or -1, or 0.
