@@ -366,7 +366,7 @@ fn thirty_thousand_extreme_scenes_are_solved_or_refused() {
 }
 
 #[test]
-#[ignore = "under a minute in a release build, where .ci/run runs it"]
+#[ignore = "a minute in a release build; `.ci/run --long` runs it"]
 fn a_million_extreme_scenes_are_solved_or_refused() {
     let (published, refused) = storm(1_000_000, 5);
     println!("{published} published, {refused} refused with a reason");
