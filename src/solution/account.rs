@@ -970,7 +970,7 @@ impl<'d, 'a> Account<'d, 'a> {
         } else {
             root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
         };
-        let amplitude = self.page.find_once(&[r"\hat{x}", "A"], "m", amplitude);
+        let amplitude = self.page.find_once(&["A", "B"], "m", amplitude);
         Ok([frequency.into(), rest.into(), amplitude.into()])
     }
 

@@ -74,7 +74,9 @@ impl Factors {
     /// The same without a minus in front where a difference that is negative takes it: `(R - r)/r` for `-(r - R)/r`.
     #[must_use]
     pub fn upright(&self, symbols: &Symbols) -> Self {
-        let negative = |f: &Expr| matches!(f, Expr::Sum(_)) && f.value(symbols) < 0.0;
+        let differs =
+            |f: &Expr| matches!(f, Expr::Sum(all) if all.iter().any(|t| matches!(t, Expr::Minus(_))));
+        let negative = |f: &Expr| differs(f) && f.value(symbols) < 0.0;
         let mut turned = self.opposite();
         let factor = turned.over.iter_mut().find(|f| negative(f));
         match factor {
