@@ -5,7 +5,7 @@ use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Degree, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
 use crate::solution::derive;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft};
 use crate::solution::expr::{
     Expr, SymbolId, cosine, magnitude, number, power, product, root, sine, square, sum,
 };
@@ -132,8 +132,9 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
                 (from, None) => {
                     let letter = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
                     let own = is_symbol(&question.id).then(|| question.id.clone());
-                    // What is short needs no letter.
-                    let short = || Some(page.tex(&from)).filter(|tex| width(tex) <= SHORT);
+                    // What is short needs no letter, unless its numbers are put in.
+                    let plain = page.detail == Detail::Short;
+                    let short = || Some(page.tex(&from)).filter(|tex| plain && width(tex) <= SHORT);
                     let known = own.or_else(short);
                     let says = if known.is_some() { "asked.told" } else { "asked.called" };
                     let names = [known.as_ref().unwrap_or(&letter).clone(), format!("{letter}^{{*}}")];

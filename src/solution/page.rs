@@ -377,17 +377,14 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn chain(&self, symbol: SymbolId, from: &Expr) -> String {
         let symbols = &self.symbols;
         let (name, letters, value) = (symbols.tex(symbol), from.symbols(symbols), symbols.shown(symbol));
-        if from.uses().is_empty() || matches!(from, Expr::Symbol(_)) && letters == name {
+        if from.uses().is_empty() || letters == name {
             return format!("{name} = {value}");
         }
-        // What is short is its own name.
-        let own = letters == name;
         if self.detail == Detail::Full && from.numbers(symbols) != value {
             let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
-            let letters = if own { String::new() } else { format!(r" &= {letters} \\") };
-            return format!(r"{name}{letters} &= {numbers} \\ &= {value}");
+            return format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
         }
-        if own { format!("{name} = {value}") } else { format!("{name} = {letters} = {value}") }
+        format!("{name} = {letters} = {value}")
     }
     /// Tells what was found since: a few short formulas within the sentence, more of them, or wide ones, displayed, as many on a
     /// line as fit.
