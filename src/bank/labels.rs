@@ -199,7 +199,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
     }
     let thrown = scene.thrown();
     all.add(moves && !scene.grows_with_place(), Owner::Scene, &[Q::T]);
-    all.add(moves && scene.spring().is_none() && thrown.is_none(), Owner::Scene, &[Q::Work]);
+    all.add(moves && !scene.is_sprung() && thrown.is_none(), Owner::Scene, &[Q::Work]);
     all.add(scene.coordinates().next().is_some(), Owner::Scene, &[Q::RotationalFraction]);
     if !rates {
         return;
@@ -208,7 +208,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
         couples(scene, all);
     }
     let end = scene.ending_coordinate();
-    let changes = scene.growths.is_empty() && (scene.spring().is_some() || !scene.start.is_empty());
+    let changes = scene.growths.is_empty() && (scene.is_sprung() || !scene.start.is_empty());
     let turns_back = moves && changes && end.degree == Degree::Along && thrown.is_none();
     all.add(moves, Owner::Body(end.body), &[Q::Direction]);
     all.add(turns_back, Owner::Body(end.body), &[Q::VMax, Q::DAtVMax, Q::DTurn]);
@@ -242,7 +242,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
                     Far::Spring { .. } => {
                         all.add(true, of, &[Q::Tension]);
                         all.add(moves, of, &[Q::CordTravel]);
-                        all.add(moves, Owner::Scene, &[Q::XEq]);
+                        all.add(moves, of, &[Q::XEq]);
                         all.add(moves && scene.oscillates(), free, &[Q::PeriodSmall, Q::OmegaSmall]);
                     }
                     Far::Body(_) | Far::Fixed => all.add(true, of, &[c.force()]),

@@ -736,8 +736,10 @@ fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
             absent = given.is_some_and(is_none);
             own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
             if let Some(n) = fields.get("unknown") {
-                datum.unknown = draw(n, faults);
-                draw_wrong = datum.unknown.is_none();
+                let range = draw(n, faults);
+                draw_wrong = range.is_none();
+                // What is to be found is known to be so, whatever its range was meant to be.
+                datum.unknown = range.or(Some(Draw::Grid { min: 1, max: 3, step: 1, decimals: 0 }));
                 // On the sheet of a student it is not there.
                 let drawn = given.filter(|_| !std::mem::take(&mut absent));
                 if let Some(given) = drawn {

@@ -130,7 +130,11 @@ fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
     if !(simple && ends) {
         let message =
             told!("a force grows with {with}, and the scene is not one whose acceleration then grows alike");
-        faults.hint(node, message, told!("one freedom, contacts that roll, no spring, no pin, and {end}"));
+        faults.hint(
+            node,
+            message,
+            told!("one freedom, contacts that roll or are smooth, no spring, no pin, and {end}"),
+        );
     } else if mixed {
         let hint = "write the same `with:` for all of them";
         faults.hint(node, "two forces grow in different ways; all that grow do so alike", hint);
@@ -138,14 +142,12 @@ fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
     simple && ends && !mixed
 }
 
-/// Bodies on lines and axles: one freedom, or more from rest, and one spring at most.
+/// Bodies on lines and axles: one freedom, or more from rest.
 fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     if scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         faults.hint(node, "only an instant is asked of a body of particles", "write `end: at once`");
         return;
     }
-    let spring = |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. }));
-    let springs = scene.ties.iter().filter(spring).count();
     let slips = scene.ties.iter().find_map(|t| match t {
         Tie::Slip { body, .. } => Some(scene.bodies[*body].name.as_str()),
         _ => None,
@@ -153,11 +155,10 @@ fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     let freedoms = scene.freedoms();
     let count = freedoms.to_string();
     let several = Some(count.as_str()).filter(|_| freedoms > 1 && slips.is_none());
-    let held = springs > 0;
+    let held = scene.is_sprung();
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 4] = [
-        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away"),
-        (is(springs > 1), "", "a scene has at most one spring", ""),
+    let rules: [SceneRule; 3] = [
+        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away, or write `slips:` for a wheel that they keep from rolling"),
         (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is not solved",
             "let the wheel roll, or take the spring away"),
         (several.filter(|_| held), "", "a spring holds a scene with {} freedoms; one is solved", "let the wheel roll"),

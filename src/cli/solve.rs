@@ -15,12 +15,17 @@ pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
     let scene = &problem.cases[case].scene;
     let (mut solved, taken) =
         ladder::solve(scene, &data, &wish).map_err(|refusal| data::refused(problem, scene, &refusal))?;
+    let found = scene.formulas.found.is_some();
     if taken.errors.is_empty() {
         // Nothing is proved where the data leave open which way it goes: the bounds are then absent.
         let proved = agree::prove(scene, &data, &mut solved);
-        if !proved && scene.formulas.found.is_some() {
+        if !proved && found {
             return Err(data::refused(problem, scene, &agree::not_unique(scene, &data)));
         }
+    } else if found && !agree::prove(scene, &data, &mut solved.clone()) {
+        // What is summed has no enclosure by which another value could be excluded.
+        let why = sentences::refusal(problem, scene, &agree::not_unique(scene, &data)).join("; ");
+        io.note(&format!("note: a bank may not draw this: {why}"));
     }
     let holds = data::fits(problem, case, &solved);
     let told = |label: Label| solved.get(label).is_some() || solved.word(label).is_some();

@@ -77,10 +77,11 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     // Gravity, counted from the lower of both positions of all bodies together.
     let gained = gained(&view);
     (start[3], end[3]) = if gained > 0.0 { (0.0, gained) } else { (-gained, 0.0) };
-    if let Some((tie, stiffness, stretch, _)) = scene.spring() {
-        let (k, x) = (view.of(stiffness), view.of(stretch));
-        let force = view.solved(Quantity::Tension, Owner::Tie(tie))?;
-        (start[2], end[2]) = (0.5 * k * x * x, 0.5 * force * force / k);
+    for spring in scene.springs() {
+        let (k, x) = (view.of(spring.stiffness_n_m), view.of(spring.stretch_m));
+        let force = view.solved(Quantity::Tension, Owner::Tie(spring.tie))?;
+        start[2] += 0.5 * k * x * x;
+        end[2] += 0.5 * force * force / k;
     }
     end[5] = sum_of(Quantity::Heat);
     let mut work = sum_of(Quantity::WorkPull);

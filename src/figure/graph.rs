@@ -95,7 +95,7 @@ fn shares(steps: u32) -> impl Iterator<Item = f64> {
 /// Speed and friction over the distance from release, as far as the scene looks, for a body on a spring; empty for others.
 pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurves> {
     let scene = &problem.cases.get(variant.case)?.scene;
-    scene.spring()?;
+    scene.springs().next()?;
     let End::Travel(at @ Coordinate { body, degree: Degree::Along }, asked) = scene.end else { return None };
     let of = |n: Num| scene.value(n, &variant.data);
     let asked = of(asked);

@@ -16,6 +16,8 @@ pub const GUIDE: f64 = 13.0;
 const LEAST: f64 = 3.0;
 /// Length of a pull's arrow.
 pub const PULL: f64 = 58.0;
+/// Distance between cords that leave a block side by side.
+const BESIDE: f64 = 18.0;
 /// Length of a spring without stretch.
 const SPRING: f64 = 62.0;
 
@@ -595,7 +597,13 @@ impl Builder<'_> {
             let tilt = self.view.of(tilt);
             placed.direction(if end.forward { tilt } else { 180.0 - tilt })
         });
-        let (at, _) = self.attach(&placed, end, towards);
+        let (mut at, _) = self.attach(&placed, end, towards);
+        if let (BodyLook::Block { .. }, Attach::Centre) = (&placed.look, end.attach) {
+            // Beside what leaves the block there already.
+            let same = |r: &&CordRun| r.at.iter().any(|(b, to)| *b == end.body && to.dot(&towards) > 0.999);
+            let beside = self.cords.iter().filter(same).count();
+            at += vec2(towards.y, -towards.x) * (BESIDE * beside as f64);
+        }
         let mut pieces: Vec<CordPiece> = self.wound(&placed, end, towards).into_iter().collect();
         let from = Self::visible(&placed, end, at, towards);
         let clear = placed.reach(towards)
@@ -610,7 +618,7 @@ impl Builder<'_> {
             Far::Pull(_) => CordStop::Pull(to, to + towards * PULL),
             Far::Spring { stretch_m, .. } => {
                 // The stretch is to scale where it fits; it always shows.
-                let stretch = (self.view.of(stretch_m) * self.scale).clamp(0.0, 130.0);
+                let stretch = (self.view.of(stretch_m) * self.scale).clamp(-0.4 * SPRING, 130.0);
                 let (to, by) = (to, SPRING + stretch);
                 CordStop::Spring(to, to + towards * by, to + towards * stretch)
             }

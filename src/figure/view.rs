@@ -47,11 +47,8 @@ impl<'a> SceneView<'a> {
     pub fn awaited(&self) -> Option<(&'a Scene, CordEnd, Num)> {
         let mut others = self.scene.formulas.others.iter();
         let (_, next) = others.find(|(how, _)| *how == AsIf::Next)?;
-        let (tie, stiffness, ..) = next.spring().filter(|_| self.scene.spring().is_none())?;
-        match &next.ties[tie] {
-            Tie::Cord(cord) => Some((next, cord.from, stiffness)),
-            _ => None,
-        }
+        let spring = next.springs().next().filter(|_| !self.scene.is_sprung())?;
+        Some((next, spring.from, spring.stiffness_n_m))
     }
 
     /// A slope in degrees.

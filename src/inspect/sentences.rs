@@ -39,11 +39,11 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 fn looks(scene: &Scene, all: &[Check]) -> &'static str {
     // Where it never turns there is no turning point to speak of.
     let endless = all.iter().any(|c| c.kind == CheckKind::Reaches && c.available.is_infinite());
-    match (scene.spring(), scene.span) {
-        (None, _) => "",
-        (Some(_), Span::ToEnd) => " up to the end that is asked",
-        (Some(_), Span::ToTurningPoint) if endless => " over the whole motion",
-        (Some(_), Span::ToTurningPoint) => " up to the turning point",
+    match (scene.is_sprung(), scene.span) {
+        (false, _) => "",
+        (true, Span::ToEnd) => " up to the end that is asked",
+        (true, Span::ToTurningPoint) if endless => " over the whole motion",
+        (true, Span::ToTurningPoint) => " up to the turning point",
     }
 }
 
@@ -217,7 +217,7 @@ fn reaches(scene: &Scene, c: &Check) -> String {
     };
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
         // It is reached, and by a motion of no length.
-        (false, _) if c.required == 0.0 || c.required.total_cmp(&c.available).is_eq() => {
+        (false, _) if c.required.total_cmp(&c.available).is_eq() => {
             let started = !scene.starts_from_rest() && scene.ends_at_a_place();
             let then = if started { then } else { "write an end that comes after the start".to_owned() };
             format!("the end lies where the motion starts, and it leaves there; {then}")
@@ -371,7 +371,6 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
         Unsupported::ThrownEnd => "a body thrown with slip on a surface ends where it begins to roll, or after a time",
         Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
-        Unsupported::TwoSprings => "more than one spring is not solved",
         Unsupported::MovingLamina => "of a body of particles only what holds at the instant can be asked; write `end: at once`",
         Unsupported::PinnedInCompany => "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point",
         Unsupported::Overwound => "a torsion spring may be wound by less than half a turn, from the start to the end",
@@ -451,13 +450,21 @@ fn not_found(problem: &Problem, scene: &Scene, why: &Refusal) -> String {
     };
     let (unknown, measured) = (symbol(|f| f.unknown.datum), symbol(|f| f.measured.datum));
     match why {
-        Refusal::NotFound => format!("no value of {unknown} in its range gives the measured {measured}"),
-        Refusal::NotUnique(Some(value)) => format!(
-            "in a part of the range of {unknown} there is no {measured} to measure: with {}, say, the motion does not get there; narrow `unknown:` to the values with which it does",
-            in_unit(problem, scene, *value)
+        Refusal::NotFound => format!(
+            "no value of {unknown} in its range gives the measured {measured}; one with which the motion only just gets there, or a contact only just holds on the way, is not found"
         ),
+        Refusal::NotUnique(Some(value)) => {
+            let (lacks, has) = match scene.end {
+                End::AtOnce => ("the bodies do not hold or move as declared", "they do"),
+                _ => ("the motion does not get there", "it does"),
+            };
+            let value = in_unit(problem, scene, *value);
+            format!(
+                "in a part of the range of {unknown} there is no {measured} to measure: with {value}, say, {lacks}; narrow `unknown:` to the values with which {has}"
+            )
+        }
         _ => format!(
-            "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place and not where it turns"
+            "it cannot be shown that only one value of {unknown} in its range gives the measured {measured}; narrow `unknown:`, or measure a speed at a place, not where it turns nor after friction in a guide"
         ),
     }
 }

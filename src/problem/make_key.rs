@@ -327,7 +327,7 @@ fn went(scene: &Scene, regimes: &[String]) -> [bool; 3] {
     // The regime of a slip is that of the body which slips.
     let end = scene.ending_coordinate().body;
     let slips_itself = scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == end));
-    let springs = scene.spring().is_some();
+    let springs = scene.is_sprung();
     let of = |motion: &M| match motion {
         M::MovesUp | M::MovesForward | M::UpOk | M::UpTurningPoint | M::UpUnreachable => [true, false, false],
         M::ForwardOk | M::ForwardTurningPoint | M::ForwardUnreachable => [true, false, false],

@@ -644,12 +644,15 @@ fn cond(solved: &Solved, label: Label) -> f64 {
     solved.get(label).map_or(0.0, |e| e.cond)
 }
 
-/// Energy put into a motion with a spring: what the spring stores at first, and what weights that sink and pulls
+/// Energy put into a motion with a spring: what springs store at first, and what weights that sink and pulls
 /// give; J. `None` where there is no spring on a cord (that of a pinned body is left to the condition numbers).
 fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
-    let (_, stiffness, stretch, _) = scene.spring()?;
     let n = Numbers::<Dd>::new(scene, data);
-    let mut energy = (n.massive(stiffness) * n.get(stretch) * n.get(stretch)).scale2(-1);
+    let stored = scene.springs().map(|s| {
+        let stretch = n.get(s.stretch_m);
+        (n.massive(s.stiffness_n_m) * stretch * stretch).scale2(-1)
+    });
+    let mut energy = stored.reduce(|a, b| a + b)?;
     for (label, value) in solved.entries.iter().map(|e| (e.label, e.value())) {
         if let (Quantity::Rise, Owner::Body(b)) = (label.quantity, label.of) {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));

@@ -2,7 +2,7 @@
 use crate::bank::{Bound, Problem, measure};
 use crate::num::shown;
 use crate::scene::admissible::Inadmissible;
-use crate::scene::{Num, Scene, Tie, admissible};
+use crate::scene::{End, Num, Scene, Tie, admissible};
 use crate::solve::outcome::{CheckKind, Refusal, Regime};
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -275,7 +275,13 @@ fn name(problem: &Problem, case: usize, rule: DrawRule) -> String {
         DrawRule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
         DrawRule::Agree => "the equations of motion and work and energy disagree".to_owned(),
         DrawRule::Certain => {
-            "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()
+            let open = "the key is not proved: rounding of the printed data leaves open which way it goes";
+            match problem.cases.get(case).map(|c| c.scene.end) {
+                Some(End::Speed(..)) => {
+                    format!("{open} or how fast: end with `turning point` where it comes to rest")
+                }
+                _ => open.to_owned(),
+            }
         }
         DrawRule::Proved(i) => format!("the key is not proved: the bound of the error of {}", question(i)),
         DrawRule::Input => format!("input energy above {} times the kinetic", problem.energy_limit),

@@ -3,7 +3,7 @@ use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
     Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene,
-    Slope, Spot, Surface, Tie,
+    Slope, Spot, SpringTie, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -229,6 +229,7 @@ impl Scene {
                 let has = match quantity {
                     Quantity::Tension | Quantity::RimForce => !pulled && c.force() == quantity,
                     Quantity::CordTravel => pulled || spring,
+                    Quantity::XEq => spring,
                     _ => pulled,
                 };
                 has.then_some((i, c.name.as_str()))
@@ -268,14 +269,18 @@ impl Scene {
             _ => q.to_owned(),
         }
     }
-    /// The spring of the scene, if it has one: index of its tie, stiffness N/m, stretch at the start m, attached rigidly.
-    pub fn spring(&self) -> Option<(usize, Num, Num, bool)> {
-        self.ties.iter().enumerate().find_map(|(i, t)| match t {
-            Tie::Cord(Cord { to: Far::Spring { stiffness_n_m, stretch_m, rigid }, .. }) => {
-                Some((i, *stiffness_n_m, *stretch_m, *rigid))
+    /// The springs of the scene, in the order of its ties.
+    pub fn springs(&self) -> impl Iterator<Item = SpringTie> {
+        self.ties.iter().enumerate().filter_map(|(tie, t)| match *t {
+            Tie::Cord(Cord { from, to: Far::Spring { stiffness_n_m, stretch_m, rigid }, .. }) => {
+                Some(SpringTie { tie, from, stiffness_n_m, stretch_m, rigid })
             }
             _ => None,
         })
+    }
+    /// Is there a spring on a line or an axle?
+    pub fn is_sprung(&self) -> bool {
+        self.springs().next().is_some()
     }
     /// The pinned body of the scene, if it has one.
     pub fn pinned(&self) -> Option<(usize, &Pin)> {
@@ -372,7 +377,7 @@ impl Scene {
     /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?
     pub fn oscillates(&self) -> bool {
         let rubs = |t: &Tie| matches!(t, Tie::Slip { .. } | Tie::Slide { .. });
-        self.spring().is_some() && !self.ties.iter().any(rubs)
+        self.is_sprung() && !self.ties.iter().any(rubs)
     }
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {
@@ -419,7 +424,7 @@ impl Scene {
             Q::V | Q::Displacement => !plane && !self.grows_with_place(),
             Q::VX | Q::VY | Q::AngularMomentum => !plane,
             Q::KineticEnergy | Q::Work => {
-                let steady = self.spring().is_none() && self.growths.is_empty();
+                let steady = !self.is_sprung() && self.growths.is_empty();
                 steady && !self.is_still() && self.bodies.iter().all(|b| b.line.is_some())
             }
             Q::Distance

@@ -7,10 +7,6 @@ fn stand_in(datum: usize) -> f64 {
     (2.0 + datum as f64).sqrt() + 1.0 / (3.0 + datum as f64)
 }
 
-fn is_spring(tie: &Tie) -> bool {
-    matches!(tie, Tie::Cord(c) if matches!(c.to, Far::Spring { .. }))
-}
-
 impl Scene {
     /// Coordinates less the ties that say something of their own, whatever the data; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
@@ -25,15 +21,14 @@ impl Scene {
     }
 
     /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Where a scene that goes
-    /// on is solved too; beside a spring, of one freedom and where nothing rubs.
+    /// on is solved too; beside springs, of one freedom and where nothing rubs.
     pub fn tells_rates(&self) -> bool {
-        let springs = self.ties.iter().filter(|t| is_spring(t)).count();
         let slips = self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
         let slides = self.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
         let bodies = self.pinned().is_none() && self.bodies.iter().all(|b| b.particles.is_empty());
         let alone = self.freedoms() <= 1;
         let still = self.start.is_empty();
-        let pulled = springs == 0 || springs == 1 && alone && !slips && !slides;
+        let pulled = !self.is_sprung() || alone && !slips && !slides;
         bodies && pulled && (alone || still) && (!slips || still)
     }
 

@@ -129,6 +129,21 @@ pub enum Far {
     Fixed,
 }
 
+/// A spring of a scene, with its tie.
+#[derive(Debug, Clone, Copy)]
+pub struct SpringTie {
+    /// Index of the tie.
+    pub tie: usize,
+    /// The end of its cord at the body.
+    pub from: CordEnd,
+    /// Stiffness, N/m, > 0.
+    pub stiffness_n_m: Num,
+    /// Stretch at the start, m, >= 0.
+    pub stretch_m: Num,
+    /// Can it push?
+    pub rigid: bool,
+}
+
 /// Where the force of a tie acts on a body, positive in the sense in which the force is: friction forward, a cord away from the
 /// body. The rows of the equations of motion, the worked solutions and the free bodies of figures are made from these.
 #[derive(Debug, Clone, Copy, PartialEq)]

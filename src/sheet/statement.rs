@@ -484,7 +484,7 @@ fn form(
 
 /// Over which part of the motion an extremum is taken, where the forces change on the way so that it matters.
 fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
-    scene.spring()?;
+    scene.springs().next()?;
     match (q.label.quantity, scene.span) {
         (Quantity::MuRequired | Quantity::Rolls, Span::ToEnd) => Some("sheet.to_the_end"),
         (Quantity::MuRequired | Quantity::Rolls | Quantity::VMax | Quantity::DAtVMax, _) => {

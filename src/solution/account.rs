@@ -1,7 +1,7 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, Tie,
+    AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, SpringTie, Tie,
 };
 use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
 use crate::solution::expr::{
@@ -73,8 +73,13 @@ pub struct Account<'d, 'a> {
     pub effective: Expr,
     /// Sum of the forces but the spring's, reckoned to the lead.
     pub drive: Expr,
+    /// The springs whose ends move.
+    pub springs: Vec<CordSpring>,
+    /// The only one, or one that acts on the lead like all of them together.
     pub spring: Option<CordSpring>,
-    /// Its stretch at the end.
+    /// Stiffness and stretch of the latter.
+    pub together_as: Vec<(SymbolId, Expr)>,
+    /// The stretch of [`Self::spring`] at the end.
     pub last: Expr,
     /// Forces that grow with time, and the acceleration of the lead at the start then.
     pub grown: Vec<GrownForce>,
@@ -216,7 +221,9 @@ impl<'d, 'a> Account<'d, 'a> {
             v: ZERO,
             effective: ZERO,
             drive: ZERO,
+            springs: Vec::new(),
             spring: None,
+            together_as: Vec::new(),
             last: ZERO,
             grown: Vec::new(),
             first_rate: None,
@@ -235,9 +242,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if rolled.is_none() {
             this.name_ratios();
         }
-        if let Some((tie, ks, x0, rigid)) = this.scene.spring() {
-            let stiffness = this.number(ks, "k_s", "N/m");
-            let stretch = this.number(x0, "x_0", "m");
+        for SpringTie { tie, stiffness_n_m, stretch_m, rigid, .. } in this.scene.springs() {
+            let stiffness = this.number(stiffness_n_m, "k_s", "N/m");
+            let stretch = this.number(stretch_m, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
                 return unfound();
             };
@@ -246,10 +253,11 @@ impl<'d, 'a> Account<'d, 'a> {
                 // Its end does not move, so it pulls all the time as it does at the start.
                 let pull = &stiffness * &stretch;
                 this.found(of_tie(Quantity::Tension, tie), tension, pull);
+                continue;
             }
-            this.spring =
-                (!gamma.is_zero()).then_some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
+            this.springs.push(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
         }
+        this.spring = this.all_springs();
         this.grow();
         this.effective = this.effective_mass();
         this.set_out()?;
@@ -612,8 +620,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.rub();
         if let (Some(spring), true) = (self.spring.clone(), self.still()) {
-            let pull = &spring.stiffness * &spring.stretch;
-            self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, pull);
+            self.find_pulls(&spring, spring.stretch.clone());
         }
         if !self.m.one {
             self.together()?;
@@ -829,6 +836,7 @@ impl<'d, 'a> Account<'d, 'a> {
             |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
         match (label.of, label.quantity) {
             (Owner::Body(b), _) if self.m.parts.iter().filter(has).count() > 1 => self.m.parts[b].tag.clone(),
+            (Owner::Tie(_), Quantity::XEq) if self.scene.springs().count() < 2 => String::new(),
             (Owner::Tie(t), _) if self.scene.ties.iter().filter(pulled).count() > 1 => (t + 1).to_string(),
             (_, Quantity::WorkPull | Quantity::PowerPull) => "P".to_owned(),
             _ => String::new(),
@@ -938,6 +946,61 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
+    /// The only spring, or one that acts on the lead like all of them together while all are stretched: `k = sum k_i gamma_i^2` and
+    /// `k x_0 = sum k_i gamma_i x_i`.
+    fn all_springs(&mut self) -> Option<CordSpring> {
+        let springs = self.springs.clone();
+        if let [] | [_] = springs.as_slice() {
+            return springs.first().cloned();
+        }
+        let stiff = sum(springs.iter().map(|s| s.stiffness.by(s.gamma.squared())));
+        let pull = sum(springs.iter().map(|s| s.stiffness.by(&s.gamma).by(&s.stretch)));
+        let sense = sign(self.value(&pull));
+        let pull = positive_first([in_sense(pull, f64::from(sense))]);
+        let [stiffness, stretch, tension] = [
+            ([r"k_{\mathrm{g}}", r"k_{\mathrm{s}}"], "N/m"),
+            ([r"x_{\mathrm{g}}", r"x_{\mathrm{s}}"], "m"),
+            ([r"F_{\mathrm{g}}", r"F_{\mathrm{s}}"], "N"),
+        ]
+        .map(|(names, unit)| self.new_symbol(&names, unit));
+        self.settle(stiffness, &stiff);
+        self.settle(stretch, &(pull.clone() / stiffness));
+        self.together_as = vec![(stiffness, stiff), (stretch, pull / stiffness)];
+        let tie = springs.first()?.tie;
+        let (stiffness, stretch) = (stiffness.into(), stretch.into());
+        Some(CordSpring {
+            tie,
+            stiffness,
+            stretch,
+            rigid: true,
+            gamma: Factors::of(&ONE).signed(sense),
+            tension,
+        })
+    }
+
+    /// The pull of each spring at this stretch of [`Account::spring`].
+    fn find_pulls(&mut self, spring: &CordSpring, stretch: Expr) {
+        let pull = &spring.stiffness * stretch;
+        if self.springs.len() > 1 {
+            for own in self.springs.clone() {
+                let stretch = &own.stretch - own.gamma.by(&self.s);
+                self.found(of_tie(Quantity::Tension, own.tie), own.tension, &own.stiffness * stretch);
+            }
+            self.step(spring.tension, pull);
+        } else {
+            self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, pull);
+        }
+    }
+
+    /// Do the cords of several springs stay taut up to this displacement of the lead? One that goes slack is told of one spring alone.
+    fn stays_taut(&self, s: &Expr) -> Result<(), DerivationStop> {
+        let slack = |own: &CordSpring| !own.rigid && self.value(&(&own.stretch - own.gamma.by(s))) < 0.0;
+        if self.springs.len() > 1 && self.springs.iter().any(slack) {
+            return beyond(Beyond::Slack);
+        }
+        Ok(())
+    }
+
     /// The stretch at which a spring balances a force on the lead.
     fn rest_under(&self, spring: &CordSpring, force: &Expr) -> Expr {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma);
@@ -952,9 +1015,9 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
-    fn middle(&mut self, spring: &CordSpring) -> Result<SymbolId, DerivationStop> {
-        if self.shares(&[ForceKind::Kinetic]).is_empty() {
-            return self.get(of_scene(Quantity::XEq));
+    pub fn middle(&mut self, spring: &CordSpring) -> Result<SymbolId, DerivationStop> {
+        if self.springs.len() == 1 && self.shares(&[ForceKind::Kinetic]).is_empty() {
+            return self.get(of_tie(Quantity::XEq, spring.tie));
         }
         let middle = self.rest_under(spring, &self.drive);
         Ok(self.page.find_once(&[r"x_{\mathrm{m}}"], "m", middle))
@@ -1058,7 +1121,8 @@ impl<'d, 'a> Account<'d, 'a> {
             }
         }
         self.last = last.clone();
-        self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
+        self.stays_taut(&self.s)?;
+        self.find_pulls(&spring, last);
         self.accelerate_by(&spring, a);
         Ok(())
     }
@@ -1277,7 +1341,16 @@ impl<'d, 'a> Account<'d, 'a> {
                 let Some(spring) = self.spring.clone() else { return unfound() };
                 // Without friction, which would hold it in many places.
                 let given = self.share_sum(&[ForceKind::Given]);
-                Ok(if self.m.tied { self.rest_under(&spring, &given) } else { ZERO })
+                if !self.m.tied {
+                    return Ok(ZERO);
+                }
+                let rest = self.rest_under(&spring, &given);
+                let one_of_several =
+                    |s: &&CordSpring| self.springs.len() > 1 && label.of == Owner::Tie(s.tie);
+                Ok(match self.springs.iter().find(one_of_several) {
+                    Some(own) => &own.stretch - own.gamma.by((&spring.stretch - rest).over(&spring.gamma)),
+                    None => rest,
+                })
             }
             Quantity::OmegaSmall | Quantity::PeriodSmall => {
                 let Some(spring) = self.spring.clone() else { return unfound() };
@@ -1493,7 +1566,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let first = self.friction_at(body, &ZERO, "0")?;
         let last = if far == self.s {
             let friction = self.get(of_body(Quantity::Friction, body))?;
-            [self.spring.as_ref().map_or(friction, |s| s.tension), friction]
+            [self.springs.first().map_or(friction, |s| s.tension), friction]
         } else {
             self.friction_at(body, &far, "2")?
         };
@@ -1516,32 +1589,45 @@ impl<'d, 'a> Account<'d, 'a> {
         let slack = spring.stretch.over(&spring.gamma);
         let (t, s) = (self.value(&turn), self.value(&slack));
         let goes_slack = !spring.rigid && s * t > 0.0 && s.abs() < t.abs();
+        self.stays_taut(&turn)?;
         Ok(if goes_slack { (slack, true) } else { (turn, false) })
     }
 
     /// The pull of the spring and the friction on a rolling body where the lead has moved by `s`.
     fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<[SymbolId; 2], DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return unfound() };
         let now = self.get(of_body(Quantity::Friction, body))?;
-        let [tension, symbol] = [spring.tension, now].map(|of| {
+        let springs = self.springs.clone();
+        let mut there = |of: SymbolId| {
             let tex = marked(self.symbols.tex(of), mark);
-            self.draft.symbols.unknown_like(&tex, of)
-        });
-        let pull = &spring.stiffness * self.stretch_at(s);
-        self.step(tension, pull);
+            self.page.draft.symbols.unknown_like(&tex, of)
+        };
+        let symbol = there(now);
+        let all: Vec<(CordSpring, SymbolId)> =
+            springs.into_iter().map(|s| (s.clone(), there(s.tension))).collect();
+        for (own, tension) in &all {
+            let stretch = if all.len() > 1 { &own.stretch - own.gamma.by(s) } else { self.stretch_at(s) };
+            self.step(*tension, &own.stiffness * stretch);
+        }
+        let Some(tension) = all.first().map(|(_, tension)| *tension) else { return unfound() };
         match self.closed_friction(body) {
             Some(closed) => {
-                let is = closed.expr().put(spring.tension, &tension.into());
+                let is =
+                    all.iter().fold(closed.expr(), |is, (own, there)| is.put(own.tension, &(*there).into()));
                 self.settle(symbol, &is);
             }
             None => {
-                // From all equations together, with the pull of the spring there.
-                let (end, there) = (self.symbols.value(spring.tension), self.symbols.value(tension));
-                self.symbols.settle(spring.tension, there, 0.0);
-                let all = self.rows_solved();
-                self.symbols.settle(spring.tension, end, 0.0);
+                // From all equations together, with the pulls of the springs there.
+                let ends: Vec<f64> = all.iter().map(|(own, _)| self.symbols.value(own.tension)).collect();
+                for (own, there) in &all {
+                    let there = self.symbols.value(*there);
+                    self.symbols.settle(own.tension, there, 0.0);
+                }
+                let solved = self.rows_solved();
+                for ((own, _), end) in all.iter().zip(ends) {
+                    self.symbols.settle(own.tension, end, 0.0);
+                }
                 let at = self.unknowns().iter().position(|(_, s)| *s == now);
-                let Some(value) = all.zip(at).and_then(|(all, at)| all[at]) else {
+                let Some(value) = solved.zip(at).and_then(|(all, at)| all[at]) else {
                     return unfound();
                 };
                 self.symbols.settle(symbol, value, 0.0);

@@ -359,7 +359,7 @@ impl<'a> Draft<'a> {
     /// Are all forces of a motion constant, and no contact slips at first?
     fn steady(&self) -> bool {
         let s = self.scene;
-        s.end != End::AtOnce && s.spring().is_none() && s.growths.is_empty() && s.thrown().is_none()
+        s.end != End::AtOnce && !s.is_sprung() && s.growths.is_empty() && s.thrown().is_none()
     }
 
     fn needs_only(&self, wanted: impl Fn(Quantity) -> bool) -> bool {

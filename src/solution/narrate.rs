@@ -3,9 +3,11 @@
 use crate::figure::names;
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity,
-    RotaryInertia, Slope, Span, Start, Thrown, Tie,
+    RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
-use crate::solution::account::{Account, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored};
+use crate::solution::account::{
+    Account, CordSpring, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored,
+};
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
@@ -525,8 +527,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
         if sprung {
-            let at_end = self.spring.as_ref().map(|s| s.tension).into_iter().chain([self.rate()]);
-            self.forget(at_end.collect::<Vec<_>>());
+            let at_end = self.spring.iter().chain(&self.springs).map(|s| s.tension).chain([self.rate()]);
+            let at_end: Vec<SymbolId> = at_end.collect();
+            self.forget(at_end);
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.rate();
@@ -621,9 +624,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if self.v0 == ZERO && self.placed() && self.slips() && self.m.parts.len() == 1 {
             self.smooth_limit();
         }
-        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
+        if let (Some(spring), true) = (self.spring.clone(), self.m.one && self.springs.len() == 1) {
             // At an instant the stretch at rest has no symbol.
-            let still = self.get(of_scene(Quantity::XEq)).ok().filter(|_| !self.scene.is_still());
+            let still = self.get(of_tie(Quantity::XEq, spring.tie)).ok().filter(|_| !self.scene.is_still());
             if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
                 let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));
                 self.say("limits.still_spring", &[("x0", &x0), ("x", &x)]);
@@ -878,6 +881,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
             }
         }
+        if !self.together_as.is_empty() {
+            let names: Vec<SymbolId> = self.together_as.iter().map(|(symbol, _)| *symbol).collect();
+            self.say("energy.springs", &[("one", &self.names(&names))]);
+            for (symbol, is) in self.together_as.clone() {
+                self.display(symbol, &is, "");
+            }
+        }
     }
 
     /// Works on the left, kinetic energies on the right.
@@ -946,12 +956,19 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn tell_fastest(&mut self) {
         self.skip_new();
-        let _ = self.get(of_scene(Quantity::XEq));
+        for spring in self.springs.clone() {
+            let _ = self.get(of_tie(Quantity::XEq, spring.tie));
+        }
+        if let (Some(spring), true) = (self.spring.clone(), self.springs.len() > 1) {
+            let _ = self.middle(&spring);
+        }
         self.say("energy.equilibrium", &[]);
         self.tell_new();
         if self.asks(Quantity::VMax) || self.asks(Quantity::DAtVMax) {
             let _ = self.get(of_body(Quantity::VMax, self.lead().body));
-            if let (Some(spring), Ok(rest)) = (self.spring.clone(), self.get(of_scene(Quantity::XEq))) {
+            if let Some(spring) = self.spring.clone()
+                && let Ok(rest) = self.middle(&spring)
+            {
                 let (k, x) = (&spring.stiffness, &spring.stretch);
                 let pull = in_sense(-(k * spring.gamma.by(rest)), self.sense);
                 let works = stored(k, x, &rest.into()) - k * rest * (x - rest);
@@ -1017,24 +1034,27 @@ impl<'d, 'a> Account<'d, 'a> {
         if first || self.short == Short::Together && self.m.one {
             self.tell_frictions();
         }
-        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.still())
-            && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
-        {
-            self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
+        for SpringTie { tie, .. } in self.scene.springs() {
+            if (self.still() || self.springs.iter().all(|s| s.tie != tie))
+                && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
+            {
+                self.say("motion.spring_there", &[("pull", &self.chained(pull))]);
+            }
         }
         let links = if self.m.one {
             self.links(true, |n, c| n.m.of(c).a)
         } else {
             self.demands().iter().map(|(left, right)| format!("${}$", self.equation(left, right))).collect()
         };
-        if let Some(s) = self.spring.clone() {
+        if !self.springs.is_empty() && !self.still() {
             // One place on the way, not that at the end.
             let names = if self.symbols.named(&["s"]).is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
-            let law = &s.stiffness * (&s.stretch - s.gamma.by(s_now));
-            if !self.still() {
-                self.say("motion.spring", &[("law", &self.stated(s.tension, &law))]);
-            }
+            let law =
+                |s: &CordSpring| self.stated(s.tension, &(&s.stiffness * (&s.stretch - s.gamma.by(s_now))));
+            let laws: Vec<String> = self.springs.iter().map(law).collect();
+            let s_now = self.names(&[s_now]);
+            self.say("motion.spring", &[("law", &laws.join(", ")), ("s", &s_now)]);
         }
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
@@ -1220,7 +1240,10 @@ impl<'d, 'a> Account<'d, 'a> {
             End::AtOnce => {}
             _ => {
                 if let Some(spring) = self.spring.clone() {
-                    let pull = self.tex(&spring.gamma.by(spring.tension));
+                    let pull = positive_first(self.springs.iter().map(|s| s.gamma.by(s.tension)));
+                    let several = matches!(pull, Expr::Sum(_));
+                    let pull = self.tex(&pull);
+                    let pull = if several { format!(r"\left({pull}\right)") } else { pull };
                     let (k, x) = (self.tex(&spring.stiffness), r"x\,\mathrm{d}x");
                     let stored = self.inline(&stored(&spring.stiffness, &spring.stretch, &self.last));
                     let share = format!(r"${pull}\,\mathrm{{d}}s = -{k}\,{x}$");
@@ -1812,7 +1835,8 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The cord of a spring up to the end: its least tension, and where it goes slack, if that is looked at.
     fn spring_taut(&mut self, tie: usize) -> Result<(), DerivationStop> {
-        let (Some(spring), Some(end)) = (self.spring.clone(), self.taut(tie)?) else { return Ok(()) };
+        let own = self.springs.iter().find(|s| s.tie == tie).cloned();
+        let (Some(spring), Some(end)) = (own, self.taut(tie)?) else { return Ok(()) };
         let first = &spring.stiffness * &spring.stretch;
         let least = if self.value(&first) < self.value(&spring.tension.into()) {
             self.valued(&first, "N")

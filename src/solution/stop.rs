@@ -52,6 +52,8 @@ pub enum Beyond {
     Mechanism,
     /// What a motion that follows takes over.
     Next,
+    /// One of several springs whose cord goes slack on the way.
+    Slack,
     /// Something that does not come out.
     Unfound,
     /// A quantity that they do not find.
@@ -72,6 +74,7 @@ impl Beyond {
             Self::GrowingForce => ("growing_force", None),
             Self::Mechanism => ("mechanism", None),
             Self::Next => ("next", None),
+            Self::Slack => ("slack", None),
             Self::Unfound => ("unfound", None),
             Self::Quantity(q) => ("quantity", Some(q)),
             Self::Differs(q) => ("differs", Some(q)),
@@ -89,7 +92,8 @@ mod tests {
     #[test]
     fn everything_that_is_not_covered_has_words() {
         for words in Words::languages().filter_map(Words::of) {
-            let alone = [Beyond::GrowingForce, Beyond::Mechanism, Beyond::Next, Beyond::Unfound];
+            let alone =
+                [Beyond::GrowingForce, Beyond::Mechanism, Beyond::Next, Beyond::Slack, Beyond::Unfound];
             for what in alone.into_iter().chain([Beyond::Quantity(Quantity::V), Beyond::Differs(Quantity::V)])
             {
                 assert!(what.text(&words).len() > 9, "{what:?}");

@@ -1,9 +1,7 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
-use crate::scene::{
-    AsIf, Coordinate, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible,
-};
+use crate::scene::{AsIf, End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
 use crate::solve::outcome::{
     Check, CheckKind, Course, Entry, Kind, Refusal, Road, Said, Scope, Set, Solved, Told, Unsupported,
@@ -106,13 +104,17 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
     let (regime, mut checks, words) = physical::judge_road(scene, &road);
-    // The speed with which it sets off is no end of it, as no place is where it does.
-    if let (End::Speed(of, speed), None) = (scene.end, &scene.carried) {
-        let speed = scene.value(speed, data);
-        let has = |(c, v): (Coordinate, Num)| c == of && scene.value(v, data).abs().total_cmp(&speed).is_eq();
-        let there = |c: &&mut Check| c.kind == CheckKind::Reaches && scene.start_speeds().any(has);
-        for check in checks.iter_mut().filter(there) {
-            *check = Check { ok: false, margin: -1.0, available: check.required, ..*check };
+    // A force that was measured to be 0 is at its limit: rounding does not decide whether it presses.
+    let nothing = |label: Label| entries.iter().any(|e| e.label == label && e.value() == 0.0);
+    if let Some(found) =
+        scene.formulas.found.filter(|f| f.label.quantity == Quantity::Normal && nothing(f.label))
+    {
+        let of = |c: &Check| if scene.joints.is_empty() { Owner::Body(c.of) } else { Owner::Joint(c.of) };
+        let presses = |c: &&mut Check| {
+            matches!(c.kind, CheckKind::Pressed | CheckKind::Taut) && of(c) == found.label.of
+        };
+        for check in checks.iter_mut().filter(presses) {
+            *check = Check { ok: true, available: 0.0, margin: 0.0, ..*check };
         }
     }
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);
@@ -466,14 +468,8 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
-    let springs =
-        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. })));
-    let springs = springs.count();
-    if springs > 1 {
-        return refuse(Unsupported::TwoSprings);
-    }
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-    if slips && springs > 0 {
+    if slips && scene.is_sprung() {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
@@ -482,7 +478,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);
     }
-    if freedoms > 1 && springs > 0 {
+    if freedoms > 1 && scene.is_sprung() {
         return refuse(Unsupported::SpringWithTwoFreedoms);
     }
     if let Some(thrown) = scene.thrown() {

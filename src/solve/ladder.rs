@@ -90,7 +90,7 @@ pub fn force(scene: &Scene) -> Force {
         Force::Switched
     } else if !scene.growths.is_empty() {
         Force::OfTime
-    } else if scene.spring().is_some() {
+    } else if scene.is_sprung() {
         Force::Linear
     } else {
         Force::Constant

@@ -6,8 +6,8 @@ use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene, Taken,
-    Term, admissible, pose,
+    AsIf, Coordinate, Degree, End, Joint, Label, Numbers, Owner, Quantities, Quantity, Scales, Scene,
+    SpringTie, Taken, Term, admissible, pose,
 };
 use crate::solve::method::Method;
 use smallvec::SmallVec;
@@ -592,8 +592,6 @@ pub enum Unsupported {
     ThrownEnd,
     /// The start of rolling of a body that is not thrown with slip.
     NotThrown,
-    /// More than one spring.
-    TwoSprings,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
     /// A pinned body with another body, with ties, or with an end that belongs to a line.
@@ -656,12 +654,15 @@ pub struct Course<P> {
     pub sense: f64,
     /// Driving and resisting force at the start, along the ending coordinate, both >= 0 (only their ratio means anything).
     pub drive: (P, P),
-    /// Asked distance of the ending coordinate (or time or speed, by the event); `None` if it has none.
-    pub asked: Option<P>,
-    /// Farthest that the motion goes in the same measure; infinite if it never turns.
-    pub farthest: P,
     /// Is the ending event reached before the turning point?
     pub reached: bool,
+    /// Asked distance of the ending coordinate (or time or speed, by the event); `None` if it has none. This and what follows is
+    /// told by the road that has the reactions as unknowns.
+    pub asked: Option<P>,
+    /// Where the motion starts in the same measure: no distance, no time, a speed.
+    pub begins: P,
+    /// Farthest that the motion goes in the same measure; infinite if it never turns.
+    pub farthest: P,
 }
 
 /// A contact or cord as far as the scene looks, on one road.
@@ -778,11 +779,19 @@ impl<P: Real> Course<P> {
     /// Nothing moves.
     pub fn at_rest() -> Self {
         let zero = P::zero();
-        Self { sense: 0.0, drive: (zero, zero), asked: None, farthest: zero, reached: false }
+        Self { sense: 0.0, drive: (zero, zero), reached: false, asked: None, begins: zero, farthest: zero }
+    }
+    /// It moves in this sense.
+    pub fn moving(sense: f64, reached: bool) -> Self {
+        Self { sense, reached, farthest: P::of(f64::INFINITY), ..Self::at_rest() }
     }
     /// It does not get where it is asked.
     pub fn nowhere() -> Self {
         Self { sense: 1.0, ..Self::at_rest() }
+    }
+    /// Does its end lie where it starts?
+    pub fn ends_where_it_starts(&self) -> bool {
+        self.asked.is_some_and(|asked| asked.apart(self.begins).is_zero())
     }
 }
 
@@ -903,7 +912,7 @@ impl<T: Real> Road<T> {
         }
         let road = other(next, &all, &taken)?;
         // How far a cord is slack is not known to the motion that follows.
-        if let Some((tie, _, _, false)) = next.spring() {
+        for SpringTie { tie, .. } in next.springs().filter(|s| !s.rigid) {
             let pulls = road.get(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) });
             let slack = |(t, ended): (&Taken, &T)| t.label.quantity == Quantity::Tension && ended.is_zero();
             if next.formulas.taken.iter().zip(&taken).any(slack)

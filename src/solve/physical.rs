@@ -1,6 +1,6 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
 use crate::num::{Dd, Real};
-use crate::scene::{End, Heading, Label, Owner, Quantity, Scene, Slope, Tie};
+use crate::scene::{End, Heading, Label, Line, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Check, CheckKind, Course, Held, Motion, Regime, Road, Throw, Word};
 
 fn margin<P: Real>(available: P, required: P) -> f64 {
@@ -34,8 +34,7 @@ pub fn fill_drive<P: Real>(
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
     let balanced = scene.starts_from_rest() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
     if balanced {
-        let held =
-            scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
+        let held = scene.is_sprung() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
         regime.motion = if held { Motion::Rest } else { Motion::Balanced };
         for (_, word) in words.iter_mut().filter(|(l, _)| l.quantity == Quantity::Direction) {
             *word = Word::Stays;
@@ -84,7 +83,6 @@ pub fn judge_next<P: Real>(scene: &Scene, road: &Road<P>) -> Check {
 }
 
 /// Regime, checks and words of a scene that moves, from the course and the contacts of one road.
-#[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 fn judge<P: Real>(
     scene: &Scene,
     course: &Course<P>,
@@ -94,294 +92,230 @@ fn judge<P: Real>(
     let mut words = Vec::with_capacity(2);
     let end = scene.ending_coordinate();
     let body = &scene.bodies[end.body];
-    // Up or down is geometry: a line that leads down turns the words.
-    let (sloped, upward) = match body.line {
-        Some(line) => {
-            (line.slope != Slope::Level, if line.forward_up { course.sense } else { -course.sense })
-        }
-        None => (false, course.sense),
-    };
-    let heading = heading(scene, course.sense);
-    let slipping = held.iter().find_map(|h| match h {
-        Held::Slipping(tie, friction, available, _, sense) => Some((*tie, *friction, *available, *sense)),
-        _ => None,
-    });
-    checks.push(Check {
-        kind: CheckKind::Moves,
-        of: end.body,
-        ok: course.sense != 0.0 && heading == course.sense,
-        required: 0.0,
-        available: 0.0,
-        margin: 0.0,
-    });
-    let (mut slips, mut slips_on) = (false, false);
-    let thrown = held.iter().find_map(|h| match h {
-        Held::Thrown(t) => Some(*t),
-        _ => None,
-    });
-    if thrown.is_some() {
-        // What is thrown needs no drive.
-        checks.clear();
+    let thrown = held.iter().any(|h| matches!(h, Held::Thrown(_)));
+    // What is thrown needs no drive.
+    if !thrown {
+        let goes = course.sense != 0.0 && heading(scene, course.sense) * course.sense > 0.0;
+        checks.push(Check { ok: goes, margin: 0.0, ..positive(CheckKind::Moves, end.body, 0.0, 0.0) });
     }
     for h in held {
-        match h {
-            Held::Thrown(t) => {
-                throw_checks(scene, t, &mut checks);
-                words.push((rolls(scene, t.tie), if t.holds { Word::Yes } else { Word::No }));
-            }
-            Held::Pressed(body, normal) => checks.push(Check {
-                kind: CheckKind::Pressed,
-                of: *body,
-                ok: *normal > 0.0,
-                required: 0.0,
-                available: *normal,
-                margin: if *normal > 0.0 { 1.0 } else { -1.0 },
-            }),
-            Held::Touching(joint, least, most) => checks.push(Check {
-                kind: if scene.joints[*joint].kind.only_pushes() {
-                    CheckKind::Pressed
-                } else {
-                    CheckKind::Taut
-                },
-                of: *joint,
-                ok: *least > 0.0,
-                required: 0.0,
-                available: *least,
-                margin: if *least > 0.0 { *least / *most } else { -1.0 },
-            }),
-            Held::Jolted(joint, impulse, all) => checks.push(Check {
-                kind: CheckKind::HoldsBlow,
-                of: *joint,
-                ok: *impulse > 0.0,
-                required: 0.0,
-                available: *impulse,
-                margin: if *impulse > 0.0 { *impulse / *all } else { -1.0 },
-            }),
-            Held::Met(strut, met, end) => checks.push(Check {
-                kind: CheckKind::Met,
-                of: *strut,
-                ok: met < end,
-                required: *met,
-                available: *end,
-                margin: if met.is_finite() { margin(Dd::new(*end), Dd::new(*met)) } else { -1.0 },
-            }),
-            Held::Rolling(tie, most, Some(available)) => {
-                let holds = most.status(*available) <= 0.0;
-                let slides = matches!(scene.ties[*tie], Tie::Slide { .. });
-                slips |= !holds && !slides;
-                slips_on |= !holds && slides;
-                checks.push(Check {
-                    kind: CheckKind::NoSlip,
-                    of: *tie,
-                    ok: holds,
-                    required: most.f64(),
-                    available: available.f64(),
-                    margin: margin(*available, *most),
-                });
-                if !slides {
-                    words.push((rolls(scene, *tie), if holds { Word::Yes } else { Word::No }));
-                }
-            }
-            Held::Rolling(_, _, None) => {}
-            Held::Slipping(tie, friction, available, against, _) => {
-                let needs = friction.abs();
-                let must = needs.status(*available) > 0.0;
-                checks.push(Check {
-                    kind: CheckKind::MustSlip,
-                    of: *tie,
-                    ok: must,
-                    required: available.f64(),
-                    available: needs.f64(),
-                    margin: margin(needs, *available),
-                });
-                checks.push(Check {
-                    kind: CheckKind::SlipDirection,
-                    of: *tie,
-                    ok: against.sign() > 0.0,
-                    required: 0.0,
-                    available: against.f64(),
-                    margin: against.sign(),
-                });
-                words.push((rolls(scene, *tie), if must { Word::No } else { Word::Yes }));
-            }
-            // Nobody can say that it holds.
-            Held::Open(tie) => checks.push(Check {
-                kind: if matches!(scene.ties[*tie], Tie::Cord(_)) {
-                    CheckKind::Taut
-                } else {
-                    CheckKind::NoSlip
-                },
-                of: *tie,
-                ok: false,
-                required: 0.0,
-                available: f64::NAN,
-                margin: -1.0,
-            }),
-            Held::Cord(tie, tension, share) => checks.push(Check {
-                kind: CheckKind::Taut,
-                of: *tie,
-                ok: *tension > 0.0,
-                required: 0.0,
-                available: *tension,
-                margin: if *tension > 0.0 { *share } else { -1.0 },
-            }),
-            Held::Slack(tie, asked, slack) => {
-                checks.push(switch(CheckKind::Slack, *tie, asked.f64(), slack.f64()));
-            }
-        }
+        check(scene, h, &mut checks);
+        words.extend(rolling(scene, h).map(|(tie, holds)| (rolls(scene, tie), yes_or_no(holds))));
     }
-    let asked = course.asked.unwrap_or_else(P::zero);
-    let place = asked.status(course.farthest);
-    let watched = match thrown {
-        // The start of rolling has its own checks.
-        Some(_) => course.asked.is_some(),
-        None => course.sense != 0.0,
-    };
-    if watched {
-        // Where it sets off is no end of it; what moves at the start may end at the speed 0.
-        let stops = matches!(scene.end, End::Speed(..)) && !scene.starts_from_rest();
-        let leaves = course.asked.is_some_and(|asked| asked.is_zero()) && !stops;
-        checks.push(Check {
-            kind: CheckKind::Reaches,
-            of: end.body,
-            ok: course.reached && !leaves,
-            required: asked.f64(),
-            available: course.farthest.f64(),
-            margin: match course.asked {
-                _ if leaves => -1.0,
-                Some(_) => margin(course.farthest, asked),
-                None => 1.0,
-            },
-        });
+    // The start of rolling has its own checks.
+    if if thrown { course.asked.is_some() } else { course.sense != 0.0 } {
+        checks.push(reaches(end.body, course));
     }
-    let word = |up: Word, down: Word| {
-        if upward > 0.0 {
-            up
-        } else if upward < 0.0 {
-            down
-        } else {
-            Word::Stays
-        }
-    };
-    let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
     // The turn of a body has no such word.
-    let turns = body.pin.is_some() || body.planar.is_some();
-    if !turns {
-        words.push((
-            direction,
-            if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) },
-        ));
+    if body.pin.is_none() && body.planar.is_none() {
+        let way = way(body.line, course.sense).map_or(Word::Stays, |way| way.word);
+        words.push((Label { quantity: Quantity::Direction, of: Owner::Body(end.body) }, way));
     }
-    let motion = if let Some(throw) = thrown {
-        match (throw.slips, throw.closes, throw.holds) {
+    let needs =
+        held.iter().any(|h| matches!(h, Held::Rolling(..)) && rolling(scene, h).is_some_and(|r| !r.1));
+    (Regime { motion: motion(scene, course, held), slips: needs }, checks, words)
+}
+
+/// A way along a line, with the words of it: seen along the line, of what moves, of what slips, and of what has a spring, where it
+/// gets to its end, just gets there, or does not.
+struct Way {
+    word: Word,
+    moves: Motion,
+    slips: Motion,
+    ends: [Motion; 3],
+}
+
+#[rustfmt::skip] // a table
+const WAYS: [Way; 4] = {
+    use Motion as M;
+    [
+        Way { word: Word::Up, moves: M::MovesUp, slips: M::SlipsUp, ends: [M::UpOk, M::UpTurningPoint, M::UpUnreachable] },
+        Way { word: Word::Down, moves: M::MovesDown, slips: M::SlipsDown, ends: [M::DownOk, M::DownTurningPoint, M::DownUnreachable] },
+        Way { word: Word::Forward, moves: M::MovesForward, slips: M::SlipsForward, ends: [M::ForwardOk, M::ForwardTurningPoint, M::ForwardUnreachable] },
+        Way { word: Word::Back, moves: M::MovesBack, slips: M::SlipsBack, ends: [M::BackOk, M::BackTurningPoint, M::BackUnreachable] },
+    ]
+};
+
+/// The way in which a body moves. Up or down is geometry: a line that leads down turns the words.
+fn way(line: Option<Line>, sense: f64) -> Option<&'static Way> {
+    let sloped = line.is_some_and(|l| l.slope != Slope::Level);
+    let upward = if line.is_none_or(|l| l.forward_up) { sense } else { -sense };
+    let back = match upward {
+        u if u > 0.0 => 0,
+        u if u < 0.0 => 1,
+        _ => return None,
+    };
+    Some(&WAYS[if sloped { back } else { 2 + back }])
+}
+
+/// The word of the regime.
+fn motion<P: Real>(scene: &Scene, course: &Course<P>, held: &[Held<P>]) -> Motion {
+    let slides_on = |h: &Held<P>| match h {
+        Held::Rolling(tie, most, Some(available)) => slides(scene, *tie) && !within(*most, *available),
+        _ => false,
+    };
+    let thrown = |h: &Held<P>| if let Held::Thrown(t) = h { Some(*t) } else { None };
+    let slipping = |h: &Held<P>| match h {
+        Held::Slipping(tie, friction, available, _, sense) => {
+            Some((*tie, friction.abs().status(*available), *sense))
+        }
+        _ => None,
+    };
+    if let Some(throw) = held.iter().find_map(thrown) {
+        return match (throw.slips, throw.closes, throw.holds) {
             (true, false, _) => Motion::Never,
             (_, _, false) => Motion::SlipsThrough,
             (false, _, true) => Motion::RollsAtStart,
             (true, true, true) => Motion::RollsAfter,
-        }
-    } else if slips_on {
-        Motion::SlipsThrough
-    } else if let Some((tie, friction, available, sense)) = slipping {
+        };
+    }
+    if held.iter().any(slides_on) {
+        return Motion::SlipsThrough;
+    }
+    if let Some((tie, needs, sense)) = held.iter().find_map(slipping) {
         let line = match &scene.ties[tie] {
             Tie::Slip { body, .. } => scene.bodies[*body].line,
             _ => None,
         };
-        let upward = if line.is_none_or(|l| l.forward_up) { sense } else { -sense };
-        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
-        match (friction.abs().status(available), upward) {
-            (s, _) if s < 0.0 => Motion::Rolls,
-            (0.0, _) => Motion::AtLimit,
-            (_, u) if u > 0.0 && sloped => Motion::SlipsUp,
-            (_, u) if u < 0.0 && sloped => Motion::SlipsDown,
-            (_, u) if u > 0.0 => Motion::SlipsForward,
-            (_, u) if u < 0.0 => Motion::SlipsBack,
-            _ => Motion::SpinsInPlace,
-        }
-    } else if turns {
-        match (course.sense, course.reached, place) {
-            (0.0, ..) => Motion::Rest,
-            (_, _, 0.0) if course.asked.is_some() => Motion::SwingsTurningPoint,
-            (_, true, _) => Motion::SwingsOk,
-            _ => Motion::SwingsUnreachable,
-        }
-    } else if scene.spring().is_some() {
-        let [ok, turning_point, unreachable] = match (sloped, upward > 0.0) {
-            (true, true) => [Motion::UpOk, Motion::UpTurningPoint, Motion::UpUnreachable],
-            (true, false) => [Motion::DownOk, Motion::DownTurningPoint, Motion::DownUnreachable],
-            (false, true) => [Motion::ForwardOk, Motion::ForwardTurningPoint, Motion::ForwardUnreachable],
-            (false, false) => [Motion::BackOk, Motion::BackTurningPoint, Motion::BackUnreachable],
+        return match needs {
+            s if s < 0.0 => Motion::Rolls,
+            0.0 => Motion::AtLimit,
+            _ => way(line, sense).map_or(Motion::SpinsInPlace, |way| way.slips),
         };
-        match (upward, course.reached, place) {
-            (0.0, ..) => Motion::Rest,
-            (_, _, 0.0) if course.asked.is_some() => turning_point,
-            (_, true, _) => ok,
-            (_, false, _) => unreachable,
-        }
-    } else {
-        match (sloped, upward) {
-            (true, u) if u > 0.0 => Motion::MovesUp,
-            (true, u) if u < 0.0 => Motion::MovesDown,
-            (false, u) if u > 0.0 => Motion::MovesForward,
-            (false, u) if u < 0.0 => Motion::MovesBack,
-            _ => Motion::Balanced,
-        }
+    }
+    let just = course.asked.is_some_and(|asked| asked.status(course.farthest) == 0.0);
+    let end = match course.reached {
+        _ if just => 1,
+        true => 0,
+        false => 2,
     };
-    (Regime { motion, slips }, checks, words)
+    let body = &scene.bodies[scene.ending_coordinate().body];
+    let way = way(body.line, course.sense);
+    if body.pin.is_some() || body.planar.is_some() {
+        let swings = [Motion::SwingsOk, Motion::SwingsTurningPoint, Motion::SwingsUnreachable];
+        if course.sense == 0.0 { Motion::Rest } else { swings[end] }
+    } else if scene.is_sprung() {
+        way.map_or(Motion::Rest, |way| way.ends[end])
+    } else {
+        way.map_or(Motion::Balanced, |way| way.moves)
+    }
+}
+
+/// Does the end come, and after the start?
+fn reaches<P: Real>(body: usize, course: &Course<P>) -> Check {
+    let asked = course.asked.unwrap_or_else(P::zero);
+    // Where it sets off is no end of it.
+    let leaves = course.ends_where_it_starts();
+    let available = if leaves { asked } else { course.farthest };
+    let check = limit(CheckKind::Reaches, body, course.reached && !leaves, asked, available);
+    let margin = match course.asked {
+        _ if leaves => -1.0,
+        Some(_) => check.margin,
+        None => 1.0,
+    };
+    Check { margin, ..check }
+}
+
+/// The conditions of one contact or cord.
+fn check<P: Real>(scene: &Scene, held: &Held<P>, checks: &mut Vec<Check>) {
+    let one = match *held {
+        Held::Thrown(ref throw) => return throw_checks(scene, throw, checks),
+        Held::Rolling(_, _, None) => return,
+        Held::Pressed(body, normal) => positive(CheckKind::Pressed, body, normal, 1.0),
+        Held::Touching(joint, least, most) => {
+            let pushes = scene.joints[joint].kind.only_pushes();
+            positive(if pushes { CheckKind::Pressed } else { CheckKind::Taut }, joint, least, least / most)
+        }
+        Held::Jolted(joint, impulse, all) => positive(CheckKind::HoldsBlow, joint, impulse, impulse / all),
+        Held::Cord(tie, tension, share) => positive(CheckKind::Taut, tie, tension, share),
+        Held::Met(strut, met, end) => {
+            let check = limit(CheckKind::Met, strut, met < end, Dd::new(met), Dd::new(end));
+            Check { margin: if met.is_finite() { check.margin } else { -1.0 }, ..check }
+        }
+        Held::Rolling(tie, most, Some(available)) => {
+            limit(CheckKind::NoSlip, tie, within(most, available), most, available)
+        }
+        Held::Slipping(tie, friction, available, against, _) => {
+            let needs = friction.abs();
+            checks.push(limit(CheckKind::MustSlip, tie, needs.status(available) > 0.0, available, needs));
+            let check = positive(CheckKind::SlipDirection, tie, against.f64(), 0.0);
+            Check { ok: against.sign() > 0.0, margin: against.sign(), ..check }
+        }
+        // Nobody can say that it holds.
+        Held::Open(tie) => {
+            let cord = matches!(scene.ties[tie], Tie::Cord(_));
+            positive(if cord { CheckKind::Taut } else { CheckKind::NoSlip }, tie, f64::NAN, 0.0)
+        }
+        Held::Slack(tie, asked, slack) => switch(CheckKind::Slack, tie, asked.f64(), slack.f64()),
+    };
+    checks.push(one);
+}
+
+/// The contact that could roll, and whether it does.
+fn rolling<P: Real>(scene: &Scene, held: &Held<P>) -> Option<(usize, bool)> {
+    match held {
+        Held::Thrown(throw) => Some((throw.tie, throw.holds)),
+        Held::Rolling(tie, most, Some(available)) if !slides(scene, *tie) => {
+            Some((*tie, within(*most, *available)))
+        }
+        Held::Slipping(tie, friction, available, ..) => {
+            Some((*tie, friction.abs().status(*available) <= 0.0))
+        }
+        _ => None,
+    }
+}
+
+fn slides(scene: &Scene, tie: usize) -> bool {
+    matches!(scene.ties[tie], Tie::Slide { .. })
+}
+
+fn within<P: Real>(needed: P, available: P) -> bool {
+    needed.status(available) <= 0.0
+}
+
+const fn yes_or_no(holds: bool) -> Word {
+    if holds { Word::Yes } else { Word::No }
+}
+
+/// What has to be above 0: by how much where it is.
+fn positive(kind: CheckKind, of: usize, available: f64, share: f64) -> Check {
+    let ok = available > 0.0;
+    Check { kind, of, ok, required: 0.0, available, margin: if ok { share } else { -1.0 } }
+}
+
+/// What may not be above what there is.
+fn limit<P: Real>(kind: CheckKind, of: usize, ok: bool, required: P, available: P) -> Check {
+    let margin = margin(available, required);
+    Check { kind, of, ok, required: required.f64(), available: available.f64(), margin }
 }
 
 /// The conditions of a throw: it slips, friction ends the slip, and holds what follows. What comes after the end is not asked.
 fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
-    let share = |available: f64, required: f64| margin(Dd::new(available), Dd::new(required));
-    checks.push(Check {
-        kind: CheckKind::StartsSlipping,
-        of: t.tie,
-        ok: t.slips,
-        required: 0.0,
-        available: t.slip,
-        margin: if t.slips { t.slip / t.speeds } else { -1.0 },
-    });
+    let holds = |kind: CheckKind, ok: bool, required: f64, available: f64| {
+        limit(kind, t.tie, ok, Dd::new(required), Dd::new(available))
+    };
+    checks.push(positive(CheckKind::StartsSlipping, t.tie, t.slip, t.slip / t.speeds));
     if t.slips && matches!(scene.end, End::Rolling(_)) {
-        checks.push(Check {
-            kind: CheckKind::Closes,
-            of: t.tie,
-            ok: t.closes,
-            required: t.upkeep,
-            available: t.kinetic,
-            margin: share(t.kinetic, t.upkeep),
-        });
+        checks.push(holds(CheckKind::Closes, t.closes, t.upkeep, t.kinetic));
     }
-    if t.to_roll {
-        checks.push(Check {
-            kind: CheckKind::NoSlip,
-            of: t.tie,
-            ok: t.holds,
-            required: t.needed,
-            available: t.available,
-            margin: share(t.available, t.needed),
-        });
-    } else {
-        checks.push(switch(CheckKind::StaticLimit, t.tie, t.needed, t.available));
-    }
+    checks.push(match t.to_roll {
+        true => holds(CheckKind::NoSlip, t.holds, t.needed, t.available),
+        false => switch(CheckKind::StaticLimit, t.tie, t.needed, t.available),
+    });
     if let (true, Some((asked, until))) = (t.slips, t.times) {
         checks.push(switch(CheckKind::SlipEnds, t.tie, asked, until));
     }
     if let Some((speed, speeds)) = t.at_end {
         let margin = if speeds > 0.0 { speed / speeds } else { 0.0 };
-        checks.push(Check {
-            kind: CheckKind::UnderWay,
-            of: t.tie,
-            ok: true,
-            required: 0.0,
-            available: speed,
-            margin,
-        });
+        let check = positive(CheckKind::UnderWay, t.tie, speed, margin);
+        checks.push(Check { ok: true, margin, ..check });
     }
 }
 
 /// A switch and what is asked, on whichever side of it.
 fn switch(kind: CheckKind, of: usize, required: f64, available: f64) -> Check {
-    let apart = margin(Dd::new(available), Dd::new(required)).abs();
-    Check { kind, of, ok: true, required, available, margin: apart }
+    let check = limit(kind, of, true, Dd::new(required), Dd::new(available));
+    Check { margin: check.margin.abs(), ..check }
 }
 
 fn rolls(scene: &Scene, tie: usize) -> Label {

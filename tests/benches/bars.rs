@@ -6,7 +6,7 @@ use slipstick::problem::maker::Maker;
 use slipstick::scene::Scene;
 use slipstick::solve::agree;
 use slipstick::solve::energy::account::{Account, Store};
-use slipstick::solve::eom::travel::Travel;
+use slipstick::solve::eom::travel::{Leg, Travel};
 
 #[global_allocator]
 static ALLOCATIONS: divan::AllocProfiler = divan::AllocProfiler::system();
@@ -42,36 +42,53 @@ fn whole_solve_of_joined_bodies(bencher: Bencher, problem: &str) {
     bencher.bench(|| agree::solve(black_box(&scene), black_box(&data)));
 }
 
+/// A motion from rest under one law.
+fn travel(f: f64, w2: Option<f64>) -> Travel<f64> {
+    Travel { u0: 0.0, legs: [Leg { from: 0.0, f, w2 }].into_iter().collect() }
+}
+
 /// Bar: 25 ns. The speed of an assembled scene whose force is constant, by both roads.
 #[divan::bench]
 fn closed_v_of_a_pulled_scene_eom() -> f64 {
-    black_box(Travel { u0: 0.0, f0: 1.526, w2: None, slack: None }).at(black_box(3.0)).u
+    black_box(travel(1.526, None)).at(black_box(3.0)).u
 }
 /// See [`closed_v_of_a_pulled_scene_eom`].
 #[divan::bench]
 fn closed_v_of_a_pulled_scene_energy() -> f64 {
-    let account = Account { constant: 198.4, doubled: 130.0, energy0: 0.0, u0: 0.0, store: None };
+    let account =
+        Account { constant: 198.4, doubled: 130.0, energy0: 0.0, u0: 0.0, stores: [].into_iter().collect() };
     black_box(account).speed(black_box(3.0))
 }
 /// Bar: 25 ns. The same with a spring; the first gives the time too, by an arc tangent.
 #[divan::bench]
 fn closed_v_and_t_of_a_spring_scene_eom() -> f64 {
-    black_box(Travel { u0: 0.0, f0: 3.1, w2: Some(7.7), slack: None }).at(black_box(0.1)).u
+    black_box(travel(3.1, Some(7.7))).at(black_box(0.1)).u
 }
 /// See [`closed_v_and_t_of_a_spring_scene_eom`].
 #[divan::bench]
 fn closed_v_of_a_spring_scene_energy() -> f64 {
-    let store = Store { stiffness: 650.0, stretch: 0.42, lost: 1.6, rigid: false };
-    let account = Account { constant: -140.0, doubled: 56.0, energy0: 0.0, u0: 0.0, store: Some(store) };
+    let store = Store { tie: 0, stiffness: 650.0, stretch: 0.42, lost: 1.6, rigid: false };
+    let account = Account {
+        constant: -140.0,
+        doubled: 56.0,
+        energy0: 0.0,
+        u0: 0.0,
+        stores: [store].into_iter().collect(),
+    };
     black_box(account).speed(black_box(0.1))
 }
 /// The same in 32 digits.
 #[divan::bench]
 fn closed_v_of_a_spring_scene_energy_32_digits() -> Dd {
     let d = Dd::new;
-    let store = Store { stiffness: d(650.0), stretch: d(0.42), lost: d(1.6), rigid: false };
-    let account =
-        Account { constant: d(-140.0), doubled: d(56.0), energy0: d(0.0), u0: d(0.0), store: Some(store) };
+    let store = Store { tie: 0, stiffness: d(650.0), stretch: d(0.42), lost: d(1.6), rigid: false };
+    let account = Account {
+        constant: d(-140.0),
+        doubled: d(56.0),
+        energy0: d(0.0),
+        u0: d(0.0),
+        stores: [store].into_iter().collect(),
+    };
     black_box(account).speed(black_box(d(0.1)))
 }
 

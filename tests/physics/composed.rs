@@ -419,7 +419,7 @@ pub fn scene(seed: u64) -> Scene {
         let p = m.some(10, 600, 0, "N");
         ties.push(Tie::Cord { from, far: Far::Pulled(p) });
     }
-    let springs = m.lot.of(&[0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1]) + usize::from(m.lot.in_100(2));
+    let springs = m.lot.of(&[0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 2]) + usize::from(m.lot.in_100(2));
     for _ in 0..springs {
         let body = m.lot.below(count);
         let from = m.end(&bodies, &surfaces, body);

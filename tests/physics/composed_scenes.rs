@@ -191,7 +191,6 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
 fn named(messages: &[String]) -> Option<String> {
     const NAMES: &[(&str, &str)] = &[
         ("the ties leave nothing free to move", "no freedom"),
-        ("a scene has at most one spring", "two springs"),
         ("a spring holds a scene with", "spring with two freedoms"),
         ("freedoms starts from rest", "speed with two freedoms"),
         ("so its speed and its spin at the start are both given", "speed where something slips"),

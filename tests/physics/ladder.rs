@@ -52,7 +52,7 @@ fn variations(scene: &Scene, data: &[f64]) -> Vec<Scene> {
     let with = |end: End| Scene { end, ..scene.clone() };
     found.extend(time.map(|t| with(End::Time(end, Num::Fixed(0.5 * t)))));
     found.extend(speed.map(|u| with(End::Speed(end, Num::Fixed(0.5 * u)))));
-    if scene.spring().is_some() || scene.is_pendulum() {
+    if scene.is_sprung() || scene.is_pendulum() {
         found.push(with(End::TurningPoint(end)));
     }
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));

@@ -259,13 +259,22 @@ pub struct System<'s> {
     /// Ties without friction, and what holds bodies on their lines and axles; index of the tie, if it is one.
     rows: Vec<(Option<usize>, Vec<f64>)>,
     contacts: Vec<Contact>,
-    /// Forces without the spring's.
+    /// Forces without those of springs.
     force: Vec<f64>,
-    /// Tie, row of the velocity of its end along the cord, stiffness, stretch at the start, rigid.
-    spring: Option<(usize, Vec<f64>, f64, f64, bool)>,
-    springs: usize,
+    springs: Vec<Spring>,
     /// Sum of the magnitudes of all forces, N: what a zero is held against.
     pub forces: f64,
+}
+
+/// A spring on a cord.
+struct Spring {
+    tie: usize,
+    /// Row of the velocity of its end along the cord.
+    row: Vec<f64>,
+    ks: f64,
+    /// Stretch at the start.
+    x0: f64,
+    rigid: bool,
 }
 
 /// What the judge has to say.
@@ -361,8 +370,7 @@ impl<'s> System<'s> {
             forces += moment.si;
         }
         let mut contacts = Vec::new();
-        let mut spring = None;
-        let mut springs = 0;
+        let mut springs = Vec::new();
         for (t, tie) in s.ties.iter().enumerate() {
             let contact = |body: usize, c: f64| {
                 let f = &frames[body];
@@ -430,15 +438,15 @@ impl<'s> System<'s> {
                             rows.push((Some(t), row));
                         }
                         Far::Spring { stiffness, stretch, rigid } => {
-                            springs += 1;
-                            forces += stiffness.si * stretch.si;
-                            spring = Some((t, row, stiffness.si, stretch.si, *rigid));
+                            let (ks, x0) = (stiffness.si, stretch.si);
+                            forces += ks * x0;
+                            springs.push(Spring { tie: t, row, ks, x0, rigid: *rigid });
                         }
                     }
                 }
             }
         }
-        Self { s, frames, mass, inertia, rows, contacts, force, spring, springs, forces }
+        Self { s, frames, mass, inertia, rows, contacts, force, springs, forces }
     }
 
     fn cols(&self) -> usize {
@@ -469,8 +477,8 @@ impl<'s> System<'s> {
         reduce(rows, self.cols()).kernel(self.cols())
     }
 
-    /// Given forces with these grips, the spring at this tension.
-    fn given(&self, grips: &[Grip], tension: f64) -> Vec<f64> {
+    /// Given forces with these grips, the springs at these tensions.
+    fn given(&self, grips: &[Grip], tensions: &[f64]) -> Vec<f64> {
         let mut f = self.force.clone();
         let mut add = |row: &[f64], size: f64| f.iter_mut().zip(row).for_each(|(f, r)| *f += size * r);
         for (c, g) in self.contacts.iter().zip(grips) {
@@ -478,31 +486,31 @@ impl<'s> System<'s> {
                 add(&c.row, sign * c.mu_k * c.normal);
             }
         }
-        if let Some((_, row, ..)) = &self.spring {
-            add(row, tension);
+        for (spring, tension) in self.springs.iter().zip(tensions) {
+            add(&spring.row, *tension);
         }
         f
     }
 
     /// Sum of the magnitudes of what the forces do in a mode.
-    fn terms(&self, grips: &[Grip], z: &[f64], tension: f64) -> f64 {
+    fn terms(&self, grips: &[Grip], z: &[f64], tensions: &[f64]) -> f64 {
         let own: f64 = z.iter().zip(&self.force).map(|(z, f)| (z * f).abs()).sum();
         let of = |row: &[f64], size: f64| row.iter().zip(z).map(|(r, z)| (r * z * size).abs()).sum::<f64>();
         let contacts = self.contacts.iter().zip(grips).filter(|(_, g)| **g != Grip::Sticks);
         own + contacts.map(|(c, _)| of(&c.row, c.mu_k * c.normal)).sum::<f64>()
-            + self.spring.as_ref().map_or(0.0, |s| of(&s.1, tension))
+            + self.springs.iter().zip(tensions).map(|(s, t)| of(&s.row, *t)).sum::<f64>()
     }
 
     /// Is something without inertia free to move?
     pub fn massless(&self) -> bool {
         let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
-        self.instant(&loose, 0.0).is_none()
+        self.instant(&loose, &[]).is_none()
     }
 
     /// Accelerations and reactions; `None` where something without inertia is free.
-    fn instant(&self, grips: &[Grip], tension: f64) -> Option<Instant> {
+    fn instant(&self, grips: &[Grip], tensions: &[f64]) -> Option<Instant> {
         let n = self.cols();
-        let force = self.given(grips, tension);
+        let force = self.given(grips, tensions);
         let modes = self.modes(grips);
         let k = modes.len();
         let weigh = |z: &[f64]| z.iter().zip(&self.mass).map(|(z, m)| z * m).collect::<Vec<f64>>();
@@ -513,7 +521,7 @@ impl<'s> System<'s> {
                 let heavy = weigh(z);
                 let own: f64 = inner(&heavy, z).max(1e-30);
                 // A balance of forces.
-                let drive = if inner(z, &force).abs() <= 1e-12 * self.terms(grips, z, tension) {
+                let drive = if inner(z, &force).abs() <= 1e-12 * self.terms(grips, z, tensions) {
                     0.0
                 } else {
                     inner(z, &force)
@@ -569,8 +577,8 @@ impl<'s> System<'s> {
 
     /// Can static friction hold the contacts that stick (those said to roll hold without limit), given that the others
     /// slide? By virtual work: in no motion that the other ties allow may the forces do more than friction can take.
-    fn can_hold(&self, grips: &[Grip], tension: f64) -> Option<bool> {
-        let now = self.instant(grips, tension)?;
+    fn can_hold(&self, grips: &[Grip], tensions: &[f64]) -> Option<bool> {
+        let now = self.instant(grips, tensions)?;
         let sticking: Vec<&Contact> = self
             .contacts
             .iter()
@@ -585,7 +593,7 @@ impl<'s> System<'s> {
             .zip(grips)
             .map(|(c, g)| if *g == Grip::Sticks && c.said != Said::Rolls { Grip::Slides(0.0) } else { *g })
             .collect();
-        let force = self.given(&loose, tension);
+        let force = self.given(&loose, tensions);
         let surplus: Vec<f64> = (0..self.cols()).map(|i| force[i] - self.mass[i] * now.a[i]).collect();
         let modes = self.modes(&loose);
         let k = modes.len();
@@ -643,7 +651,7 @@ impl<'s> System<'s> {
     }
 
     /// What contacts do at the start from rest.
-    fn grips_from_rest(&self, tension: f64) -> Result<Vec<Grip>, Verdict> {
+    fn grips_from_rest(&self, tensions: &[f64]) -> Result<Vec<Grip>, Verdict> {
         let n = self.contacts.len();
         let mut fitting: Vec<Vec<Grip>> = Vec::new();
         for code in 0..3usize.pow(u32::try_from(n).expect("few")) {
@@ -659,7 +667,7 @@ impl<'s> System<'s> {
             if said.clone().any(|(c, g)| c.said == Said::Rolls && *g != Grip::Sticks) {
                 continue;
             }
-            let Some(now) = self.instant(&grips, tension) else { continue };
+            let Some(now) = self.instant(&grips, tensions) else { continue };
             let against = said.clone().all(|(c, g)| match g {
                 Grip::Sticks => true,
                 Grip::Slides(sign) => {
@@ -668,7 +676,7 @@ impl<'s> System<'s> {
                     slip * sign < 0.0 && slip.abs() > 1e-11 * terms
                 }
             });
-            if against && self.can_hold(&grips, tension) == Some(true) {
+            if against && self.can_hold(&grips, tensions) == Some(true) {
                 fitting.push(grips);
             }
         }
@@ -690,7 +698,7 @@ impl<'s> System<'s> {
             own.si = k;
         }
         let system = System::new(&other);
-        let now = system.instant(&vec![Grip::Sticks; system.contacts.len()], 0.0)?;
+        let now = system.instant(&vec![Grip::Sticks; system.contacts.len()], &[])?;
         let contact = system.contacts.first()?;
         let f = &system.frames[contact.body];
         now.reactions[contact.tie].map(|r| r * dot(f.forward, f.up))
@@ -727,16 +735,13 @@ impl<'s> System<'s> {
                 }
             }
         };
-        if slips && self.springs > 0 {
+        if slips && !self.springs.is_empty() {
             return Verdict::Beyond("a spring where something slips");
         }
         if slips && !s.start.is_empty() {
             return Verdict::Beyond("a speed where something slips");
         }
-        if self.springs > 1 {
-            return Verdict::Beyond("two springs");
-        }
-        if freedoms > 1 && self.spring.is_some() {
+        if freedoms > 1 && !self.springs.is_empty() {
             return Verdict::Beyond("a spring with two freedoms");
         }
         let mut velocities = Vec::new();
@@ -773,7 +778,7 @@ impl<'s> System<'s> {
         if self.contacts.iter().any(|c| c.normal < 0.0) {
             return Verdict::LiftsOff;
         }
-        let tension = self.spring.as_ref().map_or(0.0, |(_, _, ks, x0, _)| ks * x0);
+        let tensions: Vec<f64> = self.springs.iter().map(|s| s.ks * s.x0).collect();
         let grips = if started {
             // What moves has kinetic friction against it; what the ties hold at rest stays.
             self.contacts
@@ -789,7 +794,7 @@ impl<'s> System<'s> {
                 })
                 .collect()
         } else {
-            match self.grips_from_rest(tension) {
+            match self.grips_from_rest(&tensions) {
                 Ok(grips) => grips,
                 Err(verdict) => return verdict,
             }
@@ -798,13 +803,13 @@ impl<'s> System<'s> {
             return Verdict::CouldRoll;
         }
         let rubs = self.contacts.iter().any(|c| c.said != Said::Rolls);
-        if s.event == Event::AtOnce && self.springs > 0 && rubs {
+        if s.event == Event::AtOnce && !self.springs.is_empty() && rubs {
             // Where a spring pulls what rubs, an instant has velocities and energies only.
             return Verdict::Told(Told { values: velocities, ..Told::default() });
         }
-        let Some(now) = self.instant(&grips, tension) else { return Verdict::Undetermined };
+        let Some(now) = self.instant(&grips, &tensions) else { return Verdict::Undetermined };
         let mut told = Told::default();
-        self.move_on(&grips, &all, &v0, started, now, tension, &mut told);
+        self.move_on(&grips, &all, &v0, started, now, &tensions, &mut told);
         if s.event == Event::AtOnce {
             // Velocities as they are, accelerations and forces; nothing of what comes later.
             let at_once =
@@ -823,7 +828,7 @@ impl<'s> System<'s> {
         v0: &[f64],
         started: bool,
         now: Instant,
-        tension: f64,
+        tensions: &[f64],
         told: &mut Told,
     ) {
         let s = self.s;
@@ -855,15 +860,19 @@ impl<'s> System<'s> {
             if moves { shape.iter().map(|x| x / per * told.sense).collect() } else { vec![0.0; n] };
         let u0 = lead_v.abs();
         let lead = |a: &[f64]| inner(&watch, a) * told.sense;
-        let mut law = Law { u0, a: lead(&now.a), spring: None };
-        if let (Some((_, row, ks, x0, rigid)), true) = (&self.spring, moves) {
-            let gamma = inner(row, &q);
-            if gamma.abs() > NOTHING {
-                let slack = self.instant(grips, 0.0).expect("as before");
-                let (a0, a1) = (lead(&slack.a), lead(&self.instant(grips, 1.0).expect("as before").a));
-                law.spring =
-                    Some(Pull { per_newton: a1 - a0, without: a0, ks: *ks, x0: *x0, gamma, rigid: *rigid });
-                law.a = law.acceleration(0.0);
+        let mut law = Law { u0, a: lead(&now.a), springs: Vec::new() };
+        if moves {
+            // Those whose ends do not move pull all the time.
+            let acts = |s: &Spring| inner(&s.row, &q).abs() > NOTHING;
+            let pulls = |i: usize, f: f64| -> Vec<f64> {
+                let of = |(k, s): (usize, &Spring)| if acts(s) { f64::from(k == i) * f } else { tensions[k] };
+                self.springs.iter().enumerate().map(of).collect()
+            };
+            let under = |i: usize, f: f64| lead(&self.instant(grips, &pulls(i, f)).expect("as before").a);
+            for (i, s) in self.springs.iter().enumerate().filter(|(_, s)| acts(s)) {
+                let (ks, x0, gamma, rigid) = (s.ks, s.x0, inner(&s.row, &q), s.rigid);
+                law.springs.push(Pull { per_newton: under(i, 1.0) - under(i, 0.0), ks, x0, gamma, rigid });
+                law.a = under(i, 0.0);
             }
         }
         let turns_at = law.turning();
@@ -927,15 +936,19 @@ impl<'s> System<'s> {
             _ => false,
         };
         let at = time.map_or(0.0, |t| law.place(t));
-        let stretch_at = |place: f64| {
-            self.spring.as_ref().map_or(0.0, |(_, row, ks, x0, rigid)| {
-                let x = x0 - inner(row, &q) * place;
-                if x < 0.0 && !rigid { 0.0 } else { ks * x }
-            })
+        let pulls_at = |place: f64| -> Vec<f64> {
+            let pull = |s: &Spring| {
+                let x = s.x0 - inner(&s.row, &q) * place;
+                if x < 0.0 && !s.rigid { 0.0 } else { s.ks * x }
+            };
+            self.springs.iter().map(pull).collect()
         };
-        let there = self
-            .instant(grips, if moves && time.is_some() { stretch_at(at) } else { tension })
-            .expect("as before");
+        let pulls = if moves && time.is_some() { pulls_at(at) } else { tensions.to_vec() };
+        let pull_of = |t: usize| {
+            let own = self.springs.iter().position(|s| s.tie == t);
+            own.map_or(0.0, |i| pulls[i])
+        };
+        let there = self.instant(grips, &pulls).expect("as before");
         let u = match (s.event, time) {
             (Event::TurningPoint, _) => 0.0,
             (_, Some(t)) if law.speed(t) < 1e-12 * u0 => 0.0,
@@ -1008,7 +1021,7 @@ impl<'s> System<'s> {
             say("t", Owner::Scene, time.unwrap_or(0.0), time.unwrap_or(0.0));
             let start: f64 = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
             // With a spring the work of all forces is not told: it may be the small rest of large works.
-            if self.springs == 0 {
+            if self.springs.is_empty() {
                 say("work", Owner::Scene, energy - start, energy + start);
             }
             // The share is that of any speed: the program tells it only where something moves.
@@ -1016,23 +1029,27 @@ impl<'s> System<'s> {
                 say("rotational_fraction", Owner::Scene, spinning / energy, 1.0);
             }
         }
-        // Over the motion: the ends of the range of the tension.
+        // Over the motion: the ends of the range of the tensions, and where a cord goes slack.
         let last_place = match turns_at {
-            Some(t) if self.spring.is_some() => law.place(t),
+            Some(t) if !self.springs.is_empty() => law.place(t),
             _ => 0.0,
         };
         // As far as the scene looks: to its end, or to the turning point if it turns before.
-        let last = if !moves || s.event == Event::AtOnce {
-            tension
-        } else if arrived {
-            stretch_at(at)
-        } else if turns_at.is_some() {
-            stretch_at(last_place)
+        let places: Vec<f64> = if !moves || s.event == Event::AtOnce {
+            Vec::new()
         } else {
-            0.0
+            let last = if arrived {
+                at
+            } else if turns_at.is_some() {
+                last_place
+            } else {
+                f64::INFINITY
+            };
+            let slack = law.springs.iter().filter(|p| !p.rigid && p.gamma > 0.0).map(|p| p.x0 / p.gamma);
+            slack.filter(|at| *at < last).chain((last < f64::INFINITY).then_some(last)).collect()
         };
-        let end = self.instant(grips, last).expect("as before");
-        let over: [&Instant; 2] = [&now, &end];
+        let later = places.into_iter().map(|at| self.instant(grips, &pulls_at(at)).expect("as before"));
+        let over: Vec<Instant> = std::iter::once(now).chain(later).collect();
         let mut heat = None;
         let mut open = Vec::new();
         let mut checks: Vec<(&'static str, usize, bool)> = Vec::new();
@@ -1081,7 +1098,7 @@ impl<'s> System<'s> {
                 let mut rolled = grips.to_vec();
                 let place = self.contacts.iter().position(|o| o.tie == c.tie).expect("itself");
                 rolled[place] = Grip::Sticks;
-                if let Some(r) = self.instant(&rolled, tension).and_then(|i| i.reactions[c.tie]) {
+                if let Some(r) = self.instant(&rolled, tensions).and_then(|i| i.reactions[c.tie]) {
                     say("friction_if_rolled", own, r * upward, forces);
                     if c.normal > 0.0 {
                         say("mu_required", own, r.abs() / c.normal, forces / c.normal);
@@ -1120,16 +1137,16 @@ impl<'s> System<'s> {
                     if arrived {
                         say("cord_travel", own, (rate * at).abs(), at);
                     }
-                    let now = if moves && arrived { stretch_at(at) } else { tension };
-                    say("tension", own, now, forces);
+                    say("tension", own, pull_of(t), forces);
                 }
                 Far::Fast | Far::To(_) => {
                     match there.reactions[t] {
                         Some(pull) => say("tension", own, pull, forces),
                         None => open.push(("tension", own)),
                     }
-                    if let (Some(a), Some(b)) = (over[0].reactions[t], over[1].reactions[t]) {
-                        check("taut", t, a.min(b), forces);
+                    let all: Option<Vec<f64>> = over.iter().map(|i| i.reactions[t]).collect();
+                    if let Some(least) = all.and_then(|all| all.into_iter().reduce(f64::min)) {
+                        check("taut", t, least, forces);
                     }
                 }
             }
@@ -1155,7 +1172,7 @@ impl<'s> System<'s> {
                 };
                 let pull = match far {
                     Far::Pulled(p) => Some(p.si),
-                    Far::Spring { .. } => Some(if moves && arrived { stretch_at(at) } else { tension }),
+                    Far::Spring { .. } => Some(pull_of(t)),
                     Far::Fast | Far::To(_) => there.reactions[t],
                 };
                 shared |= pull.is_none();
@@ -1176,30 +1193,45 @@ impl<'s> System<'s> {
                 say("pin_force", own, x.hypot(y), forces);
             }
         }
-        if let Some((_, row, ks, _, rigid)) = &self.spring {
-            // Where nothing accelerates, sliding friction left out.
-            let mode = self.modes(&self.contacts.iter().map(Contact::loose).collect::<Vec<_>>());
-            let gamma = mode.first().map_or(0.0, |m| inner(row, m));
-            if gamma.abs() > NOTHING {
-                let without: f64 = inner(&mode[0], &self.force);
-                let x = -without / (gamma * ks);
-                let x = if without.abs() < 1e-12 * self.terms(&[], &mode[0], 0.0) { 0.0 } else { x };
-                if *rigid || x >= 0.0 {
-                    say("x_eq", Owner::Scene, x, forces / ks);
+        // Where nothing accelerates, sliding friction left out.
+        let mode = self.modes(&self.contacts.iter().map(Contact::loose).collect::<Vec<_>>());
+        if let Some(mode) =
+            mode.first().filter(|m| self.springs.iter().any(|s| inner(&s.row, m).abs() > NOTHING))
+        {
+            let gamma: Vec<f64> = self.springs.iter().map(|s| inner(&s.row, mode)).collect();
+            let sum = |of: &dyn Fn(&Spring, f64) -> f64| -> f64 {
+                self.springs.iter().zip(&gamma).map(|(s, g)| of(s, *g)).sum()
+            };
+            let stiff = sum(&|s, g| s.ks * g * g);
+            let free = inner(mode, &self.force);
+            let free = if free.abs() < 1e-12 * self.terms(&[], mode, &[]) { 0.0 } else { free };
+            // The energy of all is least there.
+            let moved = (free + sum(&|s, g| s.ks * g * s.x0)) / stiff;
+            let at_rest: Vec<f64> = self.springs.iter().zip(&gamma).map(|(s, g)| s.x0 - g * moved).collect();
+            let small = |s: &Spring, x: f64| x.abs() < 1e-12 * (s.x0.abs() + forces / s.ks);
+            let stretched = |least: bool| {
+                self.springs
+                    .iter()
+                    .zip(&at_rest)
+                    .all(|(s, x)| s.rigid || if small(s, *x) { !least } else { *x > 0.0 })
+            };
+            if stretched(false) {
+                for (s, x) in self.springs.iter().zip(&at_rest) {
+                    say("x_eq", Owner::Tie(s.tie), if small(s, *x) { 0.0 } else { *x }, s.x0 + forces / s.ks);
                 }
                 let rubs = s.ties.iter().any(|t| matches!(t, Tie::Slips { .. } | Tie::Slides { .. }));
-                let [x_end, y_end, turn] = [0, 1, 2].map(|i| mode[0][3 * s.of + i].abs());
+                let [x_end, y_end, turn] = [0, 1, 2].map(|i| mode[3 * s.of + i].abs());
                 let ends = if turn_end { turn } else { x_end.max(y_end) };
-                if !rubs && ends > NOTHING && (*rigid || x > 0.0) {
-                    let moved: f64 = mode[0].iter().zip(&self.mass).map(|(z, m)| m * z * z).sum();
-                    let rate = (ks * gamma * gamma / moved).sqrt();
+                if !rubs && ends > NOTHING && stretched(true) {
+                    let moved: f64 = mode.iter().zip(&self.mass).map(|(z, m)| m * z * z).sum();
+                    let rate = (stiff / moved).sqrt();
                     say("omega_small", Owner::Body(s.of), rate, rate);
                     let period = 2.0 * std::f64::consts::PI / rate;
                     say("period_small", Owner::Body(s.of), period, period);
                 }
             }
         }
-        if (self.spring.is_some() || started) && !turn_end {
+        if (!self.springs.is_empty() || started) && !turn_end {
             let own = Owner::Body(s.of);
             if moves {
                 if let Some((at, v)) = law.fastest() {
@@ -1207,7 +1239,7 @@ impl<'s> System<'s> {
                     say("D_at_v_max", own, at, farthest.min(at.max(1.0)));
                 }
                 say("D_turn", own, farthest, farthest);
-            } else if self.spring.is_some() {
+            } else if !self.springs.is_empty() {
                 for name in ["v_max", "D_at_v_max", "D_turn"] {
                     say(name, own, 0.0, 0.0);
                 }
@@ -1227,7 +1259,7 @@ impl<'s> System<'s> {
         let start: f64 = 0.5 * q.iter().zip(&self.mass).map(|(z, m)| m * z * z).sum::<f64>() * u0 * u0;
         let mut work = inner(q, &self.force) * at;
         let mut size = q.iter().zip(&self.force).map(|(z, f)| (z * f * at).abs()).sum::<f64>();
-        if let Some((_, row, ks, x0, rigid)) = &self.spring {
+        for Spring { row, ks, x0, rigid, .. } in &self.springs {
             let mut x = x0 - inner(row, q) * at;
             if x < 0.0 && !rigid {
                 x = 0.0;
@@ -1277,9 +1309,9 @@ fn bisect(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// A spring that acts on the coordinate.
+#[derive(Clone)]
 struct Pull {
     per_newton: f64,
-    without: f64,
     ks: f64,
     x0: f64,
     gamma: f64,
@@ -1289,59 +1321,72 @@ struct Pull {
 /// The motion of the ending coordinate in time, in the sense in which it sets off.
 struct Law {
     u0: f64,
+    /// Acceleration without the springs.
     a: f64,
-    spring: Option<Pull>,
+    springs: Vec<Pull>,
 }
 
 impl Law {
     fn acceleration(&self, place: f64) -> f64 {
-        match &self.spring {
-            None => self.a,
-            Some(p) => {
-                let x = p.x0 - p.gamma * place;
-                let x = if x < 0.0 && !p.rigid { 0.0 } else { x };
-                p.without + p.per_newton * p.ks * x
-            }
-        }
+        let pull = |p: &Pull| {
+            let x = p.x0 - p.gamma * place;
+            p.per_newton * p.ks * if x < 0.0 && !p.rigid { 0.0 } else { x }
+        };
+        self.a + self.springs.iter().map(pull).sum::<f64>()
     }
-    /// Place and speed of the swing at a time, as long as the spring acts.
-    fn swing(p: &Pull, u0: f64, t: f64) -> (f64, f64) {
-        let w2 = p.per_newton * p.ks * p.gamma;
-        let start = p.without + p.per_newton * p.ks * p.x0;
+    /// Square of the angular frequency of the swing on all springs, 0 without any.
+    fn w2(&self) -> f64 {
+        self.springs.iter().map(|p| p.per_newton * p.ks * p.gamma).sum()
+    }
+    /// Place and speed of the swing at a time, as long as all springs act.
+    fn swing(&self, t: f64) -> (f64, f64) {
+        let (w2, start) = (self.w2(), self.acceleration(0.0));
+        if self.springs.is_empty() {
+            return (self.u0 * t + 0.5 * self.a * t * t, self.u0 + self.a * t);
+        }
         assert!(w2 > 0.0, "a spring holds back");
         let w = w2.sqrt();
         let (s, c) = (libm::sin(w * t), libm::cos(w * t));
         let half = libm::sin(0.5 * w * t);
-        (start / w2 * 2.0 * half * half + u0 / w * s, start / w * s + u0 * c)
+        (start / w2 * 2.0 * half * half + self.u0 / w * s, start / w * s + self.u0 * c)
     }
     /// Time at which the swing comes to rest.
-    fn swing_rest(p: &Pull, u0: f64) -> f64 {
-        let w = (p.per_newton * p.ks * p.gamma).sqrt();
-        let start = p.without + p.per_newton * p.ks * p.x0;
+    fn swing_rest(&self) -> f64 {
+        let w = self.w2().sqrt();
         // start/w sin + u0 cos = 0 for the first time.
-        let angle = std::f64::consts::PI - libm::atan2(u0, start / w);
-        if u0 == 0.0 { std::f64::consts::PI / w } else { angle / w }
+        let angle = std::f64::consts::PI - libm::atan2(self.u0, self.acceleration(0.0) / w);
+        if self.u0 == 0.0 { std::f64::consts::PI / w } else { angle / w }
     }
-    /// Time at which the cord goes slack.
-    fn slack(&self) -> Option<f64> {
-        let p = self.spring.as_ref().filter(|p| !p.rigid && p.gamma > 0.0)?;
-        let at = p.x0 / p.gamma;
-        if at == 0.0 {
-            return Some(0.0);
-        }
-        let rest = Self::swing_rest(p, self.u0);
-        let peak = Self::swing(p, self.u0, rest).0;
-        (peak > at).then(|| bisect(0.0, rest, |t| Self::swing(p, self.u0, t).0 >= at))
+    /// Time and place at which the first cord goes slack, and the motion from there on.
+    fn beyond(&self) -> Option<(f64, f64, Self)> {
+        let place = |p: &Pull| (!p.rigid && p.gamma > 0.0).then(|| p.x0 / p.gamma);
+        let (first, at) = self
+            .springs
+            .iter()
+            .enumerate()
+            .filter_map(|(i, p)| Some((i, place(p)?)))
+            .min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let time = if at == 0.0 {
+            0.0
+        } else {
+            let rest = self.swing_rest();
+            if self.swing(rest).0 <= at {
+                return None;
+            }
+            bisect(0.0, rest, |t| self.swing(t).0 >= at)
+        };
+        let mut springs = self.springs.clone();
+        springs.remove(first);
+        springs.iter_mut().for_each(|p| p.x0 -= p.gamma * at);
+        Some((time, at, Self { u0: self.swing(time).1, a: self.a, springs }))
     }
     fn state(&self, t: f64) -> (f64, f64) {
-        let uniform = |x: f64, u: f64, a: f64, t: f64| (x + u * t + 0.5 * a * t * t, u + a * t);
-        let Some(p) = &self.spring else { return uniform(0.0, self.u0, self.a, t) };
-        match self.slack() {
-            Some(at) if t > at => {
-                let (x, u) = Self::swing(p, self.u0, at);
-                uniform(x, u, p.without, t - at)
+        match self.beyond() {
+            Some((time, at, next)) if t > time => {
+                let (x, u) = next.state(t - time);
+                (at + x, u)
             }
-            _ => Self::swing(p, self.u0, t),
+            _ => self.swing(t),
         }
     }
     fn place(&self, t: f64) -> f64 {
@@ -1351,12 +1396,10 @@ impl Law {
         self.state(t).1
     }
     fn turning(&self) -> Option<f64> {
-        match &self.spring {
-            None => (self.a < 0.0).then(|| -self.u0 / self.a),
-            Some(p) => match self.slack() {
-                Some(at) => (p.without < 0.0).then(|| at - Self::swing(p, self.u0, at).1 / p.without),
-                None => Some(Self::swing_rest(p, self.u0)),
-            },
+        match self.beyond() {
+            Some((time, _, next)) => next.turning().map(|t| time + t),
+            None if self.springs.is_empty() => (self.a < 0.0).then(|| -self.u0 / self.a),
+            None => Some(self.swing_rest()),
         }
     }
     /// Place and speed at which it is fastest; none if it grows without end.
@@ -1368,18 +1411,17 @@ impl Law {
         if self.acceleration(0.0) <= 0.0 {
             return Some(0.0);
         }
-        let end = match (self.turning(), self.slack()) {
-            (Some(t), _) => t,
-            (None, Some(at)) => {
-                let p = self.spring.as_ref().expect("it is slack");
-                if p.without > 0.0 {
-                    return None;
+        let end = self.turning().or_else(|| {
+            // It goes on and on, at a constant speed once all cords are slack, or faster and faster.
+            let (mut law, mut end) = (self.beyond()?, 0.0);
+            loop {
+                end += law.0;
+                match law.2.beyond() {
+                    Some(next) => law = next,
+                    None => return (law.2.a <= 0.0).then_some(end),
                 }
-                at
             }
-            (None, None) => return None,
-        };
-        self.spring.as_ref()?;
+        })?;
         Some(bisect(0.0, end, |t| self.acceleration(self.place(t)) <= 0.0 || t >= end))
     }
     /// First time at which it has this speed.

@@ -55,6 +55,10 @@ const TABLE: &[(&str, usize, &str, &str, f64)] = &[
     ("g2-hib-11ed-588", 3, "g2-hib-11ed-588", "alpha_rolled", -1.0),
     ("g2-mk-6-5", 0, "g2-mk-6-5", "alpha", 1.0),
     ("g2-mk-6-5", 1, "g2-mk-6-5", "t", 1.0),
+    ("g3-beer-19-1", 0, "g3-beer-19-1", "period_small", 1.0),
+    ("g3-beer-19-1", 1, "g3-beer-19-1", "v_max", 1.0),
+    // At the upper end of the swing it points down, and up counts positive.
+    ("g3-beer-19-1", 2, "g3-beer-19-1", "a", -1.0),
     ("g3-hib-18-5", 0, "g3-hib-18-5", "omega", 1.0),
     ("g4-hib-18-1", 0, "g4-hib-18-1", "kinetic_energy", 1.0),
     ("g4-hib-18-1", 0, "g4-hib-18-1-tied", "kinetic_energy", 1.0),
@@ -147,6 +151,35 @@ fn published_cases_give_their_published_answers() {
         }
     }
     assert!(misses.is_empty(), "{}", misses.join("\n"));
+}
+
+/// From its place of rest a cylinder between two springs is as fast as `w d`, a quarter of a period after its release; the one on the
+/// cord loses stretch twice as fast as its centre moves.
+#[test]
+fn a_cylinder_swings_between_two_springs() {
+    let bank = scene_file("cylinder-between-two-springs");
+    let problem = &bank.problems[0];
+    let mut solved = agree::solve(&problem.cases[0].scene, &always(problem)).unwrap();
+    assert!(agree::prove(&problem.cases[0].scene, &always(problem), &mut solved));
+    let w = f64::sqrt((200.0 + 4.0 * 400.0) / 18.0);
+    let period = 2.0 * std::f64::consts::PI / w;
+    let expected = [
+        ("v", 0.1 * w),
+        ("t", 0.25 * period),
+        ("omega", 0.1 * w / 0.3),
+        ("period_small", period),
+        ("D_turn", 0.2),
+        ("left.tension", 240.0),
+        ("right.tension", 120.0),
+        ("left.x_eq", 1.2),
+        ("right.x_eq", 0.3),
+    ];
+    for (name, expected) in expected {
+        for (road, value, cond) in values(problem, &solved, name) {
+            let off = (value - expected).abs();
+            assert!(off <= 8.0 * U * cond.max(1.0) * expected, "{name} {road}: {value}, and {expected}");
+        }
+    }
 }
 
 /// The data of a problem that draws each of them "always".

@@ -76,6 +76,17 @@ fn two_tied_blocks_that_nothing_pulls_stay() {
 }
 
 #[test]
+fn what_is_braked_down_to_no_speed_comes_to_rest() {
+    let braked = "      bodies: {A: {mass: 3 kg, moves: along floor}}
+      ties: [{slides: {body: A, mu_k: 0.5}}]
+      start: {A: {speed: 2 m/s}}\n";
+    let [mut speed, rest] = ["{speed: {of: A, reaches: 0 m/s}}", "{turning point: A}"]
+        .map(|end| solved(&format!("{FLOOR}{braked}      end: {end}")));
+    assert_eq!(values(&speed), values(&rest));
+    assert!(prove(&speed.0, &[9.81], &mut speed.1), "a speed of 0 is no boundary");
+}
+
+#[test]
 fn a_cord_from_the_point_of_contact_leaves_its_body_at_rest() {
     let of = |end: &str| {
         solved(&format!(

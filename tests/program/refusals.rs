@@ -819,6 +819,85 @@ fn what_is_found_in_a_part_of_its_range_is_told_so() {
     assert!(told.contains(text) && !told.contains("hint:"), "{told}");
 }
 
+/// An equilibrium is enclosed like any other place, so that a period about it can be measured: a hanging rod with a torsion spring,
+/// `k = 4 pi^2 I / T^2 - m g L / 2`.
+#[test]
+fn a_period_about_an_equilibrium_can_be_measured() {
+    let room = Room::new();
+    let rod = constant(
+        "s, draw: always 1, measured: period_small}, k: {name: k, unit: N*m/rad, unknown: 1 to 60 step 1",
+        "bodies: {rod: {mass: 3 kg, shape: {rod: 0.8 m}, moves: in the plane, angle: from hanging}}\njoints: {O: {pins: rod.A}}\n\
+         forces: [torsion: {on: rod.A, stiffness: k, relaxed at: 0 deg}]\nstart: {rod: {angle: 5 deg}}\nend: equilibrium",
+        "{value: k, ask: the stiffness, unit: N*m/rad}",
+    );
+    fs::write(room.path("bank.yaml"), rod).unwrap();
+    let ran = room.run(&["solve", &room.path("bank.yaml"), "p", "--json"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    let told: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let k = told["questions"]["q"]["value"].as_f64().unwrap();
+    let pi = std::f64::consts::PI;
+    assert!((k / (4.0 * pi * pi * 0.64 - 1.2 * 9.81) - 1.0).abs() < 1e-14, "{k}");
+    assert!(told["quantities"]["phi"]["bound"].as_f64().unwrap() < 1e-13, "{}", ran.out);
+}
+
+/// The greatest acceleration of a truck on which a crate does not tip, `A = g b / (2 h)`: the force on the front edge is measured to be 0,
+/// and rounding does not decide whether that presses.
+#[test]
+fn a_force_may_be_measured_to_be_nothing() {
+    let room = Room::new();
+    let crate_on = |mass: &str| {
+        constant(
+            "N, draw: always 0, measured: F.normal}, A: {name: A, unit: m/s^2, unknown: 1 to 9 step 0.1",
+            &format!(
+                "bodies: {{crate: {{mass: {mass} kg, moment of inertia: 5 kg*m^2, moves: in the plane, angle: from up counter-clockwise, mass centre: 1 m, placed: [0 m, 0 m], points: {{F: [0 m, -0.3 m], R: [0 m, 0.3 m]}}}}}}\n\
+                 carried: {{along: horizontal, acceleration: A}}\n\
+                 joints:\n  F: {{guides: crate.F, along: horizontal, pushes: up}}\n  R: {{pins: crate.R, at: [-0.3 m, 0 m]}}\n\
+                 start: {{crate: {{angle: 0 deg}}}}\nend: at once"
+            ),
+            "{value: A, ask: the acceleration, unit: m/s^2}",
+        )
+    };
+    for mass in ["40", "37", "23.4", "61.3"] {
+        fs::write(room.path("bank.yaml"), crate_on(mass)).unwrap();
+        let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert_eq!(ran.exit, Exit::Fine, "{mass}: {}{}", ran.out, ran.err);
+        assert!(ran.out.contains("2.94300000000"), "{}", ran.out);
+    }
+}
+
+/// What an instructor is told of questions the other way round, of units within an expression, and of coefficients.
+#[test]
+fn what_misled_an_instructor_is_told_plainly() {
+    let room = Room::new();
+    let rod = "bodies: {rod: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}}\njoints: {O: {pins: rod.A}}\n\
+               start: {rod: {angle: 0 deg, spin: w0}}\nend: {angle: {of: rod, reaches: 180 deg}}";
+    let spin = |range: &str| {
+        let data =
+            format!("rad/s, draw: always 0, measured: omega}}, w0: {{name: w, unit: rad/s, unknown: {range}");
+        constant(&data, rod, "{value: w0, ask: the spin, unit: rad/s}")
+    };
+    let told = room.lint(&spin("5 to 12 step 0.1"));
+    let text = "no value of `w0` in its range gives the measured `x`; one with which the motion only just gets there";
+    assert!(told.contains(text), "{told}");
+    let told = room.lint(&spin("5.05 to 12 step 0.1"));
+    assert!(
+        told.contains("the step 0.1 does not lead from 5.05 to 12") && told.contains("1 finding"),
+        "{told}"
+    );
+    let block = |mass: &str, tie: &str| {
+        let scene = format!(
+            "surfaces: {{floor: level}}\nbodies: {{b: {{mass: {mass}, shape: {{disc: 0.2 m}}, radii: {{rim: 0.2 m}}, moves: along floor}}}}\n\
+             ties: [{{{tie}}}, {{cord: {{from: {{body: b, tied at: centre, leaves: forward}}, pulled with: 30 N}}}}]\n\
+             start: at rest\nend: {{time: {{of: b, is: x}}}}"
+        );
+        room.lint(&constant("s, draw: always 1", &scene, "{quantity: v, ask: the speed, unit: m/s}"))
+    };
+    let told = block("3 kg", "touches: {body: b, on its: rim, mu_s: 0.1, mu_k: 0.3}");
+    assert!(told.contains("`mu_k` is 0.3, above `mu_s`, which is 0.1"), "{told}");
+    let told = block("5 kg*(x^2/2)", "rolls: {body: b, on its: rim}");
+    assert!(told.contains("hint: a number within an expression has no unit"), "{told}");
+}
+
 /// What was told of these scenes was no help, or was wrong: a drive of 0 times what holds, an angle with the other sign, a constant that
 /// is itself, a bracket that is there.
 #[test]

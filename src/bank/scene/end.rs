@@ -217,6 +217,11 @@ impl SceneReader<'_> {
             f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");
         }
         let coordinate = Coordinate { body, degree };
-        Some((end(coordinate, number?), heading?))
+        // What comes down to no speed comes to rest.
+        let end = match number? {
+            Num::Fixed(0.0) if word == "speed" => End::TurningPoint(coordinate),
+            number => end(coordinate, number),
+        };
+        Some((end, heading?))
     }
 }

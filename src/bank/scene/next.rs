@@ -5,8 +5,9 @@ use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Pin, Quantity, Rest, Scene,
-    Start, Taken, Tie,
+    SpringTie, Start, Taken, Tie,
 };
+use std::borrow::Cow;
 
 /// What is not written of a motion that follows, and why not.
 const FIELDS: [(&str, &str); 4] = [
@@ -196,11 +197,19 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
         let left = hand.number(steps, false, "what is left of it");
         hand.next.end = if let End::Time(..) = at { End::Time(c, left) } else { End::Position(c, left) };
     }
-    let springs = |s: &Scene| s.spring().map(|(tie, stiffness, ..)| (tie, stiffness));
-    if let (Some((tie, stiffness)), Some((now, _))) = (springs(first), springs(hand.next)) {
-        let pull = hand.take(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) }, false);
+    // The springs of both motions, by the names of their cords; of one and one these may differ.
+    let named = |s: &Scene, tie: usize| s.owner_name(Owner::Tie(tie)).map(Cow::into_owned);
+    let [before, now]: [Vec<SpringTie>; 2] = [first, &*hand.next].map(|s| s.springs().collect());
+    for spring in &before {
+        let same = |s: &&SpringTie| named(hand.next, s.tie) == named(first, spring.tie);
+        let Some(now) = now.iter().find(same).or(now.first().filter(|_| now.len() + before.len() == 2))
+        else {
+            continue;
+        };
+        let now = now.tie;
+        let pull = hand.take(Label { quantity: Quantity::Tension, of: Owner::Tie(spring.tie) }, false);
         let mut steps = vec![pull];
-        steps.extend(Handover::steps(first, stiffness, false));
+        steps.extend(Handover::steps(first, spring.stiffness_n_m, false));
         steps.push(Step::Divide);
         let stretch = hand.number(steps, false, "its stretch");
         if let Some(Tie::Cord(cord)) = hand.next.ties.get_mut(now)

@@ -68,7 +68,12 @@ impl SceneReader<'_> {
         match measure::constant(text, need.unit) {
             Ok(value) => self.constant(node, text, value, need),
             Err(message) => {
-                f.refuse_with(node, message, told!("{} is written like `{}`", need.words, need.example))
+                let hint = match text.contains('(') {
+                    true => "a number within an expression has no unit: make it a datum and write its symbol"
+                        .to_owned(),
+                    false => told!("{} is written like `{}`", need.words, need.example),
+                };
+                f.refuse_with(node, message, hint)
             }
         }
     }

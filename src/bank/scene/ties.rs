@@ -155,6 +155,11 @@ impl SceneReader<'_> {
         let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::FRICTION);
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
         if word == "touches" {
+            if let (Some(Num::Fixed(mu_s)), Some(Num::Fixed(mu_k))) = (mu_s, mu_k)
+                && mu_k > mu_s
+            {
+                f.at(node, told!("`mu_k` is {mu_k}, above `mu_s`, which is {mu_s}"));
+            }
             let mut touches = self.touches.borrow_mut();
             touches.push((tie, mu_k?));
             if !self.touching.slips(touches.len() - 1) {
@@ -366,7 +371,6 @@ impl SceneReader<'_> {
     pub(super) fn spring(&self, node: &Node) -> Option<Far> {
         let mut fields = Fields::open(node, "a spring (stiffness, stretch)", self.faults)?;
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
-        let stretch = self.need_number(&mut fields, "stretch", "x0", Need::LENGTH);
         let rigid = fields.get("attached").map_or(Some(false), |n| {
             self.word(
                 n,
@@ -374,6 +378,9 @@ impl SceneReader<'_> {
                 &[("by the cord", false), ("cord", false), ("rigidly", true), ("rigid", true)],
             )
         });
+        // A cord cannot be compressed.
+        let need = if rigid == Some(true) { Need::STRETCH } else { Need::LENGTH };
+        let stretch = self.need_number(&mut fields, "stretch", "x0", need);
         Some(Far::Spring { stiffness_n_m: stiffness?, stretch_m: stretch?, rigid: rigid? })
     }
 

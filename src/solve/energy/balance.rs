@@ -165,7 +165,7 @@ pub fn reactions<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     rate: &dyn Fn(Coordinate) -> T,
-    varying: T,
+    pulls: &[T],
     kinetic: &[Option<T>],
 ) -> Reactions<T> {
     let ties = scene.ties.len();
@@ -232,6 +232,7 @@ pub fn reactions<T: Real>(
                     (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),
                 }
             };
+            let mut springs = 0..;
             for (t, tie) in scene.ties.iter().enumerate() {
                 match tie {
                     Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
@@ -249,9 +250,9 @@ pub fn reactions<T: Real>(
                             Far::Pull(p) => {
                                 let p = plant!("energy: pull on one body alone", n.massive(*p));
                                 let growth = grown(scene, n, GivenForce::Pull(t));
-                                Some(growth.map_or(p, |growth| p + growth * varying))
+                                Some(growth.map_or(p, |growth| p + growth * pulls[0]))
                             }
-                            Far::Spring { .. } => Some(varying),
+                            Far::Spring { .. } => springs.next().and_then(|i| pulls.get(i).copied()),
                             _ => None,
                         };
                         if cord.from.body == b {
@@ -270,7 +271,7 @@ pub fn reactions<T: Real>(
             for (i, c) in scene.couples.iter().enumerate().filter(turning) {
                 let growth = grown(scene, n, GivenForce::Couple(i));
                 let moment = n.massive(c.moment_n_m);
-                let moment = growth.map_or(moment, |growth| moment + growth * varying);
+                let moment = growth.map_or(moment, |growth| moment + growth * pulls[0]);
                 surplus = surplus + if c.forward { moment } else { -moment };
                 size += moment.size();
             }

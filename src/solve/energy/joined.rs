@@ -204,10 +204,9 @@ impl<T: Real> Account<'_, T> {
             return Ok(road);
         }
         if scene.end == End::Equilibrium {
-            // What is searched for is not enclosed.
-            ball::unwatched(|| self.rest(&mut road))?;
-            self.open.set(true);
-            return Ok(road);
+            let (found, doubt) = ball::watch(|| self.rest(&mut road));
+            self.open.set(doubt);
+            return found.map(|()| road);
         }
         let first = self.poses(T::zero())?;
         if scene.is_struck() {
@@ -1235,17 +1234,11 @@ impl<'a, T: Real> Account<'a, T> {
         let scene = self.scene;
         let from = spin.square().scale2(-1);
         let mut far = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
-        let asked = match scene.end {
-            End::Angle(_, angle) => {
-                let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
-                let apart = self.n.get(angle) - start.map_or_else(T::zero, |s| self.n.get(s));
-                far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
-                Some(apart.signed(self.sense))
-            }
-            End::Speed(_, w) => Some((self.n.get(w) / self.layout.ratio()).abs()),
-            End::Time(_, t) => Some(self.n.get(t)),
-            _ => None,
-        };
+        if let End::Angle(_, angle) = scene.end {
+            let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
+            let apart = self.n.get(angle) - start.map_or_else(T::zero, |s| self.n.get(s));
+            far = (apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense);
+        }
         let limit = ball::unwatched(|| self.overwinds((far + T::of(STEP), T::of(STEP))));
         let limit = limit.filter(|limit| limit.at_most(far));
         // Short of half a turn of a torsion spring, beside which its moment has two signs.
@@ -1268,8 +1261,7 @@ impl<'a, T: Real> Account<'a, T> {
             found => found,
         };
         let drive = ball::unwatched(|| self.push_and_hold(drive.0 - drive.1))?;
-        let course = Course { sense: self.sense, drive, asked, farthest: far, reached: found.is_some() };
-        road.course = Some(course);
+        road.course = Some(Course { drive, ..Course::moving(self.sense, found.is_some()) });
         match found {
             Some(way) => self.tell_end(way, from, (wanted, road)),
             None => self.tell_standing(&begin, spin.square(), road),

@@ -19,9 +19,9 @@ use crate::num::plant::plant;
 use crate::num::{Fast, Real, ball, trig};
 use crate::scene::{
     Attach, Coordinate, Degree, End, Far, GivenForce, Heading, Label, Law, Numbers, Owner, Quantity,
-    RotaryInertia, Scene, Span, Tie, speed,
+    RotaryInertia, Scene, Span, SpringTie, Tie, speed,
 };
-use crate::solve::energy::account::{Account, Store};
+use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
@@ -103,10 +103,10 @@ fn at_once<T: Real>(scene: &Scene, n: Numbers<T>) -> Result<Road<T>, Refusal> {
         let mut ledger = Ledger::open(scene, n)?;
         ledger.road = road;
         let n = &ledger.n;
-        let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
+        let pulls = at_start(scene, n);
         ledger.if_rolled();
-        ledger.standing(tension);
-        ledger.grip(tension, tension);
+        ledger.standing(&pulls);
+        ledger.grip(&[pulls]);
         Ok(ledger.road)
     };
     // Where nothing rubs, no answer hangs on which way it goes.
@@ -187,17 +187,24 @@ struct Ledger<'a, T: Real> {
     turned: bool,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
-    /// The reactions that were asked last, and the tension of the spring for which.
-    last: Option<(T, Reactions<T>)>,
+    /// The reactions that were asked last, and the tensions of the springs for which.
+    last: Option<(Pulls<T>, Reactions<T>)>,
+}
+
+/// What varies: the tension of each spring, or the share of their growth that forces have.
+type Pulls<T> = SmallVec<[T; 1]>;
+
+/// What the springs pull at the start. Of forces that grow: nothing of their growth.
+fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Pulls<T> {
+    if !scene.growths.is_empty() {
+        return smallvec![T::zero()];
+    }
+    scene.springs().map(|s| n.massive(s.stiffness_n_m) * n.get(s.stretch_m)).collect()
 }
 
 /// Rates of the modes from their power balances, and their sum as one motion.
-fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[T], varying: T) -> Mode<T> {
+fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[T], pulls: &[T]) -> Mode<T> {
     let m = modes.len();
-    let pull = scene.spring().and_then(|(tie, ..)| match &scene.ties[tie] {
-        Tie::Cord(c) => Some(c.from),
-        _ => None,
-    });
     let mut rows = Equations::new(m);
     for a in modes {
         let row = rows.row();
@@ -212,11 +219,11 @@ fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[
         for p in balance::powers(scene, n, a, friction) {
             add(p.power);
         }
-        if let Some(end) = &pull {
-            add(varying * a.point(n, end));
+        for (spring, pull) in scene.springs().zip(pulls) {
+            add(*pull * a.point(n, &spring.from));
         }
         if !scene.growths.is_empty() {
-            add(varying * balance::grown_power(scene, n, a));
+            add(pulls[0] * balance::grown_power(scene, n, a));
         }
         row[m] = power.cleared(size);
         rows.sized(size);
@@ -239,10 +246,10 @@ fn if_rolls<T: Real>(
     n: &Numbers<T>,
     (grip, stays): (Grip, &[bool]),
     kinetic: &[Option<T>],
-    tension: T,
+    pulls: &[T],
 ) -> Reactions<T> {
-    let rate = drive(scene, n, &speeds::modes(scene, n, grip, stays), &frictions(kinetic), tension);
-    balance::reactions(scene, n, &|c| rate.of(c), tension, kinetic)
+    let rate = drive(scene, n, &speeds::modes(scene, n, grip, stays), &frictions(kinetic), pulls);
+    balance::reactions(scene, n, &|c| rate.of(c), pulls, kinetic)
 }
 
 /// `sum rate_j mode_j`.
@@ -267,7 +274,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         let ties = scene.ties.len();
-        let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
+        let pulls = at_start(scene, &n);
         let slipping: SmallVec<[usize; 2]> =
             (0..ties).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let mut kinetic: PerTie<Option<T>> = smallvec![None; ties];
@@ -287,7 +294,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 _ => None,
             };
-            let all = if_rolls(scene, &n, (Grip::AllRoll, &[]), &kinetic, tension);
+            let all = if_rolls(scene, &n, (Grip::AllRoll, &[]), &kinetic, &pulls);
             for t in &slipping {
                 kinetic[*t] = kinetic_of(*t, all[*t].sign());
             }
@@ -298,7 +305,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 for settled in [false, true] {
                     for t in &slipping {
                         kinetic[*t] = None;
-                        let friction = if_rolls(scene, &n, (Grip::Rolls(*t), &[]), &kinetic, tension)[*t];
+                        let friction = if_rolls(scene, &n, (Grip::Rolls(*t), &[]), &kinetic, &pulls)[*t];
                         kinetic[*t] = kinetic_of(*t, friction.sign());
                         if settled {
                             rolled.push((*t, friction));
@@ -322,7 +329,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
         let loose = modes.first().cloned();
         let held = modes.iter().all(|m| m.of(end).is_zero());
-        let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
+        let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), &pulls);
         let inclined = start_rate.of(end).sign();
         let mut at_start = frictions(&kinetic);
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
@@ -354,7 +361,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             while !settled {
                 let most = friction(&mut kinetic, &stays, true);
                 modes = speeds::modes(scene, &n, Grip::Declared, &stays);
-                let first = drive(scene, &n, &modes, &most, tension);
+                let first = drive(scene, &n, &modes, &most, &pulls);
                 let before = stays.clone();
                 for (t, tie) in scene.ties.iter().enumerate() {
                     if let Tie::Slide { body, .. } = tie {
@@ -365,12 +372,12 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             let sliding = friction(&mut kinetic, &stays, false);
             modes = speeds::modes(scene, &n, Grip::Declared, &stays);
-            start_rate = drive(scene, &n, &modes, &sliding, tension);
+            start_rate = drive(scene, &n, &modes, &sliding, &pulls);
             // The work of what slides counts in what the contacts that slip would need to roll.
             for (t, friction) in &mut rolled {
                 let mut without = kinetic.clone();
                 without[*t] = None;
-                *friction = if_rolls(scene, &n, (Grip::Rolls(*t), &stays), &without, tension)[*t];
+                *friction = if_rolls(scene, &n, (Grip::Rolls(*t), &stays), &without, &pulls)[*t];
             }
         }
         let lead = start_rate.of(end);
@@ -427,19 +434,14 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn settle(mut self) -> Result<(Road<T>, Count), Refusal> {
-        let spring = self.scene.spring();
-        let mut store = spring.map(|(tie, ks, x0, rigid)| {
-            let Tie::Cord(cord) = &self.scene.ties[tie] else { unreachable!("a spring is on a cord") };
-            let lost = self.mode.point(&self.n, &cord.from);
-            Store { stiffness: self.n.massive(ks), stretch: self.n.get(x0), lost, rigid }
-        });
+        let mut stores = self.stores(&self.mode);
         let frictions: PerTie<T> = frictions(&self.kinetic);
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
         let size = powers.iter().fold(0.0, |sum, p| sum + p.power.size());
         let mut constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
         let starts = !self.scene.growths.is_empty() || !self.scene.starts_from_rest();
         let near_balance = constant.size() * NEAR_BALANCE < size && !constant.is_zero();
-        if near_balance && starts && spring.is_none() && self.rolled.is_empty() {
+        if near_balance && starts && stores.is_empty() && self.rolled.is_empty() {
             // Powers that balance but for the last digits of what is printed balance: of what is given, and of the weights.
             let mut weightless = self.n.clone();
             weightless.gravity = T::zero();
@@ -458,12 +460,9 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let start_powers = balance::powers(self.scene, &self.n, &self.loose, &self.at_start);
-        let loosely = store.map(|s| {
-            let Some(Tie::Cord(cord)) = spring.map(|(tie, ..)| &self.scene.ties[tie]) else { return s };
-            Store { lost: self.loose.point(&self.n, &cord.from), ..s }
-        });
+        let loosely = self.stores(&self.loose);
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
-        let tension0 = store.map_or_else(T::zero, |s| s.stiffness * s.stretch);
+        let pulls0 = at_start(self.scene, &self.n);
         let lead = self.start_rate.of(self.end);
         let sense = if !self.v0.is_zero() {
             self.v0.sign()
@@ -472,27 +471,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         } else {
             lead.sign()
         };
-        if let Some(s) = &loosely {
-            // Where the power of all but the sliding friction vanishes.
-            let given =
-                |p: &&Power<T>| !p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
-            let others = start_powers.iter().filter(given);
-            let size = others.clone().fold(0.0, |sum, p| sum + p.power.size());
-            let others = others.fold(T::zero(), |sum, p| sum + p.power).cleared(size);
-            let x_eq = -others / (s.stiffness * s.lost);
-            if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
-                self.say(Quantity::XEq, Owner::Scene, x_eq);
-                let held = self.mode.of(self.end).is_zero();
-                if !held && self.scene.oscillates() && (s.rigid || x_eq.sign() > 0.0) {
-                    // What the spring stores in a displacement is what moves at the place of rest.
-                    let frequency = (s.stiffness * s.lost.square() / doubled).root();
-                    let frequency = plant!("energy: frequency of small oscillations", frequency);
-                    let of = Owner::Body(self.end.body);
-                    self.say(Quantity::OmegaSmall, of, frequency);
-                    self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-                }
-            }
-        }
+        self.equilibrium(&loosely, &start_powers, doubled);
         self.if_rolled();
         if !self.scene.growths.is_empty() {
             return Ok((self.grown(constant, doubled), Count::default()));
@@ -505,32 +484,29 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             self.driving(
                 &start_powers,
-                tension0,
-                loosely.as_ref(),
+                &loosely,
                 [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
             )
         });
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
             self.road.course = Some(Course { drive, ..Course::at_rest() });
-            self.standing(tension0);
-            self.resting(tension0);
-            if store.is_some() && self.end.degree == Degree::Along {
+            self.standing(&pulls0);
+            self.resting(&pulls0);
+            if !stores.is_empty() && self.end.degree == Degree::Along {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
                     self.say(q, Owner::Body(self.end.body), T::zero());
                 }
             }
-            self.grip(tension0, tension0);
+            self.grip(&[pulls0]);
             return Ok((self.road, Count::default()));
         }
         let constant = constant.signed(sense);
-        if let Some(s) = &mut store {
-            s.lost = s.lost.signed(sense);
-        }
+        stores.iter_mut().for_each(|k| k.lost = k.lost.signed(sense));
         let u0 = self.v0.abs();
         let energy0 = (doubled * u0.square()).scale2(-1);
         // A spring whose end does not move keeps its tension and does no work.
-        let acting = store.filter(|k| !k.lost.is_zero());
-        let account = Account { constant, doubled, energy0, u0, store: acting };
+        let acting = stores.iter().filter(|k| !k.lost.is_zero()).copied().collect();
+        let account = Account { constant, doubled, energy0, u0, stores: acting };
 
         let turning = account.turning();
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
@@ -544,13 +520,16 @@ impl<'a, T: Real> Ledger<'a, T> {
         // The turning point is where it is: no comparison with itself.
         let turns = matches!(self.scene.end, End::TurningPoint(_));
         let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s));
-        self.road.course = Some(Course { sense, drive, asked: s, farthest: limit, reached });
-        let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
-        // The extremes of the tension are where the account of the way opens and where it is closed.
+        self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
+        let pulls_at = |s: T| -> Pulls<T> { stores.iter().map(|k| k.stiffness * k.stretch_at(s)).collect() };
+        // The extremes of what springs pull are where the account of the way opens, where a cord goes slack and where it is closed.
         let closing = if reached && self.scene.span == Span::ToEnd { s } else { turning };
-        self.grip(tension0, closing.map_or_else(T::zero, tension_at));
+        let slack = stores.iter().filter_map(Store::slack).filter(|at| closing.is_none_or(|s| at.below(s)));
+        let places = std::iter::once(T::zero()).chain(slack).chain(closing);
+        let pulls: SmallVec<[Pulls<T>; 3]> = places.map(pulls_at).collect();
+        self.grip(&pulls);
         let summed = self.points.map(|points| Sum { account: &account, points, evaluations: Cell::new(0) });
-        if (store.is_some() || !u0.is_zero()) && self.end.degree == Degree::Along {
+        if (!stores.is_empty() || !u0.is_zero()) && self.end.degree == Degree::Along {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = account.fastest() {
                 let v = summed.as_ref().map_or(v, |sum| sum.speed(at));
@@ -564,13 +543,53 @@ impl<'a, T: Real> Ledger<'a, T> {
             Some(s) if reached => {
                 let rest = matches!(self.scene.end, End::TurningPoint(_));
                 let there = summed.as_ref().map_or_else(|| closed(&account, s, rest), |sum| sum.at(s));
-                let given = Account { energy0: T::zero(), ..account }.energy(s);
-                self.arrived((doubled, u0, given), s, there, sense, tension_at(s));
+                let given = Account { energy0: T::zero(), ..account.clone() }.energy(s);
+                self.arrived((doubled, u0, given), s, there, sense, &pulls_at(s));
             }
-            _ => self.standing(tension0),
+            _ => self.standing(&pulls0),
         }
         let evaluations = summed.map_or(0, |sum| sum.evaluations.get());
         Ok((self.road, Count { evaluations, ..Count::default() }))
+    }
+
+    /// Where the power of all but the sliding friction vanishes, and small oscillations about it.
+    fn equilibrium(&mut self, stores: &[Store<T>], powers: &[Power<T>], doubled: T) {
+        let given = |p: &&Power<T>| !p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
+        let given = powers.iter().filter(given);
+        let size = given.clone().fold(0.0, |sum, p| sum + p.power.size());
+        let given = given.fold(T::zero(), |sum, p| sum + p.power).cleared(size);
+        if stores.iter().all(|k| k.lost.is_zero()) {
+            return;
+        }
+        let stretch = |own: &Store<T>| {
+            if own.lost.is_zero() {
+                return own.stretch;
+            }
+            // Power per stretch that it loses, and what the other springs give with its own stretch.
+            let (mut per, mut power) = (own.stiffness * own.lost, -given);
+            for k in stores.iter().filter(|k| k.tie != own.tie) {
+                let (push, share) = (k.stiffness * k.lost, k.lost / own.lost);
+                per = per + push * share;
+                power = power.balance(push * (share * own.stretch).balance(-k.stretch));
+            }
+            power / per
+        };
+        let at_rest: Pulls<T> = stores.iter().map(stretch).collect();
+        let taut = |least: f64| stores.iter().zip(&at_rest).all(|(k, x)| k.rigid || x.sign() >= least);
+        if !taut(0.0) {
+            return;
+        }
+        for (store, x) in stores.iter().zip(&at_rest) {
+            self.say(Quantity::XEq, Owner::Tie(store.tie), *x);
+        }
+        if !self.mode.of(self.end).is_zero() && self.scene.oscillates() && taut(1.0) {
+            // What the springs store in a displacement is what moves at the place of rest.
+            let stiff = stores.iter().map(|k| k.stiffness * k.lost.square()).fold(T::zero(), |a, b| a + b);
+            let frequency = plant!("energy: frequency of small oscillations", (stiff / doubled).root());
+            let of = Owner::Body(self.end.body);
+            self.say(Quantity::OmegaSmall, of, frequency);
+            self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
+        }
     }
 
     /// The motion under forces that grow with a power of time, by impulse and momentum, or of place, by their work. `constant` is the
@@ -587,9 +606,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         let drive = if self.held { (zero, zero) } else { drive };
         if sense == 0.0 {
             self.road.course = Some(Course { drive, ..Course::at_rest() });
-            self.standing(whole);
-            self.resting(whole);
-            self.grip(zero, whole);
+            self.standing(&[whole]);
+            self.resting(&[whole]);
+            self.grip(&[smallvec![zero], smallvec![whole]]);
             return self.road;
         }
         let (extent, along) = match (self.scene.end, self.scene.growing_for()) {
@@ -623,11 +642,10 @@ impl<'a, T: Real> Ledger<'a, T> {
         let reached = declared && extent.not_negative() && (onward || self.turned);
         let turn_back = if self.turned { momentum.sign() } else { 1.0 };
         let sense = sense * turn_back;
-        let (asked, farthest) = (Some(extent), T::of(f64::INFINITY));
-        self.road.course = Some(Course { sense, drive, asked, farthest, reached });
-        self.grip(zero, whole);
+        self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
+        self.grip(&[smallvec![zero], smallvec![whole]]);
         if !reached {
-            self.standing(whole);
+            self.standing(&[whole]);
             return self.road;
         }
         // The way, and the mean way of a force that grows with its growth, from the sums of powers.
@@ -644,7 +662,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let u = if along { (energy.scale2(1) / doubled).root() } else { u0 + gained(whole, whole) / doubled };
         let [s, late, u0, u] = [s, late, u0, u].map(|x| x.signed(turn_back));
         self.late = Some(late);
-        self.arrived((doubled, u0, work), s, Summed { energy, u, time: extent }, sense, whole);
+        self.arrived((doubled, u0, work), s, Summed { energy, u, time: extent }, sense, &[whole]);
         self.road
     }
 
@@ -657,7 +675,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// Driving and resisting power at the start, per unit rate.
-    fn driving(&self, powers: &[Power<T>], tension0: T, store: Option<&Store<T>>, sense: f64) -> (T, T) {
+    fn driving(&self, powers: &[Power<T>], stores: &[Store<T>], sense: f64) -> (T, T) {
         let (mut plus, mut minus) = (T::zero(), T::zero());
         let mut add = |power: T| {
             if power.sign() * sense > 0.0 {
@@ -669,8 +687,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         for p in powers {
             add(p.power);
         }
-        if let Some(s) = store {
-            add(tension0 * s.lost);
+        for k in stores {
+            add(k.stiffness * k.stretch * k.lost);
         }
         let size = self.n.exponent(Quantity::Friction);
         (plus.scale2(size), minus.scale2(size))
@@ -702,44 +720,55 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// Accelerations at this tension of the spring, from the power balance there.
-    fn rate(&self, tension: T) -> Mode<T> {
-        if self.scene.spring().is_none() && self.scene.growths.is_empty() || !self.free {
+    fn rate(&self, pulls: &[T]) -> Mode<T> {
+        if !self.scene.is_sprung() && self.scene.growths.is_empty() || !self.free {
             return self.start_rate.clone();
         }
         let frictions: PerTie<T> = frictions(&self.kinetic);
-        drive(self.scene, &self.n, std::slice::from_ref(&self.mode), &frictions, tension)
+        drive(self.scene, &self.n, std::slice::from_ref(&self.mode), &frictions, pulls)
     }
 
-    fn reactions(&mut self, tension: T) -> Reactions<T> {
+    fn reactions(&mut self, pulls: &[T]) -> Reactions<T> {
         if let Some((at, known)) = &self.last
-            && at.same(tension)
+            && at.iter().zip(pulls).all(|(at, pull)| at.same(*pull))
         {
             return known.clone();
         }
-        let rate = self.rate(tension);
-        let found = balance::reactions(self.scene, &self.n, &|c| rate.of(c), tension, &self.kinetic);
-        self.last = Some((tension, found.clone()));
+        let rate = self.rate(pulls);
+        let found = balance::reactions(self.scene, &self.n, &|c| rate.of(c), pulls, &self.kinetic);
+        self.last = Some((pulls.into(), found.clone()));
         found
     }
 
-    fn grip(&mut self, tension0: T, tension1: T) {
+    /// The springs, with the stretch that they lose in a mode.
+    fn stores(&self, mode: &Mode<T>) -> Stores<T> {
+        let of = |s: SpringTie| Store {
+            tie: s.tie,
+            stiffness: self.n.massive(s.stiffness_n_m),
+            stretch: self.n.get(s.stretch_m),
+            lost: mode.point(&self.n, &s.from),
+            rigid: s.rigid,
+        };
+        self.scene.springs().map(of).collect()
+    }
+
+    fn grip(&mut self, places: &[Pulls<T>]) {
         for b in 0..self.scene.bodies.len() {
             if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
                 let normal = balance::normal(self.scene, &self.n, b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
             }
         }
-        let first = self.reactions(tension0);
-        let last = if tension0.same(tension1) { first.clone() } else { self.reactions(tension1) };
+        let held: SmallVec<[Reactions<T>; 3]> = places.iter().map(|pulls| self.reactions(pulls)).collect();
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
-                if first.is_open(t) {
+                if held.iter().any(|held| held.is_open(t)) {
                     if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                         self.say_open(Quantity::MuRequired, Owner::Body(*body));
                     }
                     continue;
                 }
-                let most = first[t].abs().larger(last[t].abs());
+                let most = held.iter().map(|held| held[t].abs()).reduce(T::larger).unwrap_or_else(T::zero);
                 let normal = balance::normal(self.scene, &self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
@@ -748,16 +777,16 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    fn standing(&mut self, tension: T) {
-        let rate = self.rate(tension);
+    fn standing(&mut self, pulls: &[T]) {
+        let rate = self.rate(pulls);
         self.say_rates(&rate);
-        self.say_forces(tension);
+        self.say_forces(pulls);
         self.bound_of_gyration();
     }
 
     /// No power at the start, no speed, no energy, ever.
-    fn resting(&mut self, tension: T) {
-        let rate = self.rate(tension);
+    fn resting(&mut self, pulls: &[T]) {
+        let rate = self.rate(pulls);
         if self.started || self.scene.carried.is_some() || rate.v.iter().chain(&rate.w).any(|x| !x.is_zero())
         {
             return;
@@ -793,8 +822,8 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// The force of a fixed axle, by what all forces would do if it gave way a little, to the right or up.
-    fn axle(&mut self, body: usize, held: &Reactions<T>, tension: T) {
-        let Some(pulls) = self.scene.axle_pulls(body) else { return };
+    fn axle(&mut self, body: usize, held: &Reactions<T>, pulls: &[T]) {
+        let Some(cords) = self.scene.axle_pulls(body) else { return };
         let of = Owner::Body(body);
         let mut lifts: SmallVec<[[T; 2]; 4]> = SmallVec::new();
         let mass = self.n.bodies[body].mass;
@@ -803,14 +832,14 @@ impl<'a, T: Real> Ledger<'a, T> {
         lifts.extend(self.n.carried.map(|rate| {
             rate.map(|a| plant!("energy: momentum of the body of an axle with the carrier", mass * a))
         }));
-        for (t, aim) in pulls {
+        for (t, aim) in cords {
             let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
             let force = match cord.to {
                 Far::Pull(force) => {
                     let growth = balance::grown(self.scene, &self.n, GivenForce::Pull(t));
-                    growth.map_or_else(|| self.n.massive(force), |g| self.n.massive(force) + g * tension)
+                    growth.map_or_else(|| self.n.massive(force), |g| self.n.massive(force) + g * pulls[0])
                 }
-                Far::Spring { .. } => tension,
+                Far::Spring { .. } => self.pull_of(t, pulls),
                 Far::Body(_) | Far::Fixed if held.is_open(t) => {
                     for q in [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle] {
                         self.say_open(q, of);
@@ -835,9 +864,15 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    fn say_forces(&mut self, tension: T) {
-        let held = self.reactions(tension);
-        (0..self.scene.bodies.len()).for_each(|b| self.axle(b, &held, tension));
+    /// The pull of the spring on this tie.
+    fn pull_of(&self, tie: usize, pulls: &[T]) -> T {
+        let of = self.scene.springs().zip(pulls).find(|(spring, _)| spring.tie == tie);
+        of.map_or_else(T::zero, |(_, pull)| *pull)
+    }
+
+    fn say_forces(&mut self, pulls: &[T]) {
+        let held = self.reactions(pulls);
+        (0..self.scene.bodies.len()).for_each(|b| self.axle(b, &held, pulls));
         for (t, tie) in self.scene.ties.iter().enumerate() {
             match tie {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
@@ -851,7 +886,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 Tie::Cord(c) => match c.to {
                     Far::Pull(_) => {}
-                    Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
+                    Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), self.pull_of(t, pulls)),
                     _ if c.force() != Quantity::Tension => self.say(c.force(), Owner::Tie(t), held[t].abs()),
                     Far::Body(_) | Far::Fixed => self.say(Quantity::Tension, Owner::Tie(t), held[t]),
                 },
@@ -860,17 +895,17 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// Everything at the end, with twice the energy at unit rate, the speed at the start and the work of all forces.
-    fn arrived(&mut self, (doubled, u0, work): (T, T, T), s: T, there: Summed<T>, sense: f64, tension: T) {
+    fn arrived(&mut self, (doubled, u0, work): (T, T, T), s: T, there: Summed<T>, sense: f64, pulls: &[T]) {
         // At rest by the definition of the event, not by what rounding leaves.
         let rest = matches!(self.scene.end, End::TurningPoint(_));
         let energy = if rest { T::zero() } else { there.energy };
         let u = if rest { T::zero() } else { there.u };
-        let rate = self.rate(tension);
+        let rate = self.rate(pulls);
         if !self.scene.grows_with_place() {
             self.say(Quantity::T, Owner::Scene, there.time);
         }
         self.say_rates(&rate);
-        self.say_forces(tension);
+        self.say_forces(pulls);
         self.bound_of_gyration();
         let seen = energy.balance(self.shared(u.signed(sense), there.time));
         self.say(Quantity::KineticEnergy, Owner::Scene, seen);
@@ -990,7 +1025,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
             }
         }
-        if self.scene.spring().is_none() && self.scene.carried.is_none() {
+        if !self.scene.is_sprung() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, work);
         }
     }

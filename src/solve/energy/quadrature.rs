@@ -90,66 +90,54 @@ pub struct Sum<'a, T> {
 }
 
 impl<T: Real> Sum<'_, T> {
-    /// Works on the side of the slack place where the spring acts, or beyond it.
-    fn on<R>(&self, taut: bool, work: impl FnOnce(&Leg<T>) -> R) -> R {
-        let account = self.account;
+    /// Works on the side of a slack place where this account holds.
+    fn on<R>(&self, account: &Account<T>, work: impl FnOnce(&Leg<T>) -> R) -> R {
         let force = |s: T| {
             self.evaluations.set(self.evaluations.get() + 1);
-            match account.store {
-                Some(k) if taut => {
-                    account.constant.balance(k.stiffness * k.stretch.balance(-(k.lost * s)) * k.lost)
-                }
-                _ => account.constant,
-            }
+            account.power(s)
         };
         work(&Leg { force: &force, doubled: account.doubled, points: self.points })
     }
-    /// Kinetic energy at a place.
-    fn energy(&self, s: T) -> T {
-        let account = self.account;
-        match account.slack() {
-            Some(at) if at.below(s) => {
-                let first = account.energy0.balance(at * self.on(true, |leg| leg.mean(T::zero(), at)));
-                first.balance((s - at) * self.on(false, |leg| leg.mean(at, s)))
-            }
-            _ => account.energy0.balance(s * self.on(true, |leg| leg.mean(T::zero(), s))),
-        }
+    /// Kinetic energy at a place before a cord goes slack.
+    fn energy(&self, account: &Account<T>, s: T) -> T {
+        account.energy0.balance(s * self.on(account, |leg| leg.mean(T::zero(), s)))
     }
     /// Speed at a place.
     pub fn speed(&self, s: T) -> T {
-        self.on(true, |leg| leg.speed(self.energy(s)))
+        self.from(self.account, s, false).u
     }
     /// Energy, speed and time at a place that is reached before the motion turns.
     pub fn at(&self, s: T) -> Summed<T> {
-        let energy = self.energy(s);
-        let u = self.on(true, |leg| leg.speed(energy));
-        let account = self.account;
-        let time = match account.slack() {
-            Some(at) if at.below(s) => {
-                let between = self.speed(at);
-                let coast = |leg: &Leg<T>| leg.onward((at, between), (s, u), account.turning());
-                self.taut_time(at, between) + self.on(false, coast)
-            }
-            _ => self.taut_time(s, u),
-        };
-        Summed { energy, u, time }
+        self.from(self.account, s, true)
     }
-    fn taut_time(&self, s: T, u: T) -> T {
-        let account = self.account;
+    /// The same from where an account is opened, the time if it is wanted.
+    fn from(&self, account: &Account<T>, s: T, timed: bool) -> Summed<T> {
+        if let Some((at, next)) = account.beyond().filter(|(at, _)| at.below(s)) {
+            let first = self.summed(account, at, timed);
+            let next = Account { energy0: first.energy, u0: first.u, ..next };
+            let then = self.from(&next, s - at, timed);
+            return Summed { time: first.time + then.time, ..then };
+        }
+        self.summed(account, s, timed)
+    }
+    fn summed(&self, account: &Account<T>, s: T, timed: bool) -> Summed<T> {
+        let energy = self.energy(account, s);
+        let u = self.on(account, |leg| leg.speed(energy));
+        Summed { energy, u, time: if timed { self.time(account, s, u) } else { T::zero() } }
+    }
+    fn time(&self, account: &Account<T>, s: T, u: T) -> T {
         if s.is_zero() {
             return T::zero();
         }
         if account.energy0.is_zero() {
             // Where the forces of this side alone would turn it, beyond a slack place too.
-            let far = account.store.and_then(|k| {
-                let push = account.push(k);
-                (push.sign() > 0.0).then(|| push.scale2(1) / k.stiff())
-            });
-            return self.on(true, |leg| leg.from_rest(s, far));
+            let push = account.push();
+            let far = account.stiff().filter(|_| push.sign() > 0.0).map(|stiff| push.scale2(1) / stiff);
+            return self.on(account, |leg| leg.from_rest(s, far));
         }
         // A cord that goes slack before hides the turning point of the taut law.
-        let hidden = |far: T| account.slack().is_some_and(|at| at.below(far));
+        let hidden = |far: T| account.beyond().is_some_and(|(at, _)| at.below(far));
         let far = account.turning().filter(|far| !hidden(*far));
-        self.on(true, |leg| leg.onward((T::zero(), account.u0), (s, u), far))
+        self.on(account, |leg| leg.onward((T::zero(), account.u0), (s, u), far))
     }
 }

@@ -229,12 +229,6 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         let turn = Coordinate { body, degree: Degree::Turn };
         road.velocities = vec![(along, state.v), (turn, state.w)];
     }
-    road.course = Some(Course {
-        sense: ended.as_ref().map_or(v0, |(s, ..)| s.v).sign(),
-        drive: (T::zero(), T::zero()),
-        asked: None,
-        farthest: T::of(f64::INFINITY),
-        reached: ended.is_some(),
-    });
+    road.course = Some(Course::moving(ended.as_ref().map_or(v0, |(s, ..)| s.v).sign(), ended.is_some()));
     Ok(road)
 }

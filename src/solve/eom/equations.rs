@@ -23,7 +23,7 @@ use smallvec::SmallVec;
 
 /// Right-hand side of the constant forces.
 pub const CONSTANT: usize = 0;
-/// Right-hand side of what varies: a unit tension in the spring's cord, or the whole growth of the forces that grow.
+/// First right-hand side of what varies: a unit tension in the cord of each spring, or the whole growth of the forces that grow.
 pub const VARYING: usize = 1;
 
 /// How the contacts are taken.
@@ -76,8 +76,8 @@ impl Layout {
                 Tie::Cord(c) => next(matches!(c.to, Far::Body(_) | Far::Fixed)),
             })
             .collect();
-        let varies = scene.spring().is_some() || !scene.growths.is_empty();
-        let columns = 1 + usize::from(varies) + usize::from(setting.probe.is_some());
+        let varying = scene.springs().count().max(usize::from(!scene.growths.is_empty()));
+        let columns = 1 + varying + usize::from(setting.probe.is_some());
         Self { along, turn, reaction, count, columns }
     }
 }
@@ -256,6 +256,7 @@ fn assembled<T: Real>(
             rows.term(row, col, arm);
         }
     };
+    let mut springs = VARYING..;
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
             Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
@@ -307,7 +308,10 @@ fn assembled<T: Real>(
                                 pull(&mut rows, &end, grown, None, VARYING);
                             }
                         }
-                        (Far::Spring { .. }, _) => pull(&mut rows, &end, T::of(1.0), None, VARYING),
+                        (Far::Spring { .. }, _) => {
+                            let column = springs.next().unwrap_or(VARYING);
+                            pull(&mut rows, &end, T::of(1.0), None, column);
+                        }
                         (Far::Fixed | Far::Body(_), Some(row)) => {
                             pull(&mut rows, &end, T::of(1.0), Some(row), CONSTANT);
                             take_up(&mut rows, row, &end);

@@ -4,8 +4,9 @@
 //! goes slack) a step ends on the change and the next begins under the new law.
 use crate::num::Real;
 use crate::num::ode::{Count, Formula, MOST_STEPS, Run, Trouble};
-use crate::solve::eom::travel::{State, Travel};
+use crate::solve::eom::travel::{Leg, State, Travel};
 use crate::solve::method::Rung;
+use smallvec::SmallVec;
 use std::cell::Cell;
 
 /// An event of a motion along its sense.
@@ -25,14 +26,14 @@ pub enum Event {
     Release,
 }
 
-/// A motion along its sense: `f(piece, s, u)` with the place at which piece 1 takes over from piece 0.
+/// A motion along its sense: `f(piece, s, u)` with the places at which the next piece takes over.
 pub struct Route<'r, L> {
-    /// Acceleration at a distance and a speed; the first argument is the piece, 0 or 1.
+    /// Acceleration at a distance and a speed; the first argument is the piece, from 0.
     pub law: L,
     /// The force that presses at a distance and a speed, for [`Event::Release`].
     pub presses: &'r dyn Fn(f64, f64) -> f64,
-    /// Where piece 1 begins.
-    pub switch: Option<f64>,
+    /// Where the pieces after the first begin.
+    pub switches: &'r [f64],
     /// Speed at the start, >= 0.
     pub u0: f64,
     /// Rough time to the farthest event: what the first step is measured by.
@@ -89,11 +90,9 @@ impl<L: Fn(usize, f64, f64) -> f64> Route<'_, L> {
         let forever = |_: f64, _: &[f64; 2]| -1.0;
         let mut states = Vec::with_capacity(events.len());
         for (event, expected) in events {
-            if let (0, Some(at)) = (piece.get(), self.switch)
-                && *expected > at
-            {
-                run.until(&|_, y| y[0] - at, at, &turned)?;
-                piece.set(1);
+            while let Some(at) = self.switches.get(piece.get()).filter(|at| *expected > **at) {
+                run.until(&|_, y| y[0] - at, *at, &turned)?;
+                piece.set(piece.get() + 1);
                 run.refresh();
             }
             let law = |_: f64, y: &[f64; 2]| -(self.law)(piece.get(), y[0], y[1]);
@@ -155,9 +154,9 @@ pub struct Wanted<T> {
 ///
 /// Which events there are follows from the signs in the law; where they are, from the steps. Errors: [`Trouble`].
 pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Result<Path<T>, Trouble> {
-    let (f0, w2) = (travel.f0.f64(), travel.w2.map_or(0.0, T::f64));
-    let slack = travel.slack.map(|(at, f1)| (at.f64(), f1.f64()));
-    let f1 = slack.map_or(0.0, |(_, f1)| f1);
+    let leg = |leg: &Leg<T>| [leg.from.f64(), leg.f.f64(), leg.w2.map_or(0.0, T::f64)];
+    let legs: SmallVec<[[f64; 3]; 2]> = travel.legs.iter().map(leg).collect();
+    let switches: SmallVec<[f64; 2]> = legs.iter().skip(1).map(|leg| leg[0]).collect();
     let mut events: Vec<(Event, f64, usize)> = Vec::with_capacity(3);
     const END: usize = 0;
     const FASTEST: usize = 1;
@@ -167,12 +166,9 @@ pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Resu
     }
     if let (true, Some((at, _))) = (wanted.fastest, travel.fastest()) {
         let at = at.f64();
-        // At the start, or where the cord goes slack, or where the acceleration vanishes on the way.
-        let event = match slack {
-            _ if at == 0.0 => Event::Place(0.0),
-            Some((slack, _)) if at >= slack => Event::Place(slack),
-            _ => Event::Level,
-        };
+        // At the start, or where a cord goes slack, or where the acceleration vanishes on the way.
+        let kept = at == 0.0 || legs.iter().skip(1).any(|leg| at >= leg[0] && leg[1] == 0.0);
+        let event = if kept { Event::Place(at) } else { Event::Level };
         events.push((event, at, FASTEST));
     }
     if let (true, Some(at)) = (wanted.turning, travel.turning()) {
@@ -182,11 +178,11 @@ pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Resu
     let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
     let u0 = travel.u0.f64();
     let route = Route {
-        law: |piece: usize, s: f64, _: f64| if piece == 0 { f0 - w2 * s } else { f1 },
+        law: |piece: usize, s: f64, _: f64| legs.get(piece).map_or(0.0, |[from, f, w2]| f - w2 * (s - from)),
         presses: &unpressed,
-        switch: slack.map(|(at, _)| at),
+        switches: &switches,
         u0,
-        pace: pace(farthest, f0.abs().max(f1.abs()), u0),
+        pace: pace(farthest, legs.iter().fold(0.0, |most, leg| f64::max(most, leg[1].abs())), u0),
         time: &|| travel.at(T::of(farthest)).time.f64(),
     };
     let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();

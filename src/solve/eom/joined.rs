@@ -748,7 +748,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let u0 = self.from.half_square.scale2(1).root().f64();
         let force = law(0, 0.0, u0).abs().max(law(0, 0.5 * expected, u0).abs());
         let pace = if let [(Event::Time(t), _)] = events { *t } else { pace(expected, force, u0) };
-        let route = Route { law, presses: &presses, switch: None, u0, pace, time: known };
+        let route = Route { law, presses: &presses, switches: &[], u0, pace, time: known };
         route.states(events, rung).map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })
     }
 
@@ -778,21 +778,23 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         Ok(plant!("eom: time of joined bodies", time))
     }
 
-    /// What is asked of the end, how far at most it is looked for, and half the square of the rate that ends the motion.
-    fn wanted(&self) -> (Option<T>, T, Option<T>) {
+    /// What is asked of the end and where the motion starts in its measure, how far at most it is looked for, and half the square of
+    /// the rate that ends the motion.
+    fn wanted(&self) -> ((Option<T>, T), T, Option<T>) {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
         match scene.end {
             End::Angle(_, angle) => {
                 let start = scene.lead().and_then(|l| scene.planar(l)?.start_deg);
                 let apart = (n.get(angle) - start.map_or_else(T::zero, |s| n.get(s))).signed(self.sense);
-                (Some(apart), apart / degrees(), None)
+                ((Some(apart), T::zero()), apart / degrees(), None)
             }
             End::Speed(_, w) => {
                 let w = n.get(w) / self.mechanism.ratio();
-                (Some(w.abs()), horizon(), Some(w.square().scale2(-1)))
+                let begins = self.from.half_square.scale2(1).root();
+                ((Some(w.abs()), begins), horizon(), Some(w.square().scale2(-1)))
             }
-            End::Time(_, t) => (Some(n.get(t)), horizon(), None),
-            _ => (None, horizon(), None),
+            End::Time(_, t) => ((Some(n.get(t)), T::zero()), horizon(), None),
+            _ => ((None, T::zero()), horizon(), None),
         }
     }
 
@@ -838,15 +840,16 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// Follows the motion to the end that is asked and tells what is there.
     fn to_its_end(&self, teller: &mut Teller<'_, '_, T>) -> Result<(), Refusal> {
         let (scene, n) = (self.mechanism.scene, self.mechanism.n);
-        let (asked, mut far, level) = self.wanted();
+        let ((asked, begins), mut far, level) = self.wanted();
         let limit =
             self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
         far = limit.map_or(far, |limit| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
-        let drive = (T::zero(), T::zero());
+        let course = |farthest: T, reached: bool| {
+            Some(Course { asked, begins, farthest, ..Course::moving(self.sense, reached) })
+        };
         if let Some(joint) = self.untouched(&begin) {
-            teller.road.course =
-                Some(Course { sense: self.sense, drive, asked, farthest: T::zero(), reached: false });
+            teller.road.course = course(T::zero(), false);
             teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
             return Ok(());
         }
@@ -895,7 +898,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 _ => false,
             };
         let farthest = self.farthest(teller, &stop, reached, most);
-        teller.road.course = Some(Course { sense: self.sense, drive, asked, farthest, reached });
+        teller.road.course = course(farthest, reached);
         self.tell_touching(teller, &stop, least);
         if reached {
             self.tell_end(teller, &stop, &first, by)

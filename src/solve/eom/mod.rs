@@ -23,7 +23,7 @@ use crate::scene::{
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
-use crate::solve::eom::travel::{State, Travel};
+use crate::solve::eom::travel::{Leg, State, Travel};
 use crate::solve::found;
 use crate::solve::found::Forward;
 use crate::solve::method::{Method, Rung};
@@ -158,10 +158,10 @@ fn at_once<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
     }
     let mut walk = Walk::new(scene, n, asked)?;
     walk.road = road;
-    let tension = walk.spring.as_ref().map_or_else(T::zero, |s| s.stiffness * s.stretch);
+    let pulls = walk.pulls_at(T::zero());
     walk.contacts_if_rolled();
-    walk.standing(tension);
-    walk.grip(tension, tension);
+    walk.standing(&pulls);
+    walk.grip(&[pulls]);
     Ok(walk.road)
 }
 
@@ -229,13 +229,85 @@ const STEPS: bool = cfg!(feature = "program");
 /// the forces that nearly balance.
 const NEAR_BALANCE: f64 = 1e6;
 
-/// The spring of a scene in numbers.
+/// A spring in numbers.
 #[derive(Clone, Copy)]
 struct Spring<T> {
+    tie: usize,
     stiffness: T,
     stretch: T,
     rigid: bool,
     end: CordEnd,
+    /// Stretch lost per metre of the way.
+    lost: T,
+    /// Stretch at equilibrium, friction of sliding left out; `None` where no spring moves anything.
+    rest: Option<T>,
+}
+
+impl<T: Real> Spring<T> {
+    /// Place at which its cord goes slack.
+    fn slack(&self) -> Option<T> {
+        (!self.rigid && self.lost.sign() > 0.0).then(|| self.stretch / self.lost)
+    }
+}
+
+/// What varies: the tension of each spring, or the share of their growth that forces have.
+type Pulls<T> = SmallVec<[T; 1]>;
+
+/// A response under what varies.
+fn under<T: Real>(pulls: &[T], of: impl Fn(usize) -> T) -> T {
+    let varying = pulls.iter().enumerate().map(|(i, pull)| of(VARYING + i) * *pull);
+    varying.fold(of(CONSTANT), T::balance)
+}
+
+/// Travel of a cord's end along the cord, where coordinates travel so far.
+fn take_up<T: Real>(n: &Numbers<T>, end: &CordEnd, travel: impl Fn(Degree) -> T) -> T {
+    let centre = travel(Degree::Along);
+    let centre = end.tilt_deg.map_or(centre, |tilt| centre * pose::direction(n, tilt)[0]);
+    let wound = match end.attach {
+        Attach::Wound(p, side) => {
+            let arm = travel(Degree::Turn) * plant!("eom: unwinding of a cord", n.get(p));
+            if side == Side::Top { arm } else { -arm }
+        }
+        Attach::Centre => T::zero(),
+    };
+    centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
+}
+
+/// Finds the stretch of each spring where the forces balance: on any coordinate that a spring moves, the ending one first.
+fn equilibrium<T: Real>(scene: &Scene, n: &Numbers<T>, springs: &mut [Spring<T>], response: &Response<T>) {
+    let columns = VARYING..VARYING + springs.len();
+    let mut coordinates = std::iter::once(scene.ending_coordinate()).chain(scene.coordinates());
+    let moved = coordinates.find_map(|c| {
+        let column = columns.clone().find(|k| !response.acceleration(c, *k).is_zero())?;
+        Some((c, column))
+    });
+    let Some((c, column)) = moved else { return };
+    let lost = |s: &Spring<T>| {
+        take_up(n, &s.end, |degree| response.acceleration(Coordinate { body: s.end.body, degree }, column))
+    };
+    let lost: Pulls<T> = springs.iter().map(lost).collect();
+    let coast = response.acceleration(c, CONSTANT);
+    let stretch = |i: usize| {
+        let own = springs[i];
+        if lost[i].is_zero() {
+            return own.stretch;
+        }
+        // Acceleration per stretch that it loses, and that by the other springs with its own stretch.
+        let (mut per, mut others) = (T::zero(), T::zero());
+        for (j, spring) in springs.iter().enumerate() {
+            let pull = response.acceleration(c, VARYING + j) * spring.stiffness;
+            if i == j {
+                per = per + pull;
+                continue;
+            }
+            let share = lost[j] / lost[i];
+            per = per + pull * share;
+            others = others.balance(pull * (share * own.stretch).balance(-spring.stretch));
+        }
+        others.balance(-coast) / per
+    };
+    let rest: Pulls<T> = (0..springs.len()).map(stretch).collect();
+    springs.iter_mut().zip(rest).for_each(|(spring, rest)| spring.rest = Some(rest));
 }
 
 /// Responses with one slipping contact taken as rolling.
@@ -245,17 +317,13 @@ struct Walk<'a, T: Real> {
     scene: &'a Scene,
     n: Numbers<'a, T>,
     end: Coordinate,
-    spring: Option<Spring<T>>,
+    springs: SmallVec<[Spring<T>; 1]>,
     /// Do the forces at the start balance, so that nothing accelerates?
     balanced: bool,
-    /// Does a tension or a given force vary on the way?
-    varies: bool,
     /// Where forces grow: the way of the ending coordinate, averaged over that growth.
     early: Option<T>,
     /// Did it turn before its end? Its way is then not the distance between its ends.
     turned: bool,
-    /// Stretch of the spring at equilibrium, friction of sliding left out.
-    x_eq: Option<T>,
     /// For each contact that is said to slip: as if it rolled.
     rolled: Rolled<T>,
     /// With all that slides held where it comes to rest, if the end says that it stays there.
@@ -282,10 +350,20 @@ impl<'a, T: Real> Walk<'a, T> {
             _ => None,
         });
         let started = given.is_some();
-        let spring = scene.spring().map(|(tie, ks, x0, rigid)| {
-            let Tie::Cord(cord) = &scene.ties[tie] else { unreachable!("a spring is on a cord") };
-            Spring { stiffness: n.massive(ks), stretch: n.get(x0), rigid, end: cord.from }
+        let numbers = scene.springs().map(|s| {
+            let (stiffness, stretch) = (n.massive(s.stiffness_n_m), n.get(s.stretch_m));
+            Spring {
+                tie: s.tie,
+                stiffness,
+                stretch,
+                rigid: s.rigid,
+                end: s.from,
+                lost: T::zero(),
+                rest: None,
+            }
         });
+        let mut springs: SmallVec<[Spring<T>; 1]> = numbers.collect();
+        let first: Pulls<T> = springs.iter().map(|s| s.stiffness * s.stretch).collect();
         let mut setting = Setting {
             grip: Grip::AllRoll,
             stays: smallvec![false; scene.ties.len()],
@@ -294,18 +372,8 @@ impl<'a, T: Real> Walk<'a, T> {
             probe: given.map(|(c, _)| c),
         };
         let mut response = respond(scene, &n, &setting)?;
-        let total = |r: &Response<T>, c: Coordinate| match &spring {
-            Some(s) => {
-                r.acceleration(c, CONSTANT).balance(r.acceleration(c, VARYING) * s.stiffness * s.stretch)
-            }
-            None => r.acceleration(c, CONSTANT),
-        };
-        let x_eq = spring.as_ref().and_then(|s| {
-            // Any coordinate that it moves says where it would rest, the ending one first.
-            let mut known = std::iter::once(end).chain(scene.coordinates());
-            let c = known.find(|c| !response.acceleration(*c, VARYING).is_zero())?;
-            Some(-(response.acceleration(c, CONSTANT) / response.acceleration(c, VARYING)) / s.stiffness)
-        });
+        let total = |r: &Response<T>, c: Coordinate| under(&first, |k| r.acceleration(c, k));
+        equilibrium(scene, &n, &mut springs, &response);
         // Velocity of a coordinate at the start: as a unit force on the one that is given would set it off.
         let velocity = |r: &Response<T>, c: Coordinate| match given {
             Some((known, v)) => {
@@ -403,10 +471,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     let (Tie::Slide { mu_s, mu_k, .. }, false) = (&scene.ties[t], response.is_open(t)) else {
                         return true;
                     };
-                    let tension = spring.as_ref().map_or_else(T::zero, |s| s.stiffness * s.stretch);
-                    let pull =
-                        if spring.is_some() { response.reaction(t, VARYING) * tension } else { T::zero() };
-                    let friction = response.reaction(t, CONSTANT).balance(pull);
+                    let friction = under(&first, |k| response.reaction(t, k));
                     friction.abs().at_most(n.get(mu_s.unwrap_or(*mu_k)) * response.normal(c.body))
                 };
                 if (0..ties).any(|t| sliding(t).is_some_and(|c| !held(t, c))) {
@@ -436,15 +501,15 @@ impl<'a, T: Real> Walk<'a, T> {
             respond(scene, &n, &Setting { stays, ..setting.clone() }).ok()
         });
         let v0 = velocity(&response, end).unwrap_or_else(T::zero);
-        let mut ratio_column = if spring.is_some() {
-            VARYING
-        } else if started {
-            response.last()
-        } else {
-            CONSTANT
+        // The first spring that moves it.
+        let pulling = VARYING..VARYING + springs.len();
+        let moving = pulling.clone().find(|k| !response.acceleration(end, *k).is_zero());
+        let mut ratio_column = match moving {
+            Some(column) => column,
+            None if started => response.last(),
+            None => CONSTANT,
         };
-        let lead = response.acceleration(end, ratio_column);
-        let idle_spring = ratio_column == VARYING && lead.is_zero();
+        let idle_spring = moving.is_none() && !springs.is_empty();
         let grows = !scene.growths.is_empty();
         // What drives it along the slope is all but taken up.
         let body = &n.bodies[end.body];
@@ -467,7 +532,7 @@ impl<'a, T: Real> Walk<'a, T> {
             c.degree == Degree::Turn
                 || response.acceleration(c, CONSTANT).size() * NEAR_BALANCE < n.gravity.size()
         };
-        let alone = spring.is_none() && slipping.is_empty() && (grows || !scene.starts_from_rest());
+        let alone = springs.is_empty() && slipping.is_empty() && (grows || !scene.starts_from_rest());
         let balanced = alone && scene.coordinates().all(tiny) && {
             let mut weightless = n.clone();
             weightless.gravity = T::zero();
@@ -479,11 +544,9 @@ impl<'a, T: Real> Walk<'a, T> {
             n,
             end,
             balanced,
-            varies: spring.is_some() || grows,
             early: None,
             turned: false,
-            spring,
-            x_eq,
+            springs,
             rolled,
             holding: holding.flatten(),
             response,
@@ -494,6 +557,25 @@ impl<'a, T: Real> Walk<'a, T> {
             asked,
             road: Road::new(asked),
         })
+    }
+
+    /// What the springs pull at a place of the way: nothing where their cords are slack. Of forces that grow: nothing of their growth.
+    fn pulls_at(&self, s: T) -> Pulls<T> {
+        if !self.scene.growths.is_empty() {
+            return smallvec![T::zero()];
+        }
+        let pull = |spring: &Spring<T>| {
+            let stretch = spring.stretch.balance(-(spring.lost * s));
+            let slack = stretch.sign() < 0.0 && !spring.rigid;
+            if slack { T::zero() } else { spring.stiffness * stretch }
+        };
+        self.springs.iter().map(pull).collect()
+    }
+
+    /// The pull of the spring on this tie.
+    fn pull_of(&self, tie: usize, pulls: &[T]) -> T {
+        let of = self.springs.iter().zip(pulls).find(|(spring, _)| spring.tie == tie);
+        of.map_or_else(T::zero, |(_, pull)| *pull)
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -537,26 +619,17 @@ impl<'a, T: Real> Walk<'a, T> {
     }
     /// Travel of a cord's end along the cord per unit travel of the ending coordinate.
     fn take_up(&self, end: &CordEnd) -> T {
-        let centre = self.along(end.body).map_or_else(T::zero, |c| self.ratio(c));
-        let centre = end.tilt_deg.map_or(centre, |tilt| centre * pose::direction(&self.n, tilt)[0]);
-        let wound = match (end.attach, self.turn(end.body)) {
-            (Attach::Wound(p, side), Some(c)) => {
-                let arm = self.ratio(c) * plant!("eom: unwinding of a cord", self.n.get(p));
-                if side == Side::Top { arm } else { -arm }
-            }
-            _ => T::zero(),
+        let of = |degree| match degree {
+            Degree::Along => self.along(end.body),
+            Degree::Turn => self.turn(end.body),
         };
-        centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
+        take_up(&self.n, end, |degree| of(degree).map_or_else(T::zero, |c| self.ratio(c)))
     }
-    /// A response at this tension of the spring, or at this share of the growth of forces.
-    fn at_tension(&self, tension: T, of: impl Fn(usize) -> T) -> T {
-        if self.varies { of(CONSTANT).balance(of(VARYING) * tension) } else { of(CONSTANT) }
+    fn friction(&self, tie: usize, pulls: &[T]) -> T {
+        under(pulls, |k| self.response.reaction(tie, k))
     }
-    fn friction(&self, tie: usize, tension: T) -> T {
-        self.at_tension(tension, |k| self.response.reaction(tie, k))
-    }
-    fn acceleration(&self, c: Coordinate, tension: T) -> T {
-        self.at_tension(tension, |k| match k {
+    fn acceleration(&self, c: Coordinate, pulls: &[T]) -> T {
+        under(pulls, |k| match k {
             CONSTANT if self.balanced => T::zero(),
             _ => self.response.acceleration(c, k),
         })
@@ -568,8 +641,8 @@ impl<'a, T: Real> Walk<'a, T> {
 
     fn walk(mut self) -> Result<(Road<T>, Count), Refusal> {
         let zero = T::zero();
-        let tension0 = self.spring.as_ref().map_or(zero, |s| s.stiffness * s.stretch);
-        let a0 = self.acceleration(self.end, tension0);
+        let pulls0 = self.pulls_at(zero);
+        let a0 = self.acceleration(self.end, &pulls0);
         let v0 = self.v0;
         let sense = if !v0.is_zero() {
             v0.sign()
@@ -584,11 +657,13 @@ impl<'a, T: Real> Walk<'a, T> {
             Some(Heading::Back) => sense > 0.0,
             None => false,
         };
-        if let (Some(x_eq), Some(s)) = (self.x_eq, &self.spring.clone())
-            && (x_eq.sign() >= 0.0 || s.rigid)
-        {
-            self.say(Quantity::XEq, Owner::Scene, x_eq);
-            self.small_oscillations(s, x_eq);
+        if self.rests(0.0) {
+            for spring in self.springs.clone() {
+                if let Some(rest) = spring.rest {
+                    self.say(Quantity::XEq, Owner::Tie(spring.tie), rest);
+                }
+            }
+            self.small_oscillations();
         }
         self.contacts_if_rolled();
         if !self.scene.growths.is_empty() {
@@ -596,64 +671,52 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
             self.road.course = Some(Course::at_rest());
-            self.standing(tension0);
-            self.resting(tension0);
-            if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
+            self.standing(&pulls0);
+            self.resting(&pulls0);
+            if !self.springs.is_empty() && self.along(self.end.body) == Some(self.end) {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
                     self.say(q, Owner::Body(self.end.body), zero);
                 }
             }
-            self.grip(tension0, tension0);
+            self.grip(&[pulls0]);
             return Ok((self.road, Count::default()));
         }
 
-        // The spring's pull along the motion: stretch = x0 - gamma s.
-        let gamma = self.spring.as_ref().map(|s| self.take_up(&s.end).signed(sense));
-        let mut travel = Travel { u0: v0.abs(), f0: a0.signed(sense), w2: None, slack: None };
-        if let (Some(s), Some(gamma)) = (&self.spring, gamma) {
-            let pull = self.response.acceleration(self.end, VARYING).signed(sense);
-            let w2 = plant!("eom: stiffness of the spring", s.stiffness) * pull * gamma;
-            travel.w2 = (!w2.is_zero()).then_some(w2);
-            if !s.rigid && gamma.sign() > 0.0 {
-                let coast = self.response.acceleration(self.end, CONSTANT).signed(sense);
-                travel.slack = Some((s.stretch / gamma, coast));
-            }
-        }
+        let lost: Pulls<T> = self.springs.iter().map(|s| self.take_up(&s.end).signed(sense)).collect();
+        self.springs.iter_mut().zip(lost).for_each(|(spring, lost)| spring.lost = lost);
+        let travel = Travel { u0: v0.abs(), legs: self.legs(a0, sense) };
         let turning = travel.turning();
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
         let (asked, s) = self.asked(&travel, turning, sense);
         let reached = !wrong_way && s.is_some_and(|s| s.at_most(limit) && s.not_negative());
-        self.road.course = Some(Course {
-            sense,
-            drive: (T::zero(), T::zero()),
-            asked,
-            farthest: self.farthest(&travel, limit),
-            reached,
-        });
+        let begins = if matches!(self.scene.end, End::Speed(..)) { travel.u0 } else { zero };
+        let farthest = self.farthest(&travel, limit);
+        self.road.course = Some(Course { asked, begins, farthest, ..Course::moving(sense, reached) });
 
-        // The tension falls or grows all the way: its extremes are at the start and at the end of what is looked at, 0 when slack.
-        let spring = self.spring;
-        let tension_at = |s: T| match (spring, gamma) {
-            (Some(spring), Some(gamma)) => {
-                let stretch = spring.stretch.balance(-(gamma * s));
-                if stretch.sign() < 0.0 && !spring.rigid { zero } else { spring.stiffness * stretch }
-            }
-            _ => zero,
-        };
         let last = match self.scene.span {
             Span::ToEnd if reached => s,
             Span::ToEnd | Span::ToTurningPoint => turning,
         };
-        self.grip(tension0, last.map_or(zero, tension_at));
-        if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
-            (reached, s, travel.slack, self.scene.spring())
-        {
-            self.hold(|_| Held::Slack(tie, s, slack));
+        // A tension falls or grows all the way until its cord is slack: what hangs on all of them has its extremes there, at the start
+        // and at the end of what is looked at.
+        let slack =
+            travel.legs.iter().skip(1).map(|leg| leg.from).filter(|at| last.is_none_or(|s| at.below(s)));
+        let mut pulls = vec![pulls0.clone()];
+        for s in slack.chain(last) {
+            pulls.push(self.pulls_at(s));
+        }
+        self.grip(&pulls);
+        if let (true, Some(s)) = (reached, s) {
+            for spring in self.springs.clone() {
+                if let Some(slack) = spring.slack() {
+                    self.hold(|_| Held::Slack(spring.tie, s, slack));
+                }
+            }
         }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
         let beyond = self.asks(&[Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn]);
-        let starts = self.spring.is_some() || !v0.is_zero();
+        let starts = !self.springs.is_empty() || !v0.is_zero();
         if beyond && starts && self.along(self.end.body) == Some(self.end) {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = peak.map(|p| (p.s, p.u)).or_else(|| travel.fastest()) {
@@ -671,26 +734,70 @@ impl<'a, T: Real> Walk<'a, T> {
                     state.u = zero;
                 }
                 let gain = travel.gain(state.s).scale2(-1);
-                self.arrived(&state, sense, tension_at(state.s));
+                self.arrived(&state, sense, &self.pulls_at(state.s));
                 // Of constant forces the impulse is that of the acceleration, else the change of the speed.
-                let even = travel.w2.is_none() && travel.slack.is_none();
-                let change = if even { travel.f0 * state.time } else { state.u.balance(-travel.u0) };
+                let change = match travel.legs.as_slice() {
+                    [Leg { f, w2: None, .. }] => *f * state.time,
+                    _ => state.u.balance(-travel.u0),
+                };
                 self.gained(gain, change, (state.s, state.u), sense);
             }
-            _ => self.standing(tension0),
+            _ => self.standing(&pulls0),
         }
         Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
     }
 
-    /// Small oscillations about equilibrium, where nothing rubs and the cord stays taut: `a = -omega^2 s`.
-    fn small_oscillations(&mut self, spring: &Spring<T>, x_eq: T) {
+    /// How the acceleration goes on from the start, where it is `a0`, and from each place at which a cord goes slack.
+    fn legs(&self, a0: T, sense: f64) -> SmallVec<[Leg<T>; 1]> {
+        let leg = |from: Option<T>| {
+            let (mut f, mut w2) = (self.response.acceleration(self.end, CONSTANT).signed(sense), None);
+            for (i, spring) in self.springs.iter().enumerate() {
+                if from.zip(spring.slack()).is_some_and(|(from, slack)| from.reaches(slack)) {
+                    continue;
+                }
+                let pull = self.response.acceleration(self.end, VARYING + i).signed(sense);
+                let loss = plant!("eom: stiffness of the spring", spring.stiffness) * pull;
+                f = f.balance(loss * spring.stretch.balance(-(spring.lost * from.unwrap_or_else(T::zero))));
+                let loss = loss * spring.lost;
+                if !loss.is_zero() {
+                    w2 = Some(w2.map_or(loss, |w2: T| w2 + loss));
+                }
+            }
+            match from {
+                Some(from) => Leg { from, f, w2 },
+                None => Leg { from: T::zero(), f: a0.signed(sense), w2 },
+            }
+        };
+        let (mut legs, mut from) = (smallvec![leg(None)], None);
+        let next = |from: Option<T>| {
+            let ahead = self.springs.iter().filter_map(Spring::slack);
+            let ahead = ahead.filter(|at| from.is_none_or(|from| from.below(*at)));
+            ahead.reduce(|one, other| if other.below(one) { other } else { one })
+        };
+        while let Some(at) = next(from) {
+            from = Some(at);
+            legs.push(leg(from));
+        }
+        legs
+    }
+
+    /// Are all springs stretched at equilibrium, or can push, if they stand there at all? At the least not compressed (0), or more (1).
+    fn rests(&self, least: f64) -> bool {
+        self.springs.iter().all(|s| s.rigid || s.rest.is_none_or(|rest| rest.sign() >= least))
+    }
+
+    /// Small oscillations about equilibrium, where nothing rubs and the cords stay taut: `a = -omega^2 s`.
+    fn small_oscillations(&mut self) {
         let held = self.response.acceleration(self.end, self.ratio_column).is_zero();
-        if held || !self.scene.oscillates() || !(spring.rigid || x_eq.sign() > 0.0) {
+        if held || !self.scene.oscillates() || !self.rests(1.0) {
             return;
         }
-        let loss =
-            spring.stiffness * self.response.acceleration(self.end, VARYING) * self.take_up(&spring.end);
-        if loss.is_zero() || !self.asks(&[Quantity::OmegaSmall, Quantity::PeriodSmall]) {
+        let loss = self.springs.iter().enumerate().map(|(i, spring)| {
+            let pull = self.response.acceleration(self.end, VARYING + i);
+            spring.stiffness * pull * self.take_up(&spring.end)
+        });
+        let Some(loss) = loss.reduce(|a, b| a + b).filter(|loss| !loss.is_zero()) else { return };
+        if !self.asks(&[Quantity::OmegaSmall, Quantity::PeriodSmall]) {
             return;
         }
         let frequency = plant!("eom: frequency of small oscillations", loss.root());
@@ -704,13 +811,13 @@ impl<'a, T: Real> Walk<'a, T> {
         let (zero, whole) = (T::zero(), T::of(1.0));
         let law = self.scene.law().unwrap_or(Law::EVEN);
         let power = plant!("eom: power of a growth", law.power::<T>());
-        let senses = [self.v0, self.acceleration(self.end, zero), self.acceleration(self.end, whole)];
+        let senses = [self.v0, self.acceleration(self.end, &[zero]), self.acceleration(self.end, &[whole])];
         let sense = senses.iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
         if sense == 0.0 {
             self.road.course = Some(Course::at_rest());
-            self.standing(whole);
-            self.resting(whole);
-            self.grip(zero, whole);
+            self.standing(&[whole]);
+            self.resting(&[whole]);
+            self.grip(&[smallvec![zero], smallvec![whole]]);
             return self.road;
         }
         let extent = self.scene.growing_for().map_or(zero, |x| self.n.get(x));
@@ -733,15 +840,13 @@ impl<'a, T: Real> Walk<'a, T> {
         let straight = least.sign() > 0.0 && (u0.sign() > 0.0 || f0.not_negative());
         self.turned = !straight && self.scene.may_turn() && !last.is_zero();
         let reached = !wrong_way && extent.not_negative() && (straight || self.turned);
-        let farthest = T::of(f64::INFINITY);
         // Told is the sense in which it moves at the end.
         let back = if self.turned { last.sign() } else { 1.0 };
         let sense = sense * back;
-        self.road.course =
-            Some(Course { sense, drive: (zero, zero), asked: Some(extent), farthest, reached });
-        self.grip(zero, whole);
+        self.road.course = Some(Course { asked: Some(extent), ..Course::moving(sense, reached) });
+        self.grip(&[smallvec![zero], smallvec![whole]]);
         if !reached {
-            self.standing(whole);
+            self.standing(&[whole]);
             return self.road;
         }
         let two = power + T::of(2.0);
@@ -755,7 +860,7 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let [s, u, u0, early, change] = [s, u, u0, early, change].map(|x| x.signed(back));
         self.early = Some(early);
-        self.arrived(&State { s, u, time }, sense, whole);
+        self.arrived(&State { s, u, time }, sense, &[whole]);
         let (gain, change) = match law.with {
             Grows::Time => ((change * u.balance(u0)).scale2(-1), change),
             Grows::Place => (change, u.balance(-u0)),
@@ -835,7 +940,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn farthest(&self, travel: &Travel<T>, limit: T) -> T {
         match self.scene.end {
             End::Time(..) if limit.is_finite() => travel.at(limit).time,
-            End::Speed(..) => match (travel.fastest(), travel.f0.sign() > 0.0) {
+            End::Speed(..) => match (travel.fastest(), travel.starts_at().sign() > 0.0) {
                 (Some((_, v)), _) => v,
                 (None, true) => T::of(f64::INFINITY),
                 (None, false) => travel.u0,
@@ -853,7 +958,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] else { continue };
             let friction = rolled.reaction(t, CONSTANT);
             let normal = rolled.normal(*body);
-            let scale = self.friction_scale(&rolled, *body, friction, T::zero());
+            let scale = self.friction_scale(&rolled, *body, friction, &[]);
             self.say_scaled(
                 Quantity::FrictionIfRolled,
                 Owner::Body(*body),
@@ -875,10 +980,10 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Sum of the magnitudes of the forces along the line of a body.
-    fn friction_scale(&self, r: &Response<T>, body: usize, friction: T, tension: T) -> f64 {
+    fn friction_scale(&self, r: &Response<T>, body: usize, friction: T, pulls: &[T]) -> f64 {
         let n = &self.n.bodies[body];
         let weight = self.drawn(body);
-        let a = self.along(body).map_or_else(T::zero, |c| self.at_tension(tension, |k| r.acceleration(c, k)));
+        let a = self.along(body).map_or_else(T::zero, |c| under(pulls, |k| r.acceleration(c, k)));
         let inertial = n.mass * a;
         // The rest (pulls and tensions) follows from the force sum.
         let rest = inertial + weight - friction;
@@ -893,7 +998,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Normal forces, friction needed over the whole motion, tensions of the cords.
-    fn grip(&mut self, tension0: T, tension1: T) {
+    fn grip(&mut self, places: &[Pulls<T>]) {
         if !self.asked.held && !self.asks(&[Quantity::Normal, Quantity::MuRequired]) {
             return;
         }
@@ -916,8 +1021,8 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
-                    let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
-                    let most = first.larger(last);
+                    let frictions = places.iter().map(|pulls| self.friction(t, pulls).abs());
+                    let most = frictions.reduce(T::larger).unwrap_or_else(T::zero);
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
@@ -930,24 +1035,26 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && c.made == Made::Cord => {
                     self.hold(|walk| {
-                        let (first, last) = (walk.friction(t, tension0), walk.friction(t, tension1));
-                        let (least, at) =
-                            if last.below(first) { (last, tension1) } else { (first, tension0) };
+                        let tensions = places.iter().map(|pulls| (walk.friction(t, pulls), &pulls[..]));
+                        let least = tensions.reduce(|one, next| if next.0.below(one.0) { next } else { one });
+                        let (least, at) = least.unwrap_or((T::zero(), &[]));
                         let force = walk.n.publish(Quantity::Tension, least).f64();
                         Held::Cord(t, force, walk.share_of_tension(t, c, least, at))
                     });
                 }
-                Tie::Slide { body, mu_s, mu_k } => self.stays(t, *body, mu_s.unwrap_or(*mu_k), tension1),
+                Tie::Slide { body, mu_s, mu_k } => {
+                    self.stays(t, *body, mu_s.unwrap_or(*mu_k), places.last().map_or(&[], |pulls| pulls));
+                }
                 _ => {}
             }
         }
     }
 
     /// The friction that a body needs to stay where it came to rest by sliding.
-    fn stays(&mut self, tie: usize, body: usize, mu_s: Num, tension: T) {
+    fn stays(&mut self, tie: usize, body: usize, mu_s: Num, pulls: &[T]) {
         let reached = self.road.course.is_some_and(|course| course.reached);
         let Some(holding) = self.holding.as_ref().filter(|r| reached && !r.is_open(tie)) else { return };
-        let needed = self.at_tension(tension, |k| holding.reaction(tie, k)).abs();
+        let needed = under(pulls, |k| holding.reaction(tie, k)).abs();
         let available = self.n.get(mu_s) * holding.normal(body);
         self.hold(|walk| {
             let force = |f: T| walk.n.publish(Quantity::Friction, f);
@@ -955,9 +1062,9 @@ impl<'a, T: Real> Walk<'a, T> {
         });
     }
 
-    /// Tension of a cord as a share of the other forces (or moments) on what it pulls, at this tension of the spring: near 0 the
+    /// Tension of a cord as a share of the other forces (or moments) on what it pulls, under these tensions of the springs: near 0 the
     /// cord is about to go slack. The smaller share of its two ends.
-    fn share_of_tension(&self, tie: usize, cord: &Cord, tension: T, spring: T) -> f64 {
+    fn share_of_tension(&self, tie: usize, cord: &Cord, tension: T, pulls: &[T]) -> f64 {
         let other = match &cord.to {
             Far::Body(end) => Some(end),
             Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
@@ -979,7 +1086,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(_), Attach::Centre) => T::zero(),
             };
             let size = |x: T| x.f64().abs();
-            let a = self.acceleration(c, spring);
+            let a = self.acceleration(c, pulls);
             let mut others = match arm {
                 None => size(n.mass * a) + size(self.drawn(b)),
                 Some(_) => size(n.inertia * a),
@@ -990,9 +1097,9 @@ impl<'a, T: Real> Walk<'a, T> {
             for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
                 others += match other {
                     Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
-                        size(self.friction(t, spring) * lever(Attach::Wound(*radius_m, Side::Bottom)))
+                        size(self.friction(t, pulls) * lever(Attach::Wound(*radius_m, Side::Bottom)))
                     }
-                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(self.friction(t, spring)),
+                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(self.friction(t, pulls)),
                     Tie::Cord(Cord { from, to, .. }) => {
                         let far = match to {
                             Far::Body(end) if end.body == b => Some(end),
@@ -1000,8 +1107,8 @@ impl<'a, T: Real> Walk<'a, T> {
                         };
                         let force = match to {
                             Far::Pull(p) => self.n.massive(*p),
-                            Far::Spring { .. } => spring,
-                            Far::Body(_) | Far::Fixed => self.friction(t, spring),
+                            Far::Spring { .. } => self.pull_of(t, pulls),
+                            Far::Body(_) | Far::Fixed => self.friction(t, pulls),
                         };
                         let near = Some(from).filter(|end| end.body == b);
                         near.into_iter().chain(far).map(|end| size(force * lever(end.attach))).sum()
@@ -1016,15 +1123,15 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// What needs no ending event: accelerations and forces at the start.
-    fn standing(&mut self, tension: T) {
-        self.accelerations(tension);
-        self.forces(tension);
+    fn standing(&mut self, pulls: &[T]) {
+        self.accelerations(pulls);
+        self.forces(pulls);
         self.bound_of_gyration();
     }
 
     /// Where nothing sets off, everything stays as it is: no speed, no energy.
-    fn resting(&mut self, tension: T) {
-        let moves = |c: Coordinate| !self.acceleration(c, tension).is_zero();
+    fn resting(&mut self, pulls: &[T]) {
+        let moves = |c: Coordinate| !self.acceleration(c, pulls).is_zero();
         if self.started || self.scene.carried.is_some() || self.scene.coordinates().any(moves) {
             return;
         }
@@ -1038,15 +1145,15 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say(Quantity::KineticEnergy, Owner::Scene, T::zero());
     }
 
-    fn accelerations(&mut self, tension: T) {
+    fn accelerations(&mut self, pulls: &[T]) {
         if !self.asks(&[Quantity::A, Quantity::Alpha]) {
             return;
         }
         for b in 0..self.scene.bodies.len() {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
-                    let a = self.acceleration(c, tension);
-                    let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.size() };
+                    let a = self.acceleration(c, pulls);
+                    let scale = if a.is_zero() { self.rate_that_vanishes(c, pulls) } else { a.size() };
                     match (c.degree, self.n.bodies[b].carried) {
                         (Degree::Along, Some([forward, _])) => {
                             let with = plant!("eom: acceleration of the carrier", forward.acceleration);
@@ -1061,9 +1168,9 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Size of what cancels where a body does not accelerate while others do: the largest acceleration along a line, for a turn
     /// over the arm at which it acts.
-    fn rate_that_vanishes(&self, c: Coordinate, tension: T) -> f64 {
+    fn rate_that_vanishes(&self, c: Coordinate, pulls: &[T]) -> f64 {
         let lines = (0..self.scene.bodies.len()).filter_map(|b| self.along(b));
-        let most = lines.map(|line| self.acceleration(line, tension).size()).fold(0.0, f64::max);
+        let most = lines.map(|line| self.acceleration(line, pulls).size()).fold(0.0, f64::max);
         match c.degree {
             Degree::Along => most,
             Degree::Turn => {
@@ -1079,11 +1186,11 @@ impl<'a, T: Real> Walk<'a, T> {
         self.road.open.push(Label { quantity, of });
     }
 
-    /// Friction of the contacts and tension of the cords at this tension of the spring.
-    fn forces(&mut self, tension: T) {
+    /// Friction of the contacts and tension of the cords at these tensions of the springs.
+    fn forces(&mut self, pulls: &[T]) {
         use Quantity::{PinAngle, PinForce, PinX, PinY};
         if self.asks(&[PinAngle, PinForce, PinX, PinY]) {
-            (0..self.scene.bodies.len()).for_each(|b| self.axle(b, tension));
+            (0..self.scene.bodies.len()).for_each(|b| self.axle(b, pulls));
         }
         if !self.asks(&[Quantity::Friction, Quantity::Tension, Quantity::RimForce]) {
             return;
@@ -1097,17 +1204,17 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Tie::Cord(c) if self.response.is_open(t) => self.say_open(c.force(), Owner::Tie(t)),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
-                    let f = self.friction(t, tension);
-                    let scale = self.friction_scale(&self.response, *body, f, tension);
+                    let f = self.friction(t, pulls);
+                    let scale = self.friction_scale(&self.response, *body, f, pulls);
                     self.say_scaled(Quantity::Friction, Owner::Body(*body), f.signed(self.up(*body)), scale);
                 }
                 Tie::Cord(c) => match c.to {
                     Far::Pull(_) => {}
-                    Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
+                    Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), self.pull_of(t, pulls)),
                     Far::Body(_) | Far::Fixed => {
-                        let f = self.friction(t, tension);
+                        let f = self.friction(t, pulls);
                         let ends = tie.actions().map(|end| end.body);
-                        let forces = ends.map(|b| self.friction_scale(&self.response, b, f, tension));
+                        let forces = ends.map(|b| self.friction_scale(&self.response, b, f, pulls));
                         let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.size() };
                         let f = if c.force() == Quantity::Tension { f } else { f.abs() };
                         self.say_scaled(c.force(), Owner::Tie(t), f, scale);
@@ -1118,8 +1225,8 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// The force of a fixed axle: the forces on its body sum up to nothing.
-    fn axle(&mut self, body: usize, tension: T) {
-        let Some(pulls) = self.scene.axle_pulls(body) else { return };
+    fn axle(&mut self, body: usize, pulls: &[T]) {
+        let Some(cords) = self.scene.axle_pulls(body) else { return };
         let (of, quantities) =
             (Owner::Body(body), [Quantity::PinX, Quantity::PinY, Quantity::PinForce, Quantity::PinAngle]);
         let mass = self.n.bodies[body].mass;
@@ -1129,19 +1236,19 @@ impl<'a, T: Real> Walk<'a, T> {
         let taken = carried.map(|a| plant!("eom: force that takes an axle along", mass * a));
         let (mut x, mut y) = (taken[0], weight.balance(taken[1]));
         let mut size = weight.size() + taken[0].size() + taken[1].size();
-        for (t, aim) in pulls {
+        for (t, aim) in cords {
             let Tie::Cord(cord) = &self.scene.ties[t] else { continue };
             let pull = match cord.to {
                 Far::Pull(force) => {
-                    let growth = self.response.grown(GivenForce::Pull(t)).map(|growth| growth * tension);
+                    let growth = self.response.grown(GivenForce::Pull(t)).map(|growth| growth * pulls[0]);
                     self.n.massive(force) + growth.unwrap_or_else(T::zero)
                 }
-                Far::Spring { .. } => tension,
+                Far::Spring { .. } => self.pull_of(t, pulls),
                 _ if self.response.is_open(t) => {
                     quantities.into_iter().for_each(|q| self.say_open(q, of));
                     return;
                 }
-                _ => self.friction(t, tension),
+                _ => self.friction(t, pulls),
             };
             let [right, up] = aim.unit(&self.n).map(|u| plant!("eom: pull on an axle", pull) * u);
             (x, y, size) = (x - right, y - up, size + pull.size());
@@ -1156,7 +1263,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Everything at the ending event.
-    fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
+    fn arrived(&mut self, state: &State<T>, sense: f64, pulls: &[T]) {
         let (s, u) = (state.s, state.u);
         let zero = T::zero();
         let mut energy = T::zero();
@@ -1167,8 +1274,8 @@ impl<'a, T: Real> Walk<'a, T> {
         if !self.scene.grows_with_place() {
             self.say(Quantity::T, Owner::Scene, state.time);
         }
-        self.accelerations(tension);
-        self.forces(tension);
+        self.accelerations(pulls);
+        self.forces(pulls);
         self.bound_of_gyration();
         for b in 0..self.scene.bodies.len() {
             let n = self.n.bodies[b];
@@ -1185,7 +1292,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     moved = moved.balance(way);
                     sizes = [sizes[0] + with.size(), sizes[1] + way.size()];
                     energy = energy + (n.mass * aside.square()).scale2(-1);
-                    let a = self.acceleration(c, tension).balance(forward.acceleration);
+                    let a = self.acceleration(c, pulls).balance(forward.acceleration);
                     work = work.balance(n.mass * a * moved);
                     work = work.balance(n.mass * out.acceleration * out.way(state.time));
                 }
@@ -1205,7 +1312,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 energy = energy + (n.inertia * w * w).scale2(-1);
                 turning = turning + n.inertia * ratio * ratio;
                 if self.scene.carried.is_some() {
-                    let alpha = plant!("eom: couple on what is carried", self.acceleration(c, tension));
+                    let alpha = plant!("eom: couple on what is carried", self.acceleration(c, pulls));
                     work = work.balance(n.inertia * alpha * (ratio * s).signed(sense));
                 }
             }
@@ -1227,13 +1334,13 @@ impl<'a, T: Real> Walk<'a, T> {
                     let slip = (centre - wound).abs();
                     let scale = centre.size() + wound.size();
                     self.say_scaled(Quantity::SlipDistance, Owner::Body(*body), slip, scale);
-                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * slip);
+                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, pulls).abs() * slip);
                 }
                 // What the ties hold produces no heat, whatever its friction.
                 Tie::Slide { .. } if self.response.is_open(t) => heat = heat.or(Some(T::zero())),
                 Tie::Slide { body, .. } => {
                     let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
-                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * path);
+                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, pulls).abs() * path);
                     if self.scene.carried.is_some() {
                         self.say(Quantity::SlipDistance, Owner::Body(*body), path);
                     }
@@ -1292,7 +1399,7 @@ impl<'a, T: Real> Walk<'a, T> {
             }
         }
         // With a spring it may be the small rest of large works, which what is printed does not determine.
-        if self.spring.is_none() && self.scene.carried.is_none() {
+        if self.springs.is_empty() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
         }
     }

@@ -276,18 +276,14 @@ pub fn road_by<T: Real>(
         needed: force(needed),
         available: force(available),
     }));
+    let course = Course::moving(state.map_or(v0, |s| s.v).sign(), state.is_some());
     road.course = Some(Course {
-        sense: state.map_or(v0, |s| s.v).sign(),
-        drive: (T::zero(), T::zero()),
         asked: match scene.end {
             End::Time(_, t) => Some(n.get(t)),
             _ => None,
         },
-        farthest: match until {
-            Some(until) if !holds => until,
-            _ => T::of(f64::INFINITY),
-        },
-        reached: state.is_some(),
+        farthest: until.filter(|_| !holds).unwrap_or(course.farthest),
+        ..course
     });
     Ok((road, count))
 }

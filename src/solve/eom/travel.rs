@@ -1,22 +1,30 @@
 //! Accelerations integrated over displacement: `v dv = a dx`, in closed form where `a` is constant or linear in `x`.
 //!
-//! The ending coordinate starts at 0 with speed `u0 >= 0` in its sense of motion. While the spring's cord is taut its
-//! acceleration is `f0 - w^2 s`; slack (or without a spring) it is constant. A time integral of `v` would need the motion
+//! The ending coordinate starts at 0 with speed `u0 >= 0` in its sense of motion. Its acceleration is `f - w^2 s`, with a
+//! smaller `w^2` from each place on at which the cord of a spring goes slack. A time integral of `v` would need the motion
 //! that is looked for; over displacement both sides are known.
 use crate::num::plant::plant;
 use crate::num::{Real, trig};
+use smallvec::SmallVec;
 
-/// Acceleration as a function of the distance travelled.
+/// Acceleration as a function of the distance travelled, from one place on.
 #[derive(Debug, Clone, Copy)]
+pub struct Leg<T> {
+    /// Distance at which it begins.
+    pub from: T,
+    /// Acceleration there.
+    pub f: T,
+    /// Its loss per metre: `w^2`, > 0, where a spring acts.
+    pub w2: Option<T>,
+}
+
+/// A motion along its sense.
+#[derive(Debug, Clone)]
 pub struct Travel<T> {
     /// Speed at the start, >= 0.
     pub u0: T,
-    /// Acceleration at the start.
-    pub f0: T,
-    /// Its loss per metre while the spring acts: `w^2`, > 0.
-    pub w2: Option<T>,
-    /// Distance at which the cord goes slack, if it does, and the acceleration from there on.
-    pub slack: Option<(T, T)>,
+    /// How it begins, and how it goes on from each place at which a cord goes slack.
+    pub legs: SmallVec<[Leg<T>; 1]>,
 }
 
 /// State at a distance.
@@ -38,65 +46,77 @@ fn twice<T: Real>(x: T) -> T {
 }
 
 impl<T: Real> Travel<T> {
-    /// Square of the speed while the spring acts.
+    /// Acceleration at the start.
+    pub fn starts_at(&self) -> T {
+        self.law().0
+    }
+
+    /// Acceleration at the start, and its loss per metre.
+    fn law(&self) -> (T, Option<T>) {
+        self.legs.first().map_or((T::zero(), None), |law| (law.f, law.w2))
+    }
+
+    /// Square of the speed under the first law.
     fn taut_square(&self, s: T) -> T {
-        let gained = twice(plant!("eom: integral of the acceleration", self.f0) * s);
-        let spring = self.w2.map_or_else(T::zero, |w2| w2 * s.square());
+        let (f0, w2) = self.law();
+        let gained = twice(plant!("eom: integral of the acceleration", f0) * s);
+        let spring = w2.map_or_else(T::zero, |w2| w2 * s.square());
         let start = self.u0.square();
         (start + gained - spring).cleared(start.size() + gained.size() + spring.size())
     }
 
     /// What the acceleration adds to the square of the speed up to a distance that is reached.
     pub fn gain(&self, s: T) -> T {
-        let rest = Self { u0: T::zero(), ..*self };
-        match self.slack {
-            Some((at, f1)) if at.below(s) => rest.taut_square(at).balance(twice(f1 * (s - at))),
+        let rest = Self { u0: T::zero(), legs: self.legs.clone() };
+        match self.slackens() {
+            Some((at, next)) if at.below(s) => rest.taut_square(at).balance(next.gain(s - at)),
             _ => rest.taut_square(s),
         }
     }
 
-    /// Does the motion get to the place where the cord goes slack? Its distance and the acceleration beyond.
-    fn reaches_slack(&self) -> Option<(T, T)> {
-        self.slack.filter(|(at, _)| at.is_zero() || self.taut_square(*at).sign() > 0.0)
+    /// Does the motion get to the place where a cord goes slack? Its distance and the motion from there on.
+    fn slackens(&self) -> Option<(T, Self)> {
+        let [first, beyond @ ..] = self.legs.as_slice() else { return None };
+        let at = beyond.first()?.from - first.from;
+        let square = self.taut_square(at);
+        let legs = SmallVec::from_slice(beyond);
+        (at.is_zero() || square.sign() > 0.0).then(|| (at, Self { u0: square.root(), legs }))
     }
 
     /// Distance of the turning point; `None` if it never turns.
     pub fn turning(&self) -> Option<T> {
-        if let Some((at, f1)) = self.reaches_slack() {
-            return (f1.sign() < 0.0).then(|| at - half(self.taut_square(at) / f1));
+        if let Some((at, next)) = self.slackens() {
+            return next.turning().map(|s| at + s);
         }
-        match self.w2 {
-            Some(w2) if self.u0.is_zero() => Some(twice(self.f0 / w2)),
-            Some(w2) => Some((self.f0 + (self.f0.square() + w2 * self.u0.square()).root()) / w2),
-            None if self.f0.sign() < 0.0 => Some(-half(self.u0.square() / self.f0)),
-            None => None,
+        match self.law() {
+            (f0, Some(w2)) if self.u0.is_zero() => Some(twice(f0 / w2)),
+            (f0, Some(w2)) => Some((f0 + (f0.square() + w2 * self.u0.square()).root()) / w2),
+            (f0, None) if f0.sign() < 0.0 => Some(-half(self.u0.square() / f0)),
+            (_, None) => None,
         }
     }
 
     /// Distance and greatest speed; `None` if the speed grows without end.
     pub fn fastest(&self) -> Option<(T, T)> {
-        if self.f0.sign() <= 0.0 {
+        let (f0, w2) = self.law();
+        if f0.sign() <= 0.0 {
             // Nothing drives it on: fastest at the start, if it was thrown.
             return (!self.u0.is_zero()).then(|| (T::zero(), self.u0));
         }
-        let w2 = self.w2?;
-        let level = self.f0 / w2;
-        // Slack, it gains speed as long as the other forces do not hold it back.
-        if let Some((at, f1)) = self.slack
-            && f1.not_negative()
-        {
-            return f1.is_zero().then(|| (at, self.taut_square(at).root()));
+        let w2 = w2?;
+        // With a cord slack it gains speed as long as the other forces do not hold it back.
+        if let Some((at, next)) = self.slackens().filter(|(_, next)| next.law().0.not_negative()) {
+            return next.fastest().map(|(s, u)| (at + s, u));
         }
-        Some((level, (self.u0.square() + self.f0.square() / w2).root()))
+        Some((f0 / w2, (self.u0.square() + f0.square() / w2).root()))
     }
 
     /// State at a distance that is reached before the turning point.
     pub fn at(&self, s: T) -> State<T> {
-        match self.slack {
-            Some((at, f1)) if at.below(s) => {
-                let first = self.taut(at);
-                let u = self.taut_square(at).balance(twice(f1 * (s - at))).root();
-                State { s, u, time: first.time + uniform_time(s - at, first.u, u) }
+        match self.slackens() {
+            Some((at, next)) if at.below(s) => {
+                let State { u, time, .. } = next.at(s - at);
+                State { s, u, time: self.taut(at).time + time }
             }
             _ => self.taut(s),
         }
@@ -104,12 +124,12 @@ impl<T: Real> Travel<T> {
 
     fn taut(&self, s: T) -> State<T> {
         let u = self.taut_square(s).root();
-        let time = match self.w2 {
-            None => uniform_time(s, self.u0, u),
+        let time = match self.law() {
+            (_, None) => uniform_time(s, self.u0, u),
             // With y = u/w and x the distance from equilibrium, (x, y) turns at the rate w: no root singularity at rest.
-            Some(w2) => {
+            (f0, Some(w2)) => {
                 let w = w2.root();
-                let level = self.f0 / w2;
+                let level = f0 / w2;
                 if self.u0.is_zero() {
                     if level.sign() > 0.0 { trig::atan2(u / w, level - s) / w } else { T::zero() }
                 } else {
@@ -123,18 +143,18 @@ impl<T: Real> Travel<T> {
 
     /// Distance after a time; meaningful up to the turning point.
     pub fn after(&self, time: T) -> T {
-        let uniform = |u: T, f: T, t: T| u * t + half(f * t.square());
-        let Some(w2) = self.w2 else { return uniform(self.u0, self.f0, time) };
-        if let Some((at, f1)) = self.reaches_slack() {
-            let first = self.taut(at);
-            if first.time.below(time) {
-                return at + uniform(first.u, f1, time - first.time);
+        let (f0, w2) = self.law();
+        let Some(w2) = w2 else { return self.u0 * time + half(f0 * time.square()) };
+        if let Some((at, next)) = self.slackens() {
+            let first = self.taut(at).time;
+            if first.below(time) {
+                return at + next.after(time - first);
             }
         }
         // 1 - cos = 2 sin^2 of the half: no cancellation soon after the start.
         let w = w2.root();
         let (sine, cosine) = trig::sin_cos(half(w * time));
-        twice(sine * (sine * self.f0 / w2 + cosine * self.u0 / w))
+        twice(sine * (sine * f0 / w2 + cosine * self.u0 / w))
     }
 
     /// Least distance at which the speed is `u`; `None` if it is never reached.
@@ -144,26 +164,23 @@ impl<T: Real> Travel<T> {
             return Some(T::zero());
         }
         let not_negative = |s: T| s.not_negative().then_some(s);
-        let Some(w2) = self.w2 else {
-            return if self.f0.is_zero() { None } else { not_negative(half(change / self.f0)) };
+        let (f0, w2) = self.law();
+        let Some(w2) = w2 else {
+            return if f0.is_zero() { None } else { not_negative(half(change / f0)) };
         };
         // w^2 s^2 - 2 f0 s + change = 0, the smaller root that is not negative.
-        let radicand = self.f0.square() - w2 * change;
+        let radicand = f0.square() - w2 * change;
         let taut = if radicand.sign() < 0.0 {
             None
-        } else if change.sign() > 0.0 && self.f0.sign() > 0.0 {
-            Some(change / (self.f0 + radicand.root()))
+        } else if change.sign() > 0.0 && f0.sign() > 0.0 {
+            Some(change / (f0 + radicand.root()))
         } else {
-            not_negative((self.f0 + radicand.root()) / w2)
+            not_negative((f0 + radicand.root()) / w2)
         };
-        match (taut, self.slack) {
-            (Some(s), None) => Some(s),
+        match (taut, self.slackens()) {
+            (taut, None) => taut,
             (Some(s), Some((at, _))) if at.reaches(s) => Some(s),
-            (_, Some((at, f1))) if !f1.is_zero() => {
-                let s = at + half((u.square() - self.taut_square(at)) / f1);
-                s.reaches(at).then_some(s)
-            }
-            _ => None,
+            (_, Some((at, next))) => next.reaching(u).map(|s| at + s),
         }
     }
 }
