@@ -10,6 +10,7 @@ use crate::solution::expr::{
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
+use crate::solution::order::{Found, Row, needed};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{
@@ -44,16 +45,6 @@ pub struct GrownForce {
     pub last: SymbolId,
     /// Its mean over the way, if it grows with place, until [`Account::grow_up`].
     pub mean: Option<SymbolId>,
-}
-
-/// A reaction as it leaves the equations: from which row, and what it is there.
-#[derive(Debug, Clone)]
-pub struct Eliminated {
-    pub row: Coordinate,
-    /// The reaction.
-    pub force: SymbolId,
-    /// What it is equal to, with the acceleration in it.
-    pub is: Expr,
 }
 
 /// Names and units of a speed and a spin of the start.
@@ -102,8 +93,6 @@ pub struct Account<'d, 'a> {
     pub short: Short,
     /// The rows as they are numbered.
     pub rows: Vec<(Coordinate, usize)>,
-    /// The reactions that have been eliminated.
-    pub gone: Vec<Eliminated>,
     /// Does a thrown body still slip at the time that is asked?
     pub still_slips: bool,
     /// Are the ratios of displacements on the page?
@@ -115,8 +104,6 @@ pub struct Account<'d, 'a> {
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
-    /// The ties whose reactions are being solved for, each for the one before it.
-    solving: Vec<usize>,
 }
 
 /// The symbols of a quantity that is not among the terms; the first that is free is taken.
@@ -198,16 +185,14 @@ const fn coordinate(quantity: Quantity, body: usize) -> Coordinate {
     }
 }
 
-/// What is 0 where nothing moves.
-const STILL: [Quantity; 7] = [
-    Quantity::V,
-    Quantity::Omega,
-    Quantity::KineticEnergy,
-    Quantity::VMax,
-    Quantity::DAtVMax,
-    Quantity::DTurn,
-    Quantity::AngularMomentum,
-];
+/// Is this 0 where nothing moves?
+const fn is_of_motion(quantity: Quantity) -> bool {
+    use Quantity as Q;
+    matches!(
+        quantity,
+        Q::V | Q::Omega | Q::KineticEnergy | Q::AngularMomentum | Q::VMax | Q::DAtVMax | Q::DTurn
+    )
+}
 
 /// What may have a symbol before it is asked.
 const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Quantity::T];
@@ -246,14 +231,12 @@ impl<'d, 'a> Account<'d, 'a> {
             rolled,
             short: Short::Instant,
             rows: Vec::new(),
-            gone: Vec::new(),
             still_slips: false,
             ratios_told: false,
             grounded: false,
             supposed: Vec::new(),
             known: Vec::new(),
             seen: Vec::new(),
-            solving: Vec::new(),
         };
         // What is only supposed to roll has no names of its own.
         if rolled.is_none() {
@@ -1207,37 +1190,24 @@ impl<'d, 'a> Account<'d, 'a> {
         if !spring.rigid && self.value(&stretch) < slack { ZERO } else { stretch }
     }
 
-    /// The reactions in the order in which they leave the equations, and the row that is left: each from a row in which it is the
-    /// only one, moments first.
-    pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
+    /// The reactions in the order in which they leave the equations, moments first, and the row that is left.
+    pub fn elimination(&mut self) -> Option<(Vec<Found>, Coordinate)> {
         let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
-        let (mut gone, mut ties): (Vec<Eliminated>, Vec<usize>) = (Vec::new(), Vec::new());
-        while rows.len() > 1 {
-            let next = rows.iter().enumerate().find_map(|(at, c)| {
-                let mut open = self.open(*c).filter(|(t, _)| !ties.contains(t));
-                open.next().filter(|_| open.next().is_none()).map(|one| (at, one))
-            });
-            let Some((at, (tie, force))) = next else { return unfound() };
-            let row = rows.remove(at);
-            gone.push(Eliminated { row, force, is: self.solved(row, force)? });
-            ties.push(tie);
-        }
-        rows.pop().map(|last| (gone, last)).ok_or(Beyond::Unfound.into())
+        let gone = self.eliminated(&rows, self.m.reactions().into_iter().map(|(_, force)| force).collect());
+        let mut left = (0..rows.len()).filter(|at| !gone.iter().any(|f| f.rows[0].at == *at));
+        let last = rows[left.next()?];
+        left.next().is_none().then_some((gone, last))
     }
 
-    /// The reactions in a row, each with its tie.
-    fn open(&self, c: Coordinate) -> impl Iterator<Item = (usize, SymbolId)> {
-        self.row(c).into_iter().filter_map(|(a, _)| match (a.kind, &a.force, a.source) {
-            (ForceKind::Reaction, Expr::Symbol(force), ForceSource::Tie(t)) => Some((t, *force)),
-            _ => None,
-        })
-    }
-
-    /// A row, solved for one of its forces.
-    fn solved(&self, c: Coordinate, force: SymbolId) -> Result<Expr, DerivationStop> {
-        let row = (self.row_sum(c), self.gain(c));
-        self.isolated(&row, force).ok_or(Beyond::Unfound.into())
+    /// What these rows give of what is open, each reaction from one in which it is the only one.
+    fn eliminated(&mut self, rows: &[Coordinate], mut open: Vec<SymbolId>) -> Vec<Found> {
+        let row = |(at, c): (usize, &Coordinate)| {
+            let sides = (self.row_sum(*c), self.gain(*c));
+            Row { at, name: self.number_of(*c), sides, told: true }
+        };
+        let all = rows.iter().enumerate().map(row).collect();
+        self.page.untangle(all, &mut open, false)
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -1274,7 +1244,6 @@ impl<'d, 'a> Account<'d, 'a> {
         };
         if matches!(label.quantity, Quantity::Friction | Quantity::Tension) {
             return self.reaction(label, body).or_else(|_| {
-                self.solving.clear();
                 self.together()?;
                 self.known(label).ok_or(Beyond::Unfound.into())
             });
@@ -1303,7 +1272,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What a quantity is equal to.
     fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
-        if self.stays() && STILL.contains(&label.quantity) {
+        if self.stays() && is_of_motion(label.quantity) {
             return Ok(ZERO);
         }
         let c = coordinate(label.quantity, body);
@@ -1508,44 +1477,39 @@ impl<'d, 'a> Account<'d, 'a> {
         self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm))
     }
 
-    /// A reaction: from the row in which it is the only unknown left, others first where need be.
+    /// A reaction: from a row in which it is the only unknown left, lines before turns; others first where need be.
     fn reaction(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let tie = match label.of {
             Owner::Tie(t) => Some(t),
             _ => self.contact_of(body),
         };
-        let Some(tie) = tie else { return unfound() };
-        // Each would need the other first.
-        if self.solving.contains(&tie) {
-            return unfound();
+        let reactions = self.m.reactions();
+        let Some(symbol) = tie.and_then(|t| self.m.force_of(t)) else { return unfound() };
+        let mut rows: Vec<Coordinate> = self.scene.coordinates().collect();
+        rows.sort_by_key(|c| c.degree == Degree::Turn);
+        let unknown = |(t, _): &&(usize, SymbolId)| self.known(self.label_of_tie(*t)).is_none();
+        let open: Vec<SymbolId> = reactions.iter().filter(unknown).map(|(_, force)| *force).collect();
+        let alone = |c: &Coordinate| {
+            let uses = self.row_sum(*c).uses();
+            open.iter().filter(|s| uses.contains(s)).eq([&symbol])
+        };
+        if rows.iter().any(alone) {
+            rows.retain(alone);
         }
-        self.solving.push(tie);
-        // The row that asks for the fewest other reactions; lines before turns.
-        let known = |t: usize| self.known(self.label_of_tie(t)).is_some();
-        let rows = self.scene.coordinates().filter(|c| self.open(*c).any(|(t, _)| t == tie));
-        let rows = rows.map(|c| {
-            let others = self.open(c).map(|(t, _)| t).filter(|t| *t != tie && !known(*t));
-            (c, others.collect::<Vec<usize>>())
-        });
-        let rows = rows.filter(|(_, others)| !others.iter().any(|t| self.solving.contains(t)));
-        let price =
-            |(c, others): &(Coordinate, Vec<usize>)| 2 * others.len() + usize::from(c.degree == Degree::Turn);
-        let Some((c, others)) = rows.min_by_key(price) else { return unfound() };
-        for other in others {
-            self.get(self.label_of_tie(other))?;
+        for found in needed(self.eliminated(&rows, open), vec![symbol]) {
+            let c = rows[found.rows[0].at];
+            if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
+                self.get(of_body(Quantity::A, c.body))?;
+            }
+            let own = reactions.iter().find(|(_, force)| found.symbols.contains(force));
+            // Another one may have taken all equations together.
+            let own = own.map(|(t, _)| self.label_of_tie(*t)).filter(|own| self.known(*own).is_none());
+            if let (Some(own), Some(is)) = (own, found.is) {
+                self.found(own, found.symbols[0], is);
+            }
         }
-        if self.m.parts[c.body].line.a.is_some() && !self.m.parts[c.body].line.ratio.is_zero() {
-            self.get(of_body(Quantity::A, c.body))?;
-        }
-        // Another one may have taken all equations together.
-        let label = self.label_of_tie(tie);
-        if let Some(symbol) = self.known(label) {
-            return Ok(symbol);
-        }
-        let Some(symbol) = self.m.force_of(tie) else { return unfound() };
-        let from = self.solved(c, symbol)?;
-        self.solving.pop();
-        Ok(self.found(self.label_of_tie(tie), symbol, from))
+        let known = tie.and_then(|t| self.known(self.label_of_tie(t)));
+        known.ok_or(Beyond::Unfound.into())
     }
 
     fn least_grip(&mut self, body: usize) -> Result<Expr, DerivationStop> {

@@ -5,7 +5,7 @@ use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Degree, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
 use crate::solution::derive;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft};
 use crate::solution::expr::{
     Expr, SymbolId, cosine, magnitude, number, power, product, root, sine, square, sum,
 };
@@ -14,10 +14,13 @@ use crate::solution::narrate;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{Symbols, tex_digits};
+use crate::solution::written::width;
 use crate::solve::outcome::Entry;
 use crate::words::Words;
 use crate::words::plain::capital;
 
+/// Widest formula that stands for itself in an answer.
+const SHORT: f64 = 12.0;
 /// Steps of a search for a datum: so many places of its range, then halvings.
 const PLACES: u32 = 16;
 const HALVINGS: u32 = 80;
@@ -110,7 +113,8 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
         let formula = scene.formulas.asked.get(i).map(|a| &a.formula);
         formula.is_some_and(|f| f.names().all(|t| matches!(t, Term::Given(_))))
     };
-    for (id, first) in [("asked_first", true), ("asked", false)] {
+    let follows = scene.formulas.others.iter().any(|(how, _)| *how == AsIf::Next);
+    for (id, first) in [("asked_first", true), (if follows { "asked_next" } else { "asked" }, false)] {
         page.begin_as(id, "asked");
         for (i, question) in asked.iter().filter(|(i, _)| direct(*i) == first) {
             let Some(asked) = scene.formulas.asked.get(*i) else { continue };
@@ -126,12 +130,19 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
                     known
                 }
                 (from, None) => {
+                    let letter = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
+                    let own = is_symbol(&question.id).then(|| question.id.clone());
+                    // What is short needs no letter, unless its numbers are put in.
+                    let plain = page.detail == Detail::Short;
+                    let short = || Some(page.tex(&from)).filter(|tex| plain && width(tex) <= SHORT);
+                    let known = own.or_else(short);
+                    let says = if known.is_some() { "asked.told" } else { "asked.called" };
+                    let names = [known.as_ref().unwrap_or(&letter).clone(), format!("{letter}^{{*}}")];
                     if let Some(what) = what {
-                        page.say("asked.told", &[("what", &what)]);
+                        let name = page.free(&names);
+                        page.say(says, &[("what", &what), ("name", &name)]);
                     }
-                    let name = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
-                    let own = if is_symbol(&question.id) { question.id.as_str() } else { &name };
-                    page.find(&[own, &name, &format!("{name}^{{*}}")], &asked.unit, from)
+                    page.find(&names, &asked.unit, from)
                 }
             };
             page.tell_new();
@@ -312,11 +323,12 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
 pub fn not_given(draft: &mut Draft) {
     let mut page = Page::new(draft);
     page.steps.clone_from(&page.draft.steps);
-    page.begin("unknown");
     let any: Vec<String> = page.chosen.iter().map(|s| page.shown(*s)).collect();
     if !any.is_empty() {
+        page.begin("any");
         page.say("asked.any", &[("data", &any.join(", "))]);
     }
+    page.begin("unknown");
     if let (Some(found), Some(Given { datum, .. })) =
         (page.scene.formulas.found, page.scene.formulas.found.map(|f| f.unknown))
         && let Expr::Symbol(unknown) = page.number(Num::Datum(datum), "x", "1")

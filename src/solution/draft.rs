@@ -77,7 +77,7 @@ pub struct Draft<'a> {
     pub steps: Vec<Step>,
     /// Value of the datum that is to be found.
     pub unknown: Option<f64>,
-    /// How far from the asked angle, degrees, where that is one that varies, even if it is 0.
+    /// The asked angle, degrees, where it is one that varies.
     pub varies: Option<f64>,
     /// What is left of the balance of work at a place that is the key's, J.
     pub imbalance: Option<f64>,

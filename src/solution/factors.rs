@@ -74,7 +74,9 @@ impl Factors {
     /// The same without a minus in front where a difference that is negative takes it: `(R - r)/r` for `-(r - R)/r`.
     #[must_use]
     pub fn upright(&self, symbols: &Symbols) -> Self {
-        let negative = |f: &Expr| matches!(f, Expr::Sum(_)) && f.value(symbols) < 0.0;
+        let differs =
+            |f: &Expr| matches!(f, Expr::Sum(all) if all.iter().any(|t| matches!(t, Expr::Minus(_))));
+        let negative = |f: &Expr| differs(f) && f.value(symbols) < 0.0;
         let mut turned = self.opposite();
         let factor = turned.over.iter_mut().find(|f| negative(f));
         match factor {
@@ -309,17 +311,10 @@ impl Sum {
         for mut term in terms {
             // What is found by putting two together may go together with a third.
             while let Some((at, both)) = all.iter().enumerate().find_map(|(at, known)| {
-                let equal = known.over == term.over && known.under == term.under
-                    || without(&known.over, &term.over).is_empty()
-                        && without(&term.over, &known.over).is_empty()
-                        && without(&known.under, &term.under).is_empty()
-                        && without(&term.under, &known.under).is_empty();
-                let both = if equal {
-                    Some(known.plus(&Factors { constant: term.constant, ..known.clone() }))
-                } else {
-                    None
-                };
-                Some((at, both.or_else(|| together(known, &term))?))
+                let same = |a: &[Expr], b: &[Expr]| a.len() == b.len() && without(a, b).is_empty();
+                let equal = same(&known.over, &term.over) && same(&known.under, &term.under);
+                let both = || known.plus(&Factors { constant: term.constant, ..known.clone() });
+                Some((at, equal.then(both).or_else(|| together(known, &term))?))
             }) {
                 all.remove(at);
                 term = both;

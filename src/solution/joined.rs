@@ -44,9 +44,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             End::TurningPoint(_) => "pinned.idea_turning",
             _ => "pinned.idea_speed",
         };
-        if !self.measured() {
-            self.say(name, &[]);
-        }
+        self.say(name, &[]);
         let carrier = self.carrier.clone();
         self.page.say_carried(carrier.as_ref());
         if self.scene.is_still() || self.rubs() {
@@ -114,10 +112,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         if asked.is_empty() {
             return Ok(());
         }
-        let told = if self.single() { None } else { self.by_rate(&asked) };
-        if told.is_none() || asked.len() > 1 {
-            self.eliminate();
-        }
+        let told = if self.single() { None } else { self.by_rate() };
         let mut values: Vec<SymbolId> = Vec::new();
         for label in asked {
             // Components come before what they give.
@@ -134,7 +129,18 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
                 }
             }
         }
-        self.tell_values(values);
+        if values.is_empty() {
+            return Ok(());
+        }
+        let own = if self.single() && !self.still() { self.one_equation() } else { None };
+        if let Some(alpha) = own.filter(|alpha| !values.contains(alpha)) {
+            values.insert(0, alpha);
+        }
+        let known = told.or(own);
+        let room = MOST.saturating_sub(self.lines());
+        if !self.tell_in_order(known, &values, room) {
+            self.tell_together(&values, room);
+        }
         Ok(())
     }
     fn asked(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
@@ -225,6 +231,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
 impl<'d, 'a> Plane<'d, 'a> {
     fn instant(&self) -> bool {
         self.scene.end == End::AtOnce
+    }
+    fn still(&self) -> bool {
+        self.scene.end == End::Equilibrium
     }
     /// Do all bodies turn in ratios that do not change on the way, as gears and welded rods do?
     fn evenly(&self) -> bool {
@@ -602,10 +611,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.begin("swings");
         self.skip_new();
         self.kinetic();
-        let fits = width(&self.step_of(k)) <= LINE;
-        let shown = if fits && self.single() { self.names(&[k]) } else { self.shown(k) };
-        self.say(if self.single() { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
-        if fits && self.single() {
+        // By the moments it has a formula, by the potential energy a number.
+        let closed = self.from(k) != Expr::from(k);
+        let fits = closed && width(&self.step_of(k)) <= LINE;
+        let shown = if fits { self.names(&[k]) } else { self.shown(k) };
+        self.say(if closed { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
+        if fits {
             self.tell([k]);
         }
         self.skip_new();
@@ -796,20 +807,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.say("why.ask", &[]);
     }
 
-    /// What is left when the forces of the joints have been eliminated, of a single body.
-    fn eliminate(&mut self) {
-        if self.scene.end == End::Equilibrium {
-            self.unravel(None);
-            self.say("joined.rest_rows", &[]);
-            return;
-        }
-        let Some([power, bend]) = self.eliminated() else {
-            if self.bodies.len() > 1 {
-                self.say("joined.by_hand", &[]);
-            }
-            self.say("joined.together", &[]);
-            return;
-        };
+    /// What is left when the forces of the joints have been eliminated, of a single body: the angular acceleration that it gives.
+    fn one_equation(&mut self) -> Option<SymbolId> {
+        let [power, bend] = self.eliminated()?;
         if self.instant() {
             let before = self.steps.len();
             let speeds = self.speeds();
@@ -825,23 +825,19 @@ impl<'d, 'a> Plane<'d, 'a> {
         let bend = bend.times(square(self.rate)).opposite();
         let right = power.plus(&bend).expr();
         let line = format!(r"{}\,{alpha} = {}", self.factor(&self.moving.expr()), self.tex(&right));
-        let fits = width(&line) <= LINE;
-        self.say(if fits { "joined.eliminate" } else { "joined.together" }, &[]);
-        if fits {
-            self.formula(line);
-            let it = &self.bodies[self.lead];
-            if let Some(alpha) = it.alpha.filter(|_| it.omega == Some(self.rate)) {
-                self.unravel(Some(alpha));
-            }
+        if width(&line) > LINE {
+            return None;
         }
+        self.say("joined.eliminate", &[]);
+        self.formula(line);
+        let it = &self.bodies[self.lead];
+        it.alpha.filter(|_| it.omega == Some(self.rate))
     }
-    /// The leading angular acceleration of several bodies, if it is asked, by the rate of the balance.
-    fn by_rate(&mut self, asked: &[Label]) -> Option<SymbolId> {
+    /// The leading angular acceleration of several bodies by the rate of the balance.
+    fn by_rate(&mut self) -> Option<SymbolId> {
         let (j, letter) = (self.j.filter(|_| !self.scene.is_still())?, self.letter.clone());
         let (lead, rate) = (&self.bodies[self.lead], self.rate);
-        let alpha = lead
-            .alpha
-            .filter(|_| lead.omega == Some(rate) && asked.contains(&of_body(Quantity::Alpha, self.lead)))?;
+        let alpha = lead.alpha.filter(|_| lead.omega == Some(rate))?;
         let [force, _] = self.derivatives(&|plane| plane.work())?;
         let [growth, _] = self.derivatives(&|plane| {
             let speeds = plane.speeds();
@@ -863,31 +859,23 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.display(alpha, &is, "");
         Some(alpha)
     }
-    /// Tells what the equations were solved for, with how it follows and all that is known besides, as far as the page has room.
-    fn tell_values(&mut self, values: Vec<SymbolId>) {
+    /// Tells what all equations together were solved for, with all that is known besides, as far as the page has room.
+    fn tell_together(&mut self, values: &[SymbolId], room: usize) {
+        self.say("joined.together", &[]);
         let solved = [self.accelerations(), self.reactions()].concat();
         let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
-        let all = [&values[..], &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
-        let needed = self.behind(values.clone(), |s| solved.contains(&s));
-        let chains = |symbols: &[SymbolId]| {
-            let mut symbols = symbols.to_vec();
-            symbols
-                .sort_by_key(|s| self.steps.iter().position(|step| step.symbol == *s).map_or(0, |i| i + 1));
-            symbols.into_iter().map(|s| self.step_of(s)).collect::<Vec<_>>()
+        let all = [values, &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
+        let plain = |symbols: &[SymbolId]| -> Vec<String> {
+            // What follows from another one that is not told has its value alone.
+            let apart = |s: SymbolId| {
+                let uses = self.from(s).uses();
+                !solved.contains(&s) && uses.iter().all(|u| !solved.contains(u) || symbols.contains(u))
+            };
+            let each = |s: &SymbolId| if apart(*s) { self.step_of(*s) } else { self.chain(*s, &(*s).into()) };
+            symbols.iter().map(each).collect()
         };
-        let plain = |symbols: &[SymbolId]| {
-            let uses = |s: SymbolId| self.from(s).uses();
-            let apart = |s: SymbolId| uses(s).iter().all(|u| !solved.contains(u) || symbols.contains(u));
-            let short = |s: SymbolId| self.chain(s, &s.into());
-            let each = symbols
-                .iter()
-                .map(|s| if solved.contains(s) || !apart(*s) { short(*s) } else { self.step_of(*s) });
-            each.collect::<Vec<_>>()
-        };
-        let room = MOST.saturating_sub(self.lines());
-        let ways = [chains(&all), chains(&needed), plain(&all)];
-        let fits = |way: &Vec<String>| self.single() && packed(way.clone()).len() <= room;
-        let told = ways.into_iter().find(fits).unwrap_or_else(|| plain(&values));
+        let fits = self.single() && packed(plain(&all)).len() <= room;
+        let told = plain(if fits { &all } else { values });
         self.formulas_or_one(told);
         self.skip_new();
     }

@@ -4,11 +4,13 @@
 //! The terms of a scene of lines and axles (each action with its point, velocity ratios, inertias) are read in [`terms`], and
 //! [`account`] derives each quantity from them; [`plane`] does both for bodies in the plane, of which one on a pin is one. The
 //! order in which they are worded is one for all, in [`narrate`]; what a question asks by a formula is answered from these in
-//! [`asked`]. The sections, by id, in the order of the text, each where there is something to say:
-//! - `answers` in a box, `given`: the data; `idea`, `sketch`;
-//! - `unknown`: what no sheet gives; `blow`: what a blow does; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
-//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `as_if`, `asked`: by formulas, `asked_first` those of data alone, before all else;
-//! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
+//! [`asked`]. The sections, by id, in the order of the text ([`ORDER`]), each where there is something to say:
+//! - `answers` in a box, `given`: the data; `unknown`, `any`: what no sheet gives; `asked_first`: formulas of data alone;
+//! - `idea`, `sketch`; `blow`: what a blow does; `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
+//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked; `backward`: from what was measured; `as_if`, `asked`:
+//!   by formulas;
+//! - `holds`: is what was assumed so? `limits`; `next`: the motion that follows, `asked_next`; `beware`: wrong methods with what they
+//!   would give; `onward`: a question.
 //!
 //! A fault has a short page: `answers`, `given`, `beyond` with the reason.
 /// All that one thing can which another holds, that can too.
@@ -37,6 +39,7 @@ mod expr;
 mod factors;
 mod joined;
 mod narrate;
+mod order;
 mod page;
 mod plane;
 pub mod stop;
@@ -63,6 +66,15 @@ use crate::solve::outcome::Word;
 use crate::template;
 use crate::template::{Templates, View};
 use crate::words::Words;
+
+/// The ids of the sections in the order of the text.
+#[rustfmt::skip] // a table
+const ORDER: [&str; 25] = [
+    "answers", "given", "unknown", "any", "asked_first",
+    "idea", "sketch", "blow", "rolled", "short", "long", "why",
+    "forces", "swings", "rest", "backward", "as_if", "asked",
+    "holds", "limits", "next", "asked_next", "beware", "beyond", "onward",
+];
 
 /// Relative difference from the key that rounding in doubles explains, for a condition number of 1.
 const AGREEMENT_REL: f64 = 1e-9;
@@ -139,8 +151,7 @@ fn made(
     let mut first = SolutionSection::new("answers", words.get("solution.title.answers"));
     let boxed: Vec<String> = answers.iter().map(|(id, answer)| format!("`{id}` {answer}")).collect();
     first.blocks.push(Block::Markdown(format!("> {}", boxed.join(" · "))));
-    sections.insert(0, first);
-    sections.insert(1, given(&draft));
+    sections.extend([first, given(&draft)]);
     match beyond {
         None => sections.extend(beware::section(&draft, number)),
         Some(what) => {
@@ -149,14 +160,7 @@ fn made(
             sections.push(section);
         }
     }
-    // What is not given comes before the first formula, a question to go on with at the end.
-    for (id, place) in [("asked_first", 2), ("unknown", 2), ("onward", sections.len() - 1)] {
-        if let Some(at) = sections.iter().position(|s| s.id == id) {
-            let moved = sections.remove(at);
-            sections.insert(place, moved);
-        }
-    }
-
+    sections.sort_by_key(|s| ORDER.iter().position(|id| *id == s.id));
     let pictures = if beyond.is_none() { pictures(&draft) } else { Vec::new() };
     for section in &mut sections {
         section.blocks.retain(|b| match b {

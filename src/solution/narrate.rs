@@ -313,12 +313,12 @@ pub fn as_if(
     } else {
         n.arrive()?;
     }
-    let (title, says) = match how {
-        AsIf::Rolls => ("rolled", "asked.rolls"),
-        AsIf::Smooth => ("smooth", "asked.smooth"),
-        AsIf::Next => ("next", "asked.next"),
+    let (id, title, says) = match how {
+        AsIf::Rolls => ("as_if", "rolled", "asked.rolls"),
+        AsIf::Smooth => ("as_if", "smooth", "asked.smooth"),
+        AsIf::Next => ("next", "next", "asked.next"),
     };
-    n.begin_as("as_if", title);
+    n.begin_as(id, title);
     n.say(says, &[]);
     n.write_rows();
     n.tell_ratios();
@@ -419,9 +419,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
 impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
     fn idea(&mut self) {
         let spring = self.spring.is_some();
-        let found = self.measured();
         let name = match (self.short, self.scene.end) {
-            _ if found => "idea.found",
             (Short::Instant, _) if self.asks(Quantity::Rolls) => "idea.which",
             (Short::Instant, _) if self.starts() => "idea.start",
             (Short::Instant, _) => "idea.instant",
@@ -438,9 +436,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
-        if !found {
-            self.say(name, &[]);
-        }
+        self.say(name, &[]);
         let carrier = self.m.carrier.clone();
         self.page.say_carried(carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
@@ -825,7 +821,9 @@ impl<'d, 'a> Account<'d, 'a> {
             let from = if place { self.from(symbol) } else { self.way_by_energy() };
             self.display(symbol, &from, r" \quad (\mathrm{E})");
         }
-        self.tell_groups();
+        if let Some(symbol) = target {
+            self.tell_groups(symbol);
+        }
         // Speeds that are asked.
         self.skip_new();
         if !place && (self.asks(Quantity::V) || self.asks(Quantity::Omega)) {
@@ -912,8 +910,10 @@ impl<'d, 'a> Account<'d, 'a> {
         if width(&one) <= LINE { one } else { format!(r"{} \\ &= {}", self.tex(&left), self.tex(&right)) }
     }
 
-    /// The sums in the formula of the speed, in numbers.
-    fn tell_groups(&mut self) {
+    /// The sums in the formula of the speed, in numbers, but for what has been cancelled in it.
+    fn tell_groups(&mut self, target: SymbolId) {
+        let formula = if self.placed() { self.from(target) } else { self.way_by_energy() };
+        let kept = formula.uses();
         let (force, inertia) = if self.straight() { ("N", "kg") } else { ("N m", "kg m^2") };
         let mut groups = Vec::new();
         for (_, share) in self.shares(&[ForceKind::Given]) {
@@ -922,11 +922,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 other => other,
             };
             let told = self.valued(&size, force);
-            if !matches!(size, Expr::Symbol(_)) && !groups.contains(&told) {
+            let plain = matches!(size, Expr::Symbol(_)) || size.uses().iter().any(|s| !kept.contains(s));
+            if !plain && !groups.contains(&told) {
                 groups.push(told);
             }
         }
-        if !matches!(self.effective, Expr::Symbol(_)) {
+        let cancelled = self.effective.uses().iter().any(|s| !kept.contains(s));
+        if !cancelled && !matches!(self.effective, Expr::Symbol(_)) {
             groups.push(self.valued(&self.effective.clone(), inertia));
         }
         if !groups.is_empty() {
@@ -1063,18 +1065,17 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => self.two_freedoms(),
             };
         }
-        let gone = if self.m.one { self.elimination().ok() } else { None };
+        let gone = if self.m.one { self.elimination() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
         let a = self.rate();
         let from: Vec<String> = gone
             .iter()
-            .map(|g| {
-                let n = self.number_of(g.row);
-                self.phrase("motion.from", &[("n", &n), ("is", &self.stated(g.force, &g.is))])
+            .filter_map(|f| {
+                let is = self.stated(f.symbols[0], f.is.as_ref()?);
+                Some(self.phrase("motion.from", &[("n", &f.rows[0].name), ("is", &is)]))
             })
             .collect();
         let n = self.number_of(last);
-        self.gone = gone;
         if !from.is_empty() {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
@@ -1192,7 +1193,7 @@ impl<'d, 'a> Account<'d, 'a> {
         self.page.rows(&plain.collect::<Vec<_>>());
     }
 
-    fn number_of(&self, c: Coordinate) -> String {
+    pub fn number_of(&self, c: Coordinate) -> String {
         self.rows.iter().find(|(r, _)| *r == c).map_or_else(String::new, |(_, n)| n.to_string())
     }
 

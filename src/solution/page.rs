@@ -2,7 +2,6 @@
 //! sentences, wide ones on lines of their own.
 use crate::num::linear::Linear;
 use crate::num::shown;
-use crate::scene::Num;
 use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId, ZERO, arc_cosine, in_sense, length, magnitude, positive_first};
 use crate::solution::factors::{Cancel, Sum};
@@ -58,9 +57,14 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn value(&self, e: &Expr) -> f64 {
         e.value(&self.symbols)
     }
-    /// The magnitude of an expression, what is added in front.
+    /// The magnitude of an expression, what is added in front, and no minus before a difference that can be turned.
     pub fn positive(&self, e: &Expr) -> Expr {
-        positive_first([in_sense(e.clone(), self.value(e))])
+        let size = positive_first([in_sense(e.clone(), self.value(e))]);
+        let Expr::Minus(_) = &size else { return size };
+        match size.factors().upright(&self.symbols).expr() {
+            Expr::Minus(_) => size,
+            turned => turned,
+        }
     }
     /// `left = right`
     pub fn equation(&self, left: &Expr, right: &Expr) -> String {
@@ -309,15 +313,6 @@ impl<'d, 'a> Page<'d, 'a> {
         let steady = carrier.is_some_and(|c| c.acceleration == ZERO);
         let name = if steady { "carried.steady" } else { "carried.apparent" };
         self.say(name, &[("speed", &speed), ("acceleration", &acceleration)]);
-    }
-    /// Says what is looked for where an answer was measured; `false` where none was.
-    pub fn measured(&mut self) -> bool {
-        let Some(found) = self.scene.formulas.found else { return false };
-        let [name, measured] =
-            [found.unknown.datum, found.measured.datum].map(|datum| self.number(Num::Datum(datum), "x", "1"));
-        let (name, measured) = (self.inline(&name), self.valued(&measured, "1"));
-        self.say("idea.found", &[("name", &name), ("measured", &measured)]);
-        true
     }
     /// The angle of a vector with these components, counter-clockwise from the right.
     pub fn angle_of(&self, x: SymbolId, y: SymbolId) -> Expr {

@@ -31,7 +31,7 @@ const ROUNDING: f64 = 1e-12;
 /// Below this a component that is 0 is rounding, m.
 const NOTHING: f64 = 1e-12;
 
-type Vector = [Sum; 2];
+pub type Vector = [Sum; 2];
 
 /// To the right and up.
 fn axes() -> [Vector; 2] {
@@ -56,7 +56,7 @@ pub struct Turn {
 
 /// A coordinate of a place: a fixed part, and lengths times a cosine, a sine or an angle in radians.
 #[derive(Debug, Clone, Default)]
-struct Line {
+pub struct Line {
     fixed: Sum,
     waves: Vec<(Factors, usize, Wave)>,
 }
@@ -86,12 +86,12 @@ impl Line {
 }
 
 /// A point of the plane.
-type Point = [Line; 2];
+pub type Point = [Line; 2];
 
 fn plus(a: &Point, b: &Point) -> Point {
     [a[0].plus(&b[0]), a[1].plus(&b[1])]
 }
-fn less(a: &Point, b: &Point) -> Point {
+pub fn less(a: &Point, b: &Point) -> Point {
     [a[0].less(&b[0]), a[1].less(&b[1])]
 }
 fn times(a: &Point, by: &Factors) -> Point {
@@ -112,7 +112,7 @@ fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
 fn left(unit: &[Factors; 2]) -> [Factors; 2] {
     [unit[1].opposite(), unit[0].clone()]
 }
-fn cross(a: &Vector, b: &Vector) -> Sum {
+pub fn cross(a: &Vector, b: &Vector) -> Sum {
     a[0].by(&b[1]).plus(&a[1].by(&b[0]).opposite())
 }
 /// `a . b`
@@ -288,7 +288,7 @@ pub struct Plane<'d, 'a> {
     /// What blows at the start do.
     pub blow: Option<Blow>,
     /// The place of which forces are told: at the start for blows, else [`END`].
-    here: usize,
+    pub here: usize,
     g: Expr,
     /// What carries it all.
     pub carrier: Option<Carrying>,
@@ -522,7 +522,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all = [rows.clone(), demands.clone()].concat();
         self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
         let before = self.steps.len();
-        self.unravel(None);
+        self.unravel();
         let Some(change) = self.bodies[lead].alpha else { return beyond() };
         let change: Expr = match self.arc_of(self.lead) {
             Some(arc) => change.over(self.turning_of(arc)),
@@ -660,10 +660,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn point(&self, body: usize, at: &[Factors; 2]) -> Point {
         plus(&self.bodies[body].origin, &from_axis(&self.axis_of(body), at))
     }
-    fn centre(&self, body: usize) -> Point {
+    pub fn centre(&self, body: usize) -> Point {
         self.point(body, &[self.bodies[body].centre.clone(), Factors::zero()])
     }
-    fn spot(&mut self, spot: Spot) -> Point {
+    pub fn spot(&mut self, spot: Spot) -> Point {
         let distance = self.of_spot(spot);
         self.point(spot.body, &distance)
     }
@@ -702,7 +702,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             size.times(square(&self.turns[*turn].rate[END])).times(self.wave(*turn, *wave, END)).opposite()
         }))
     }
-    fn places(&mut self, point: &Point, which: usize) -> Vector {
+    pub fn places(&mut self, point: &Point, which: usize) -> Vector {
         [self.at(&point[0], which), self.at(&point[1], which)]
     }
     fn rates(&self, point: &Point, which: usize) -> Vector {
@@ -966,7 +966,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
 
     /// The change of the leading angle in degrees that the key has, with its sign.
-    fn way_of_key(&mut self) -> Option<f64> {
+    fn way_of_key(&mut self, first: f64) -> Option<f64> {
         let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
         let way = self.variant.solved.get(phi)?.value();
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
@@ -999,32 +999,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         if (ahead - behind).abs() > NOTHING {
             return Some(if ahead < behind { way } else { -way }.to_degrees());
         }
-        // Both alike: the sense in which weights, apparent forces, forces and couples set it off.
-        let moving = self.poses(0.0, false)?;
-        let [x, y] = numbers.carried.unwrap_or_default();
-        let powers = self.bodies.iter().zip(&moving).map(|(it, pose)| {
-            let v = pose.point([self.value(&it.centre.expr()), 0.0]).map(|v| v.first);
-            -self.value(&it.mass.expr()) * (v[0] * x + v[1] * (y + numbers.gravity))
-        });
-        let mut power: f64 = powers.sum();
-        for push in self.scene.pushes.iter().filter(|p| !p.blow && !p.turns) {
-            let at = moving[push.at.body].point(pose::of_spot(self.scene, &numbers, push.at));
-            let v = at.map(|x| x.first);
-            let [c, s] = match push.toward_m.map(|place| pose::ground(&numbers, place)) {
-                Some([x, y]) => {
-                    let apart = [x - at[0].value, y - at[1].value];
-                    apart.map(|a| a / apart[0].hypot(apart[1]))
-                }
-                None => pose::direction(&numbers, push.direction_deg),
-            };
-            power += self.datum(push.force_n) * (v[0] * c + v[1] * s);
-        }
-        for couple in &self.scene.couples {
-            let moment = signed(self.number(couple.moment_n_m, "M", "N m"), couple.forward);
-            let turn = moving[couple.body].turn().0 * f64::from(self.sense_of(couple.body));
-            power += self.value(&moment) * turn;
-        }
-        Some((way * power.signum()).to_degrees())
+        // Both alike: the sense in which the work of all forces sets it off.
+        let work = self.tried(first + 1.0, |plane| plane.work())?;
+        Some((way * work.signum()).to_degrees())
     }
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
@@ -1064,12 +1041,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let last = match scene.end {
             End::AtOnce => first.clone(),
             End::Angle(_, angle) if self.varies.is_none() => self.number(angle, &format!("{name}_1"), "deg"),
-            end => {
-                let at = match end {
-                    End::Angle(_, angle) => self.datum(angle),
-                    _ => self.value(&first) + self.way_of_key().ok_or(Beyond::Unfound)?,
-                };
-                let at = at + self.varies.unwrap_or(0.0);
+            _ => {
+                let start = self.value(&first);
+                let key = |this: &mut Self| Some(start + this.way_of_key(start)?);
+                let at = self.varies.or_else(|| key(self)).ok_or(Beyond::Unfound)?;
                 let name = self.free(&[format!("{name}_1"), format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);
                 self.symbols.settle(symbol, at, 0.0);
@@ -1363,8 +1338,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         for (i, push) in scene.pushes.iter().enumerate().filter(|(_, p)| !p.blow) {
             let size = self.number(push.force_n, "P", "N").factors();
             if let Some(place) = push.toward_m {
-                let tag = if scene.pushes.len() > 1 { format!(",{}", i + 1) } else { String::new() };
-                self.pull_toward(push.at, place, &size, &tag);
+                self.pull_toward(push.at, place, &size, &one_of(scene.pushes.len(), i));
                 continue;
             }
             let unit = self.direction(push.direction_deg);
@@ -1493,7 +1467,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn spring(&mut self, strut: usize) -> Result<(), DerivationStop> {
         let scene = self.scene;
         let it = &scene.struts[strut];
-        let tag = if scene.struts.len() > 1 { format!(",{}", strut + 1) } else { String::new() };
+        let tag = one_of(scene.struts.len(), strut);
         if it.twists() {
             return self.torsion(it, &tag);
         }
@@ -1816,7 +1790,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             _ => ZERO,
         }
     }
-    fn sense_of(&self, body: usize) -> i8 {
+    pub fn sense_of(&self, body: usize) -> i8 {
         if self.bodies[body].clockwise { -1 } else { 1 }
     }
 
@@ -1935,7 +1909,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// body, else the curvature of the potential energy along the way of the joints.
     pub fn stiffness(&mut self) -> Option<SymbolId> {
         let k = self.named(&[r"k_{\varphi}", r"k_{\psi}"], "N m");
-        if self.bodies.len() > 1 || !self.lengths().is_empty() {
+        if self.bodies.len() > 1 || self.turns.iter().any(|turn| turn.link.is_some()) {
             let [_, curvature] = self.derivatives(&|plane| plane.work())?;
             self.symbols.settle(k, -curvature, 0.0);
         } else {
@@ -1974,25 +1948,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.value(&sum(self.works.clone()))
     }
 
-    /// What the equations give one after the other once this is known: each from one in which it is the only unknown.
-    pub fn unravel(&mut self, known: Option<SymbolId>) {
+    /// What the equations give one after the other: each from one in which it is the only unknown.
+    fn unravel(&mut self) {
         let mut open = [self.accelerations(), self.reactions()].concat();
-        open.retain(|s| Some(*s) != known && !self.symbols.value(*s).is_nan());
-        let mut all = self.demands();
-        all.extend((0..self.bodies.len()).flat_map(|b| self.equations(b)));
-        while let Some((at, symbol, is)) = all.iter().enumerate().find_map(|(at, row)| {
-            let uses = [row.0.uses(), row.1.uses()].concat();
-            let mut unknown = open.iter().filter(|s| uses.contains(s));
-            let (Some(symbol), None) = (unknown.next(), unknown.next()) else { return None };
-            Some((at, *symbol, self.isolated(row, *symbol)?))
-        }) {
-            // What is 0 but for rounding stays 0.
-            if self.symbols.value(symbol) != 0.0 {
-                self.page.step(symbol, is);
-            }
-            open.retain(|s| *s != symbol);
-            all.remove(at);
-        }
+        open.retain(|s| !self.symbols.value(*s).is_nan());
+        let rows = self.rows_in_order(false);
+        let found = self.page.untangle(rows, &mut open, false);
+        self.page.follow(&found);
     }
 
     /// At an instant, the velocities that go with a turn of a single body that its joints do not place, where each force of a joint
@@ -2239,9 +2201,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             (Q::Drive, _) => return self.driver.ok_or_else(none),
             (Q::Moment, Owner::Strut(s)) => {
                 let moment = *self.springs.get(s).ok_or_else(none)?;
-                let several = self.scene.struts.len() > 1;
-                let name =
-                    if several { format!(r"\mathrm{{t}},{}", s + 1) } else { r"\mathrm{t}".to_owned() };
+                let name = format!(r"\mathrm{{t}}{}", one_of(self.scene.struts.len(), s));
                 return Ok(self.page.find(&[tagged("M", &name)], "N m", ZERO - moment));
             }
             (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
@@ -2401,9 +2361,13 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// What is made of the same scene, its asked angle as one that varies, so much away.
     pub fn varied<T>(&self, by_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
+        self.tried(self.value(&self.turns[0].at[END]) + by_deg, of)
+    }
+    /// The same at this angle.
+    fn tried<T>(&self, at_deg: f64, of: impl FnOnce(&mut Plane<'_, '_>) -> T) -> Option<T> {
         let d = &*self.page.draft;
         let mut draft = Draft::trial((d.problem, d.variant), d.scene, d.words, d.symbols.anew(), d.unknown);
-        draft.varies = Some(by_deg);
+        draft.varies = Some(at_deg);
         Plane::new(&mut draft).ok().map(|mut plane| of(&mut plane))
     }
     /// What an expression comes to with the leading angle elsewhere, degrees. What was found from that angle is put in.
@@ -2484,6 +2448,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let cords = cords.filter(|(j, _)| matches!(self.scene.joints[*j].kind, JointKind::Cord { .. }));
         cords.map(|(_, length)| length).collect()
     }
+}
+
+/// What stands below a symbol that several have.
+fn one_of(several: usize, i: usize) -> String {
+    if several > 1 { format!(",{}", i + 1) } else { String::new() }
 }
 
 /// 1 or -1, or 0.
