@@ -42,15 +42,15 @@ fn whole_solve_of_joined_bodies(bencher: Bencher, problem: &str) {
     bencher.bench(|| agree::solve(black_box(&scene), black_box(&data)));
 }
 
-/// A motion from rest under one law.
-fn travel(f: f64, w2: Option<f64>) -> Travel<f64> {
-    Travel { u0: 0.0, legs: [Leg { from: 0.0, f, w2 }].into_iter().collect() }
+/// The speed from rest under one law.
+fn speed(f: f64, w2: Option<f64>, s: f64) -> f64 {
+    black_box(Travel { u0: 0.0, legs: &[Leg { from: 0.0, f, w2 }] }).at(black_box(s)).u
 }
 
 /// Bar: 25 ns. The speed of an assembled scene whose force is constant, by both roads.
 #[divan::bench]
 fn closed_v_of_a_pulled_scene_eom() -> f64 {
-    black_box(travel(1.526, None)).at(black_box(3.0)).u
+    speed(1.526, None, 3.0)
 }
 /// See [`closed_v_of_a_pulled_scene_eom`].
 #[divan::bench]
@@ -62,7 +62,7 @@ fn closed_v_of_a_pulled_scene_energy() -> f64 {
 /// Bar: 25 ns. The same with a spring; the first gives the time too, by an arc tangent.
 #[divan::bench]
 fn closed_v_and_t_of_a_spring_scene_eom() -> f64 {
-    black_box(travel(3.1, Some(7.7))).at(black_box(0.1)).u
+    speed(3.1, Some(7.7), 0.1)
 }
 /// See [`closed_v_and_t_of_a_spring_scene_eom`].
 #[divan::bench]

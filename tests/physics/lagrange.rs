@@ -851,6 +851,11 @@ impl<'s> System<'s> {
             0.0
         };
         let by = s.by.as_ref().map_or(0.0, |b| b.si);
+        // What comes down to no speed comes to rest.
+        let event = match &s.by {
+            Some(by) if s.event == Event::Speed && by.si == 0.0 && by.symbol.is_none() => Event::TurningPoint,
+            _ => s.event,
+        };
         // The motion as one coordinate `q` that grows, everything else in proportion (from rest under constant forces, or
         // with one freedom).
         let shape: Vec<f64> = if started { v0.to_vec() } else { now.a.clone() };
@@ -886,7 +891,7 @@ impl<'s> System<'s> {
         let time = if !moves || wrong_way {
             None
         } else {
-            match s.event {
+            match event {
                 Event::Travel | Event::Turn => place(by),
                 Event::Position => {
                     if by * told.sense >= 0.0 {
@@ -923,13 +928,13 @@ impl<'s> System<'s> {
             }
         };
         // Where it is set going is no place at which it ends.
-        let back = match s.event {
+        let back = match event {
             Event::Speed => by == law.speed(0.0),
             Event::TurningPoint => false,
             _ => by == 0.0,
         };
         told.reached = time.is_some() && !back;
-        told.near_reach = match s.event {
+        told.near_reach = match event {
             Event::Travel | Event::Turn | Event::Position => (by.abs() / farthest - 1.0).abs() < 1e-9,
             Event::Time => turns_at.is_some_and(|t| (by / t - 1.0).abs() < 1e-9),
             Event::Speed => law.fastest().is_some_and(|(_, v)| (by / v - 1.0).abs() < 1e-9),

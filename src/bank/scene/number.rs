@@ -3,7 +3,7 @@ use crate::bank::any::AnyNumber;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Fields, Node, Value, shorten};
+use crate::bank::node::{Fields, Node, Value, WHOLE, shorten};
 use crate::bank::scene::{DatumUse, SceneReader};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
@@ -68,9 +68,10 @@ impl SceneReader<'_> {
         match measure::constant(text, need.unit) {
             Ok(value) => self.constant(node, text, value, need),
             Err(message) => {
-                let hint = match text.contains('(') {
-                    true => "a number within an expression has no unit: make it a datum and write its symbol"
-                        .to_owned(),
+                let hint = match WHOLE && text.contains('(') {
+                    true => told!(
+                        "a number within an expression has no unit: make it a datum and write its symbol"
+                    ),
                     false => told!("{} is written like `{}`", need.words, need.example),
                 };
                 f.refuse_with(node, message, hint)

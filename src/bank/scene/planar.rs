@@ -118,17 +118,20 @@ impl SceneReader<'_> {
             .map(|point| Spot { body, point })
         });
         found.or_else(|| {
+            if !WHOLE {
+                return self.faults.expected(node, "a point of a body", "");
+            }
             // Of a body that there is its own points.
             let own = |b: &&Body| b.planar.is_some() && body.is_none_or(|body| bodies[body].name == b.name);
             let known = bodies.iter().filter(own).flat_map(|b| {
                 let names = b.planar.iter().flat_map(|p| p.points.iter().map(|(n, _)| n.as_str()));
                 names.map(|point| told!("{}.{point}", b.name))
             });
-            let known: Vec<String> = if WHOLE { known.collect() } else { Vec::new() };
+            let known: Vec<String> = known.collect();
             let hint = spell::hint(text, "points", known.iter().map(String::as_str));
             let what = match known.first().filter(|_| body.is_some()) {
                 Some(first) => told!("a point of `{name}`, such as `{first}`"),
-                None => told!("a point of a body"),
+                None => "a point of a body".to_owned(),
             };
             self.faults.expected(node, &what, hint)
         })

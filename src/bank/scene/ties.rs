@@ -156,6 +156,7 @@ impl SceneReader<'_> {
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
         if word == "touches" {
             if let (Some(Num::Fixed(mu_s)), Some(Num::Fixed(mu_k))) = (mu_s, mu_k)
+                && WHOLE
                 && mu_k > mu_s
             {
                 f.at(node, told!("`mu_k` is {mu_k}, above `mu_s`, which is {mu_s}"));

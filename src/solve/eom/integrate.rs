@@ -153,7 +153,7 @@ pub struct Wanted<T> {
 /// Follows a motion under a constant or linear law by this rung, once, landing on each event that is wanted.
 ///
 /// Which events there are follows from the signs in the law; where they are, from the steps. Errors: [`Trouble`].
-pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Result<Path<T>, Trouble> {
+pub fn path<T: Real>(travel: &Travel<'_, T>, wanted: &Wanted<T>, rung: Rung) -> Result<Path<T>, Trouble> {
     let leg = |leg: &Leg<T>| [leg.from.f64(), leg.f.f64(), leg.w2.map_or(0.0, T::f64)];
     let legs: SmallVec<[[f64; 3]; 2]> = travel.legs.iter().map(leg).collect();
     let switches: SmallVec<[f64; 2]> = legs.iter().skip(1).map(|leg| leg[0]).collect();

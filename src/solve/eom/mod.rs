@@ -649,9 +649,9 @@ impl<'a, T: Real> Walk<'a, T> {
             None => false,
         };
         if self.rests(0.0) {
-            for spring in self.springs.clone() {
-                if let Some(rest) = spring.rest {
-                    self.say(Quantity::XEq, Owner::Tie(spring.tie), rest);
+            for i in 0..self.springs.len() {
+                if let Spring { tie, rest: Some(rest), .. } = self.springs[i] {
+                    self.say(Quantity::XEq, Owner::Tie(tie), rest);
                 }
             }
             self.small_oscillations();
@@ -675,7 +675,8 @@ impl<'a, T: Real> Walk<'a, T> {
 
         let lost: Pulls<T> = self.springs.iter().map(|s| self.take_up(&s.end).signed(sense)).collect();
         self.springs.iter_mut().zip(lost).for_each(|(spring, lost)| spring.lost = lost);
-        let travel = Travel { u0: v0.abs(), legs: self.legs(a0, sense) };
+        let legs = self.legs(a0, sense);
+        let travel = Travel { u0: v0.abs(), legs: &legs };
         let turning = travel.turning();
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
         let (asked, s) = self.asked(&travel, turning, sense);
@@ -727,7 +728,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 let gain = travel.gain(state.s).scale2(-1);
                 self.arrived(&state, sense, &self.pulls_at(state.s));
                 // Of constant forces the impulse is that of the acceleration, else the change of the speed.
-                let change = match travel.legs.as_slice() {
+                let change = match travel.legs {
                     [Leg { f, w2: None, .. }] => *f * state.time,
                     _ => state.u.balance(-travel.u0),
                 };
@@ -880,7 +881,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// The states at the events by steps, where steps are asked for.
-    fn stepped(&self, travel: &Travel<T>, s: Option<T>) -> Result<Option<Path<T>>, Refusal> {
+    fn stepped(&self, travel: &Travel<'_, T>, s: Option<T>) -> Result<Option<Path<T>>, Refusal> {
         let Some((rung, asked)) = self.by.filter(|_| STEPS) else { return Ok(None) };
         let event = s.and_then(|s| {
             let event = match self.scene.end {
@@ -904,7 +905,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// What the event asks for, in its own measure, and the distance at which it comes.
-    fn asked(&self, travel: &Travel<T>, turning: Option<T>, sense: f64) -> (Option<T>, Option<T>) {
+    fn asked(&self, travel: &Travel<'_, T>, turning: Option<T>, sense: f64) -> (Option<T>, Option<T>) {
         match self.scene.end {
             End::Travel(_, d) => (Some(self.n.get(d)), Some(self.n.get(d))),
             End::Position(_, x) => {
@@ -928,7 +929,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// The farthest that the motion goes, in the measure of the event.
-    fn farthest(&self, travel: &Travel<T>, limit: T) -> T {
+    fn farthest(&self, travel: &Travel<'_, T>, limit: T) -> T {
         match self.scene.end {
             End::Time(..) if limit.is_finite() => travel.at(limit).time,
             End::Speed(..) => match (travel.fastest(), travel.starts_at().sign() > 0.0) {

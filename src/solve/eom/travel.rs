@@ -5,7 +5,6 @@
 //! that is looked for; over displacement both sides are known.
 use crate::num::plant::plant;
 use crate::num::{Real, trig};
-use smallvec::SmallVec;
 
 /// Acceleration as a function of the distance travelled, from one place on.
 #[derive(Debug, Clone, Copy)]
@@ -19,12 +18,12 @@ pub struct Leg<T> {
 }
 
 /// A motion along its sense.
-#[derive(Debug, Clone)]
-pub struct Travel<T> {
+#[derive(Debug, Clone, Copy)]
+pub struct Travel<'l, T> {
     /// Speed at the start, >= 0.
     pub u0: T,
     /// How it begins, and how it goes on from each place at which a cord goes slack.
-    pub legs: SmallVec<[Leg<T>; 1]>,
+    pub legs: &'l [Leg<T>],
 }
 
 /// State at a distance.
@@ -45,7 +44,7 @@ fn twice<T: Real>(x: T) -> T {
     x.scale2(1)
 }
 
-impl<T: Real> Travel<T> {
+impl<T: Real> Travel<'_, T> {
     /// Acceleration at the start.
     pub fn starts_at(&self) -> T {
         self.law().0
@@ -67,7 +66,7 @@ impl<T: Real> Travel<T> {
 
     /// What the acceleration adds to the square of the speed up to a distance that is reached.
     pub fn gain(&self, s: T) -> T {
-        let rest = Self { u0: T::zero(), legs: self.legs.clone() };
+        let rest = Self { u0: T::zero(), legs: self.legs };
         match self.slackens() {
             Some((at, next)) if at.below(s) => rest.taut_square(at).balance(next.gain(s - at)),
             _ => rest.taut_square(s),
@@ -76,10 +75,9 @@ impl<T: Real> Travel<T> {
 
     /// Does the motion get to the place where a cord goes slack? Its distance and the motion from there on.
     fn slackens(&self) -> Option<(T, Self)> {
-        let [first, beyond @ ..] = self.legs.as_slice() else { return None };
-        let at = beyond.first()?.from - first.from;
+        let [first, legs @ ..] = self.legs else { return None };
+        let at = legs.first()?.from - first.from;
         let square = self.taut_square(at);
-        let legs = SmallVec::from_slice(beyond);
         (at.is_zero() || square.sign() > 0.0).then(|| (at, Self { u0: square.root(), legs }))
     }
 
