@@ -499,8 +499,6 @@ fn unsettled(scene: &Scene, Unsettled { value, gap }: &Unsettled) -> String {
 
 /// A refusal of one sentence.
 fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
-    let name = |body: usize| scene.bodies.get(body).map_or("?", |b| b.name.as_str());
-    let when = |at_start| if at_start { "at the start" } else { "on the way" };
     match refusal {
         // Those are several sentences.
         Refusal::Inadmissible(_) | Refusal::NextInadmissible(_) => String::new(),
@@ -519,63 +517,13 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             "the joints leave {n} freedoms: a motion needs one, or `end: at once` from rest, where each body may have its `angle` and \
              be `placed:`"
         ),
-        Refusal::Unplaced(index) => format!(
-            "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
-             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
-            name(*index)
-        ),
-        Refusal::IdleSide { body, with } => {
-            let why = with.map_or_else(
-                || "decides nothing: there is one place for it; take it away".to_owned(),
-                |with| format!("contradicts that in `{}`: the two are placed together; write it in one of them", name(with)),
-            );
-            format!("`side:` in `{}` {why}", name(*body))
-        }
-        Refusal::Unbridged { gap: Gap { body, other, apart_m, bridged_m }, at_start } => {
-            let (with, it, bridge) = match other {
-                Some(other) => (format!(" and `{}`", name(*other)), "them", "they bridge"),
-                None => (String::new(), "it", "it bridges"),
-            };
-            format!(
-                "`{}`{with} cannot be put in place {}: what holds {it} is {} m apart, and {bridge} at {} {} m; change the lengths, \
-                 the angle at the start, or the places of the joints",
-                name(*body),
-                when(*at_start),
-                figures(*apart_m),
-                if apart_m > bridged_m { "most" } else { "least" },
-                figures(*bridged_m)
-            )
-        }
-        Refusal::Tilted { body, given_deg, follows_deg } => format!(
-            "the start contradicts the joints: it gives the angle of `{}` as {} deg, and they put it at {} deg; leave that angle out \
-             (of two places `side:` says which is meant)",
-            name(*body),
-            figures(*given_deg),
-            figures(*follows_deg)
-        ),
-        Refusal::Crossed(Choice { at, here, there, .. }) => format!(
-            "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
-             `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
-            point(scene, *at),
-            at_place(*here, *there),
-            name(at.body),
-            at_place(*there, *here)
-        ),
-        Refusal::Parted { joint, off_m, at_start } => {
-            let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
-            let when = when(*at_start);
-            format!(
-                "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
-                 change the lengths, the angle at the start, `placed:`, or the place of the joint",
-                figures(*off_m)
-            )
-        }
-        Refusal::Moved { body, off_m } => format!(
-            "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
-             joints that place it as they are",
-            name(*body),
-            figures(*off_m)
-        ),
+        Refusal::Unplaced(_)
+        | Refusal::IdleSide { .. }
+        | Refusal::Unbridged { .. }
+        | Refusal::Tilted { .. }
+        | Refusal::Crossed(_)
+        | Refusal::Parted { .. }
+        | Refusal::Moved { .. } => misplaced(scene, refusal),
         Refusal::Freedoms(n) => {
             format!("the ties leave {n} freedoms; the program solves one, or two where something slips")
         }
@@ -627,6 +575,77 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
             "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; the last digits of the data decide it, and no digit of it is the same in both. No key is published.",
             scene.name_of(*label)
         ),
+    }
+}
+
+/// Why joined bodies are not put where the joints and the data say.
+fn misplaced(scene: &Scene, refusal: &Refusal) -> String {
+    let name = |body: usize| scene.bodies.get(body).map_or("?", |b| b.name.as_str());
+    let when = |at_start| if at_start { "at the start" } else { "on the way" };
+    match refusal {
+        Refusal::Unplaced(index) => format!(
+            "the joints do not place `{}` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a \
+             place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
+            name(*index)
+        ),
+        Refusal::IdleSide { body, with } => {
+            let why = with.map_or_else(
+                || "decides nothing: there is one place for it; take it away".to_owned(),
+                |with| {
+                    format!(
+                        "contradicts that in `{}`: the two are placed together; write it in one of them",
+                        name(with)
+                    )
+                },
+            );
+            format!("`side:` in `{}` {why}", name(*body))
+        }
+        Refusal::Unbridged { gap: Gap { body, other, apart_m, bridged_m }, at_start } => {
+            let (with, it, bridge) = match other {
+                Some(other) => (format!(" and `{}`", name(*other)), "them", "they bridge"),
+                None => (String::new(), "it", "it bridges"),
+            };
+            format!(
+                "`{}`{with} cannot be put in place {}: what holds {it} is {} m apart, and {bridge} at {} {} m; change the lengths, \
+                 the angle at the start, or the places of the joints",
+                name(*body),
+                when(*at_start),
+                figures(*apart_m),
+                if apart_m > bridged_m { "most" } else { "least" },
+                figures(*bridged_m)
+            )
+        }
+        Refusal::Tilted { body, given_deg, follows_deg } => format!(
+            "the start contradicts the joints: it gives the angle of `{}` as {} deg, and they put it at {} deg; leave that angle out \
+             (of two places `side:` says which is meant)",
+            name(*body),
+            figures(*given_deg),
+            figures(*follows_deg)
+        ),
+        Refusal::Crossed(Choice { at, here, there, .. }) => format!(
+            "the links at `{}` are a parallelogram, with equal opposite sides, and would lie crossed, with that point at {}; write \
+             `side: behind` in `{}` for the parallelogram, with it at {}, or `side: ahead` for the crossed linkage",
+            point(scene, *at),
+            at_place(*here, *there),
+            name(at.body),
+            at_place(*there, *here)
+        ),
+        Refusal::Parted { joint, off_m, at_start } => {
+            let name = scene.joints.get(*joint).map_or("?", |j| j.name.as_str());
+            let when = when(*at_start);
+            format!(
+                "the joint `{name}` cannot be met {when}: where the other joints and the data put the bodies, it is {} m off; \
+                 change the lengths, the angle at the start, `placed:`, or the place of the joint",
+                figures(*off_m)
+            )
+        }
+        Refusal::Moved { body, off_m } => format!(
+            "the motion that follows does not begin where the one before it ends: `{}` would be {} m off; under `next` keep the \
+             joints that place it as they are",
+            name(*body),
+            figures(*off_m)
+        ),
+        _ => String::new(),
     }
 }
 

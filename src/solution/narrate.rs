@@ -645,7 +645,13 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
-            () if self.spring.is_some() && !self.scene.is_still() => "onward.spring",
+            () if self.spring.is_some() && !self.scene.is_still() => {
+                if self.rolling().is_empty() {
+                    "onward.spring"
+                } else {
+                    "onward.spring_and_wheel"
+                }
+            }
             () if wheel && pulled && self.level() => "onward.pulled_level",
             () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
             () if wheel && !pulled => "onward.wheel",

@@ -297,7 +297,8 @@ impl<'d, 'a> Page<'d, 'a> {
             Some(forces) => self.say("why.eliminate", &[("forces", forces)]),
             None => self.say("why.no_reaction", &[]),
         }
-        self.say("why.energy", &[("few", &few), ("k", &energy.len().to_string())]);
+        let name = if energy.len() == 1 { "why.energy_one" } else { "why.energy" };
+        self.say(name, &[("few", &few), ("k", &energy.len().to_string())]);
     }
     /// The share of the kinetic energy that rotation has.
     pub fn say_share(&mut self, share: f64, several: bool) {

@@ -246,8 +246,8 @@ fn a_solution_is_short_and_says_truly_what_is_shorter() {
         assert!(lines <= 12, "{}: {lines} lines\n{text}", problem.id);
         let unknowns = |way: &str| -> Option<(usize, usize)> {
             let rest = text.split_once(&format!("{way}: "))?.1;
-            let (count, rest) = rest.split_once(" unknowns (")?;
-            let list = rest.split_once(')')?.0;
+            let (count, rest) = rest.split_once(" unknown")?;
+            let (list, _) = rest.trim_start_matches('s').strip_prefix(" (")?.split_once(')')?;
             Some((count.parse().ok()?, list.matches('$').count() / 2))
         };
         if let (Some(newton), Some(energy)) = (unknowns("Newton"), unknowns("Energy")) {
