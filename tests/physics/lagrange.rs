@@ -954,7 +954,7 @@ impl<'s> System<'s> {
             own.map_or(0.0, |i| pulls[i])
         };
         let there = self.instant(grips, &pulls).expect("as before");
-        let u = match (s.event, time) {
+        let u = match (event, time) {
             (Event::TurningPoint, _) => 0.0,
             (_, Some(t)) if law.speed(t) < 1e-12 * u0 => 0.0,
             (_, Some(t)) => law.speed(t),
