@@ -155,6 +155,8 @@ pub struct Case {
     /// Contacts that the bank leaves open (`touches:`) and that roll or slip in this case: index of the tie, and the kinetic
     /// coefficient, which is printed either way.
     pub touches: Vec<(usize, Num)>,
+    /// The same scene with other ones of these contacts rolling and slipping: what happens in a draw may not happen in them too.
+    pub rivals: Vec<Scene>,
     /// Regime words that count as valid here (`moves_up`, `up ok`).
     pub regimes: Vec<String>,
     /// Bounds on answers and derived quantities.

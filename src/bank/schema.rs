@@ -315,6 +315,10 @@ fn problem(
     for case in &mut cases {
         let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
         uses.extend(inverse::put(node, measured, scene, &data, faults));
+        for rival in &mut case.rivals {
+            // What is wrong with it is told of the scene itself.
+            inverse::put(node, measured, rival, &data, &Faults::default());
+        }
         if let Some(n) = questions_node {
             uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
         }
@@ -470,6 +474,7 @@ impl<'n> ProblemRead<'n> {
             symbols: self.symbols.clone(),
             read: self.scene.clone(),
             scene_node: self.scene_node,
+            rivals: Vec::new(),
             regimes: self.regimes.clone(),
             bounds: None,
         }
@@ -604,9 +609,14 @@ impl<'n> ProblemRead<'n> {
             }
         }
         let several = kept.len() > 1;
+        let other = |touching: Touching| {
+            scene::read(node, &case.symbols, touching, self.data.len(), &Faults::default()).scene
+        };
         let one = |(touching, word, regimes): (Touching, String, Vec<String>)| {
             let mut one = case.clone();
             one.regimes = regimes;
+            let others = Touching::all(read.touches.len()).filter(|t| WHOLE && *t != touching);
+            one.rivals = others.filter_map(other).collect();
             if touching != Touching::default() {
                 one.read = Some(self.read(node, &case.symbols, touching));
             }
@@ -639,6 +649,8 @@ struct CaseRead<'n> {
     /// What was read of its scene, if it has one.
     read: Option<SceneRead>,
     scene_node: Option<&'n Node>,
+    /// Its scene with other contacts rolling and slipping.
+    rivals: Vec<Scene>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
 }
@@ -671,9 +683,11 @@ impl CaseRead<'_> {
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
         let SceneRead { scene, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
-        let mut scene = scene?;
-        scene.look(span);
-        scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
+        let (mut scene, mut rivals) = (scene?, self.rivals);
+        for scene in rivals.iter_mut().chain([&mut scene]) {
+            scene.look(span);
+            scene.formulas.settle(&|i| data.get(i).is_some_and(|d| d.degrees));
+        }
         Some(Case {
             name: self.name,
             written: self.written,
@@ -681,6 +695,7 @@ impl CaseRead<'_> {
             draws: self.draws.into_iter().chain([Some(gravity)]).collect(),
             scene,
             touches,
+            rivals,
             regimes: self.regimes,
             bounds,
         })

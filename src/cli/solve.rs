@@ -4,6 +4,7 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::banks;
 use crate::inspect::{data, sentences, table};
+use crate::problem::maker::happens;
 use crate::scene::Label;
 use crate::solve::{agree, ladder};
 
@@ -26,6 +27,9 @@ pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
         // What is summed has no enclosure by which another value could be excluded.
         let why = sentences::refusal(problem, scene, &agree::not_unique(scene, &data)).join("; ");
         io.note(&format!("note: a bank may not draw this: {why}"));
+    }
+    if happens(&problem.cases[case].rivals, &data) {
+        io.note("note: a bank may not draw this: with these data other contacts may roll or slip as well");
     }
     let holds = data::fits(problem, case, &solved);
     let told = |label: Label| solved.get(label).is_some() || solved.word(label).is_some();

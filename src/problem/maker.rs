@@ -445,6 +445,9 @@ impl<'p> Maker<'p> {
         for wrong in near {
             hear(DrawRule::Mistake(wrong.mistake).into())?;
         }
+        if happens(&case.rivals, data) {
+            hear(DrawRule::Alone.into())?;
+        }
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved, hear)?;
         if !agree::prove(&case.scene, data, &mut solved) {
@@ -650,6 +653,12 @@ impl<'p> Maker<'p> {
         }
         bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value), hear)
     }
+}
+
+/// Does what one of these scenes assumes hold with these data?
+pub fn happens(scenes: &[Scene], data: &[f64]) -> bool {
+    let holds = |scene: &Scene| agree::first(scene, data, Scope::ALL).is_ok_and(|h| h.preview().all_hold());
+    scenes.iter().any(holds)
 }
 
 /// The rule by which a draw is refused that was not solved; what is to be told of it is kept.

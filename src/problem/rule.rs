@@ -18,6 +18,8 @@ pub enum DrawRule {
     Start,
     /// The two roads agree.
     Agree,
+    /// Only this happens with these data: no other contacts could roll or slip instead.
+    Alone,
     /// Rounding of the printed data leaves no doubt which way the scene goes.
     Certain,
     /// The proved error of this answer is small beside its tolerance.
@@ -170,8 +172,8 @@ impl Refusals {
             return Some("widen the ranges, or loosen the rule that refuses most".to_owned());
         }
         let told = |rule: &DrawRule| {
-            use DrawRule::{Admissible, Agree, Certain, Solvable, Start};
-            matches!(rule, Admissible | Solvable | Start | Agree | Certain)
+            use DrawRule::{Admissible, Agree, Alone, Certain, Solvable, Start};
+            matches!(rule, Admissible | Solvable | Start | Agree | Certain | Alone)
         };
         if self.tallies.keys().any(told) {
             return None;
@@ -274,6 +276,11 @@ fn name(problem: &Problem, case: usize, rule: DrawRule) -> String {
         DrawRule::Solvable => "cannot be solved".to_owned(),
         DrawRule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
         DrawRule::Agree => "the equations of motion and work and energy disagree".to_owned(),
+        DrawRule::Alone => {
+            "with these data other contacts may roll or slip as well: change a number (`mu_k` nearer to `mu_s`), or write `rolls` and \
+             `slips` and tell students so"
+                .to_owned()
+        }
         DrawRule::Certain => {
             let open = "the key is not proved: rounding of the printed data leaves open which way it goes";
             match problem.cases.get(case).map(|c| c.scene.end) {

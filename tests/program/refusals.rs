@@ -1122,3 +1122,70 @@ fn hints_for_joined_bodies_fit_where_they_are_told() {
     }
     assert!(!says(length, ladder).contains("quantity "));
 }
+
+/// Two spools on one link, of which either may slip while the other one rolls: m = 10 kg, k = 0.17 m, hub 0.1 m, M = 10 N m on A. With
+/// (k/c)^2 = 2.89 rolling of both asks 62.9 and 37.2 N of the floor, which holds 54.0 and 29.4 N. If A slips, a = 44.1/48.9 = 0.903 m/s^2
+/// and B needs 26.1 N; if B slips, a = 90.2/48.9 = 1.844 m/s^2 and A needs 46.7 N. And a disc of 4 kg whose acceleration 10.4 m/s^2 is
+/// measured: 31.2 N let it roll so, 37.7 N make it slip so.
+#[test]
+fn a_draw_in_which_two_things_may_happen_is_refused() {
+    let room = Room::new();
+    let spools = |mu| {
+        format!(
+            "bank: b
+title: B
+problems:
+  p:
+    title: Two spools
+    data: {{mu: {{name: friction of B, unit: \"1\", draw: always {mu}}}}}
+    scene:
+      surfaces: {{floor: level}}
+      bodies:
+        A: {{mass: 10 kg, radius of gyration: 0.17 m, radii: {{hub: 0.1 m}}, moves: along floor}}
+        B: {{mass: 10 kg, radius of gyration: 0.17 m, radii: {{hub: 0.1 m}}, moves: along floor}}
+      ties:
+        - touches: {{body: A, on its: hub, mu_s: 0.55, mu_k: 0.45}}
+        - touches: {{body: B, on its: hub, mu_s: mu, mu_k: 0.1}}
+        - link: {{from: {{body: A, tied at: centre, leaves: back}}, to: {{body: B, tied at: centre, leaves: forward}}}}
+      forces: [couple: {{on: A, moment: 10 N*m, sense: forward}}]
+      start: at rest
+      end: {{time: {{of: A, is: 1 s}}}}
+    questions: {{a: {{quantity: A.a, ask: the acceleration, unit: m/s^2}}}}
+    statement: Spools, {{{{ mu }}}}.
+"
+        )
+    };
+    let pull = "bank: b
+title: B
+problems:
+  p:
+    title: Which pull
+    data:
+      a1: {name: measured acceleration, unit: m/s^2, draw: always 10.4, measured: a}
+      P: {name: pull, unit: N, unknown: 20 to 60 step 1}
+    scene:
+      surfaces: {floor: level}
+      bodies: {w: {mass: 4 kg, shape: {disc: 0.2 m}, moves: along floor}}
+      ties:
+        - touches: {body: w, on its: rim, mu_s: 0.3, mu_k: 0.1}
+        - cord: {from: {body: w, wound on: rim, leaves: top forward}, pulled with: P}
+      start: at rest
+      end: {travel: {of: w, by: 1 m}}
+    REGIMES
+    questions: {pull: {value: P, unit: N, ask: the pull}}
+    statement: A disc, {{ a1 }}.
+";
+    let either = "with these data other contacts may roll or slip as well";
+    // That only rolling is declared tells a student nothing.
+    let rolls = pull.replace("REGIMES", "regimes: [moves_forward]");
+    for bank in [spools("0.3"), pull.replace("    REGIMES\n", ""), rolls] {
+        let told = room.lint(&bank);
+        assert!(told.contains(either), "{told}");
+        let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+        assert!(ran.err.contains(either), "{}{}", ran.out, ran.err);
+    }
+    // With 0.2 the hub of B cannot be held while A slips.
+    fs::write(room.path("bank.yaml"), spools("0.2")).unwrap();
+    let ran = room.run(&["lint", &room.path("bank.yaml"), "--seeds", "2"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}{}", ran.out, ran.err);
+}
