@@ -13,7 +13,7 @@ use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::page::Step;
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::text::SolutionSection;
-use crate::solve::outcome::Word;
+use crate::solve::outcome::{Entry, Word};
 use crate::units::Unit;
 use crate::words::Words;
 use std::borrow::Cow;
@@ -25,6 +25,18 @@ pub enum DerivedAnswer {
     Value(SymbolId),
     /// A word.
     Word(Word),
+}
+
+impl From<SymbolId> for DerivedAnswer {
+    fn from(symbol: SymbolId) -> Self {
+        Self::Value(symbol)
+    }
+}
+
+impl From<Word> for DerivedAnswer {
+    fn from(word: Word) -> Self {
+        Self::Word(word)
+    }
 }
 
 /// How much a solution tells.
@@ -311,7 +323,8 @@ impl<'a> Draft<'a> {
     }
 
     /// Notes an answer.
-    pub fn answer(&mut self, label: Label, answer: DerivedAnswer) {
+    pub fn answer(&mut self, label: Label, answer: impl Into<DerivedAnswer>) {
+        let answer = answer.into();
         match self.found.iter_mut().find(|(l, _)| *l == label) {
             Some((_, known)) => *known = answer,
             None => self.found.push((label, answer)),
@@ -321,6 +334,16 @@ impl<'a> Draft<'a> {
     /// What was found for a label.
     pub fn found_for(&self, label: Label) -> Option<DerivedAnswer> {
         self.found.iter().find(|(l, _)| *l == label).map(|(_, answer)| *answer)
+    }
+
+    /// The quantity that was found for a label.
+    pub fn value_for(&self, label: Label) -> Option<SymbolId> {
+        if let Some(DerivedAnswer::Value(symbol)) = self.found_for(label) { Some(symbol) } else { None }
+    }
+
+    /// What the key has for a label, SI.
+    pub fn key(&self, label: Label) -> Option<f64> {
+        self.variant.solved.get(label).map(Entry::value)
     }
 
     /// What has to be known for what is asked.

@@ -143,7 +143,7 @@ impl Plane<'_, '_> {
         let (Some(alpha), None) = (it.alpha, &self.pivot) else { return all };
         for spot in spots {
             let Some((_, point)) = scene.point_name(spot) else { continue };
-            let name = self.phrase("order.moments", &[("point", point), ("body", &it.name)]);
+            let name = self.phrase("order.moments", &[("point", &point), ("body", &it.name)]);
             let away = less(&self.centre(body), &self.spot(spot));
             let away = self.places(&away, self.here);
             let known = all.iter().any(|row| row.name == name);

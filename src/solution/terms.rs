@@ -11,7 +11,6 @@ use crate::solution::asked;
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, ratio, signed, sine, square, sum};
 use crate::solution::factors::{Cancel, Factors};
-use crate::solve::outcome::Entry;
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -430,7 +429,7 @@ const ROUNDING: f64 = 1e-12;
 /// Does friction hold this body where it slides as soon as it moves? As the key has it.
 fn stays(draft: &Draft, body: usize) -> bool {
     let numbers = Numbers::<f64>::new(draft.scene, &draft.values);
-    let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
+    let of = |quantity| draft.key(Label { quantity, of: Owner::Body(body) });
     let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(c, v)| numbers.start(c, v) == 0.0);
     match numbers.bodies[body].carried {
         // It stays on what carries it.
