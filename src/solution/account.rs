@@ -16,7 +16,6 @@ use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::terms::{
     Action, BodyTerms, Carrying, ForceKind, ForceSource, Freedom, Terms, mark_of, tagged,
 };
-use crate::solution::text::SolutionSection;
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -91,16 +90,12 @@ pub struct Account<'d, 'a> {
     pub rolled: Option<usize>,
     /// Which way comes first.
     pub short: Short,
-    /// The rows as they are numbered.
-    pub rows: Vec<(Coordinate, usize)>,
     /// Does a thrown body still slip at the time that is asked?
     pub still_slips: bool,
     /// Are the ratios of displacements on the page?
     pub ratios_told: bool,
     /// Has it been said what is seen from the ground?
     pub grounded: bool,
-    /// What is said of contacts that are taken as rolling.
-    pub supposed: Vec<SolutionSection>,
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
@@ -223,11 +218,9 @@ impl<'d, 'a> Account<'d, 'a> {
             slip: None,
             rolled,
             short: Short::Instant,
-            rows: Vec::new(),
             still_slips: false,
             ratios_told: false,
             grounded: false,
-            supposed: Vec::new(),
             known: Vec::new(),
             seen: Vec::new(),
         };
@@ -618,10 +611,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.drive = self.share_sum(&[ForceKind::Given, ForceKind::Kinetic]);
         let lead = self.lead();
-        let mut push = self.value(&self.drive);
-        if let Some(s) = &self.spring {
-            push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
-        }
+        let push = self.value(&self.drive) + self.first_pull();
         let v0 = self.value(&self.v0);
         self.sense = match self.m.of(lead).a {
             _ if v0 != 0.0 => v0.signum(),
@@ -631,6 +621,13 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
+    /// What the spring pulls the lead with at the start.
+    fn first_pull(&self) -> f64 {
+        let pull =
+            |s: &CordSpring| self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
+        self.spring.as_ref().map_or(0.0, pull)
+    }
+
     /// Sense of the friction on a body, positive up, as the key has it.
     fn friction_sense(&self, body: usize) -> f64 {
         if let Some(slip) = self.slip {
@@ -638,11 +635,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if self.as_if == Some(AsIf::Next) {
             // The key has the motion before it; this one goes on, or is set off by what is given.
-            let (v0, spring) = (self.value(&self.v0), self.spring.as_ref());
-            let pulls = |s: &CordSpring| {
-                self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch)
-            };
-            let push = self.value(&self.share_sum(&[ForceKind::Given])) + spring.map_or(0.0, pulls);
+            let v0 = self.value(&self.v0);
+            let push = self.value(&self.share_sum(&[ForceKind::Given])) + self.first_pull();
             let goes = if v0 == 0.0 { push } else { v0 };
             let own = self.value(&self.m.of(along(body)).ratio.expr());
             return -(goes * own).signum() * f64::from(self.m.parts[body].up);
@@ -903,19 +897,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.v = v.into();
                 self.new_way(&self.v0.clone() * &t + ratio(1, 2) * a * square(&t));
             }
-            End::Speed(_, u) => {
+            end @ (End::Speed(..) | End::TurningPoint(_)) => {
                 let names = self.of_lead(("v_1", "m/s"), (r"\omega_1", "rad/s"));
-                let u = self.number(u, names.0, names.1);
+                let given = if let End::Speed(_, u) = end { Some(u) } else { None };
+                self.v = given.map_or(ZERO, |u| self.number(u, names.0, names.1));
                 self.accelerate();
-                self.found(v_label, v, u.clone());
-                self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
-                self.v = u;
-            }
-            End::TurningPoint(_) => {
-                self.accelerate();
-                self.found(v_label, v, ZERO);
-                self.new_way(-(square(&self.v0) / (number(2) * a)));
-                self.v = ZERO;
+                self.found(v_label, v, self.v.clone());
+                self.new_way((square(&self.v) - square(&self.v0)) / (number(2) * a));
             }
             End::AtOnce if !self.m.one || self.m.parts.iter().any(|p| p.slips) => {
                 self.velocities_together()?;
@@ -946,12 +934,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let pull = sum(springs.iter().map(|s| s.stiffness.by(&s.gamma).by(&s.stretch)));
         let sense = sign(self.value(&pull));
         let pull = positive_first([in_sense(pull, f64::from(sense))]);
-        let [stiffness, stretch, tension] = [
-            ([r"k_{\mathrm{g}}", r"k_{\mathrm{s}}"], "N/m"),
-            ([r"x_{\mathrm{g}}", r"x_{\mathrm{s}}"], "m"),
-            ([r"F_{\mathrm{g}}", r"F_{\mathrm{s}}"], "N"),
-        ]
-        .map(|(names, unit)| self.new_symbol(&names, unit));
+        let [stiffness, stretch, tension] = [("k", "N/m"), ("x", "m"), ("F", "N")].map(|(letter, unit)| {
+            self.new_symbol(&["g", "s"].map(|mark| format!(r"{letter}_{{\mathrm{{{mark}}}}}")), unit)
+        });
         self.settle(stiffness, &stiff);
         self.settle(stretch, &(pull.clone() / stiffness));
         self.together_as = vec![(stiffness, stiff), (stretch, pull / stiffness)];
@@ -1097,11 +1082,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
         let twice = positive_first([&spring.stiffness * squares, others]);
         match self.scene.end {
-            End::TurningPoint(_) => {
-                self.found(v_label, v, ZERO);
-            }
-            End::Speed(_, u) => {
-                self.v = self.number(u, "v_1", "m/s");
+            end @ (End::TurningPoint(_) | End::Speed(..)) => {
+                let given = if let End::Speed(_, u) = end { Some(u) } else { None };
+                self.v = given.map_or(ZERO, |u| self.number(u, "v_1", "m/s"));
                 self.found(v_label, v, self.v.clone());
             }
             _ => {
@@ -1563,7 +1546,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
-            number(2) * positive_first([pull.expr(), self.drive.clone()]) / kappa
+            (number(2) * positive_first([pull.expr(), self.drive.clone()])).over(&kappa)
         } else {
             let [_, rest, amplitude] = self.swing(&spring)?;
             let last = rest + in_sense(amplitude, self.stretching(&spring));

@@ -18,7 +18,7 @@ use crate::solution::plane::Plane;
 use crate::solution::stop::{DerivationStop, unfound};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::{Action, ForceKind, ForceSource, relative, tagged};
-use crate::solution::text::{LINE, SolutionSection};
+use crate::solution::text::LINE;
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
@@ -138,9 +138,9 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let slips = |t: &usize| matches!(ties[*t], Tie::Slip { .. }) && !thrown;
     let slips: Vec<usize> = (0..ties.len()).filter(slips).collect();
     let alone = draft.scene.bodies.len() == 1 && slips.len() == 1;
-    let mut rolled = Vec::new();
+    let mut supposed = false;
     for tie in slips {
-        rolled.extend(could_it_roll(draft, tie)?);
+        supposed |= could_it_roll(draft, tie)?;
     }
     let mut account = Account::new(draft, None)?;
     let stays = account.stays();
@@ -154,13 +154,13 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ if stays => Short::Together,
         _ if account.rates_alone() => Short::Rates,
         _ if !account.m.one => Short::Together,
-        _ if !rolled.is_empty() && alone => Short::Neither,
-        _ if !rolled.is_empty() => Short::Together,
+        _ if supposed && alone => Short::Neither,
+        _ if supposed => Short::Together,
         End::Time(..) => Short::Motion,
         _ if account.times_alone() => Short::Motion,
         _ => Short::Energy,
     };
-    (account.short, account.supposed) = (short, rolled);
+    account.short = short;
     tell(&mut account)
 }
 
@@ -372,13 +372,13 @@ fn subtracts(e: &Expr) -> bool {
     matches!(e, Expr::Sum(_)) && (1..e.parts().len()).contains(&minus) || e.parts().into_iter().any(subtracts)
 }
 
-/// What friction rolling would need on a contact that is said to slip.
-fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
-    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
+/// What friction rolling would need on a contact that is said to slip; `false` where nobody asks.
+fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> {
+    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(false) };
     let told = draft.scene.end != End::AtOnce || draft.asks(Quantity::Rolls);
     let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
-        return Ok(None);
+        return Ok(false);
     }
     let mut n = Account::new(draft, Some(tie))?;
     n.short = Short::Neither;
@@ -406,8 +406,8 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     let (limit, way) = (n.valued(&most, "N"), n.way(body, value));
     let name = if slips { "rolled.slips" } else { "rolled.rolls" };
     n.say(name, &[("needed", &size), ("limit", &limit), ("way", &way)]);
-    n.stop();
-    Ok(Some(std::mem::replace(&mut n.out, SolutionSection::new("", ""))))
+    n.end();
+    Ok(true)
 }
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
@@ -463,9 +463,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         }
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        let rolled = std::mem::take(&mut self.supposed);
-        self.end();
-        self.draft.sections.extend(rolled);
         match self.short {
             Short::Energy | Short::Motion if self.spring.is_some() && !self.placed() => self.swings(),
             Short::Energy => {
@@ -1060,10 +1057,13 @@ impl<'d, 'a> Account<'d, 'a> {
             let n = self.number_of(last);
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
-        let drive = self.share_sum(&DRIVING);
-        let line = self.equation(&drive, &self.effective.by(a));
+        let (drive, gain) = (self.share_sum(&DRIVING), self.effective.by(a));
+        let line = self.equation(&drive, &gain);
         if self.spring.is_some() {
-            self.formula(line);
+            // What is the last row itself stands there already.
+            if !self.equations(last.body).contains(&(Some(last), drive, gain)) {
+                self.formula(line);
+            }
         } else if from.is_empty() {
             let row = self.chain(a, &drive.over(&self.effective));
             self.formulas_or_one(vec![row]);
@@ -1164,17 +1164,17 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// All rows with numbers.
     fn write_rows(&mut self) {
-        let each = |body: usize| (self.m.parts[body].label.clone(), self.equations(body));
-        let all: Vec<_> = (0..self.m.parts.len()).map(each).collect();
-        let rows = all.iter().flat_map(|(_, rows)| rows).zip(1..);
-        self.rows = rows.filter_map(|((c, ..), n)| Some(((*c)?, n))).collect();
-        let plain =
-            all.into_iter().map(|(name, rows)| (name, rows.into_iter().map(|(_, l, r)| (l, r)).collect()));
-        self.page.rows(&plain.collect::<Vec<_>>());
+        let plain = |body| self.equations(body).into_iter().map(|(_, left, right)| (left, right)).collect();
+        let all = self.m.parts.iter().zip(0..).map(|(part, body)| (part.label.clone(), plain(body)));
+        let all: Vec<_> = all.collect();
+        self.page.rows(&all);
     }
 
+    /// The number of the row of a coordinate.
     pub fn number_of(&self, c: Coordinate) -> String {
-        self.rows.iter().find(|(r, _)| *r == c).map_or_else(String::new, |(_, n)| n.to_string())
+        let rows = (0..self.m.parts.len()).flat_map(|body| self.equations(body)).zip(1..);
+        let mut own = rows.filter(|((of, ..), _)| *of == Some(c)).map(|(_, n)| n.to_string());
+        own.next().unwrap_or_default()
     }
 
     /// From the acceleration to the speed, or to the distance.
@@ -1298,7 +1298,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let normal = self.get(of_body(Quantity::Normal, body))?;
         let (fall, j) = (self.share_sum(&[ForceKind::Given]), self.inertia_of(body).per(square(&c)));
         let rolling = fall.over(self.m.parts[body].mass.plus(&j));
-        let grip = self.number(thrown.mu_s, r"\mu_s", "1") * normal;
+        let grip = self.grip(body, thrown.mu_s)?;
         let holds = self.value(&j.by(&rolling)).abs() <= self.value(&grip);
         let rolls = matches!((&asked, event), (Some(t), Some(e)) if self.value(t) > self.symbols.value(e));
         let slid = match (&asked, event) {
@@ -1503,7 +1503,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let j = self.inertia_of(body).per(c.squared());
         let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
         let needed = self.valued(&self.positive(&needed), "N");
-        let limit = self.number(mu_s, r"\mu_s", "1") * normal;
+        let limit = self.grip(body, mu_s)?;
         self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &self.valued(&limit, "N"))]);
         Ok(())
     }
@@ -1635,9 +1635,8 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("friction.points", &[("f", &f), ("way", &sense)]);
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
-            let mu = self.number(mu, r"\mu_s", "1");
-            let n = self.get(of_body(Quantity::Normal, body))?;
-            let most = self.valued(&(mu * n), "N");
+            let grip = self.grip(body, mu)?;
+            let most = self.valued(&grip, "N");
             self.say("friction.not_mu", &[("f", &f), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {
@@ -1708,23 +1707,27 @@ impl<'d, 'a> Account<'d, 'a> {
             if self.m.of(along).ratio.is_zero() {
                 continue;
             }
-            let mu = self.number(mu, r"\mu_s", "1");
-            let n = self.get(of_body(Quantity::Normal, body))?;
+            let grip = self.grip(body, mu)?;
             let push = self.at_start(&self.share_sum(&[ForceKind::Given]));
             let push = positive_first([in_sense(push, self.sense)]);
-            let hold = (mu * n) * self.magnitude(&self.m.of(along).ratio).expr();
+            let hold = grip * self.magnitude(&self.m.of(along).ratio).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
         }
         Ok(())
     }
 
+    /// The most that static friction holds: `mu_s N`.
+    fn grip(&mut self, body: usize, mu: Num) -> Result<Expr, DerivationStop> {
+        let mu = self.number(mu, r"\mu_s", "1");
+        Ok(mu * self.get(of_body(Quantity::Normal, body))?)
+    }
+
     /// What slides as soon as it moves, and stays.
     fn held_by_friction(&mut self, body: usize, mu: Num) -> Result<(), DerivationStop> {
-        let mu = self.number(mu, r"\mu_s", "1");
-        let n = self.get(of_body(Quantity::Normal, body))?;
+        let grip = self.grip(body, mu)?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
-        let most = self.valued(&(mu * n), "N");
+        let most = self.valued(&grip, "N");
         self.say_of("holds.held", body, &[("f", &self.shown(f)), ("most", &most)]);
         Ok(())
     }

@@ -13,8 +13,8 @@ use crate::solution::account::{START_NAMES, of_body, stored};
 use crate::solution::asked;
 use crate::solution::draft::Draft;
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, ratio, root, signed, sine,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, power, ratio, root, signed,
+    sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
@@ -667,16 +667,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         let distance = self.of_spot(spot);
         self.point(spot.body, &distance)
     }
-    fn wave(&self, turn: usize, wave: Wave, which: usize) -> Factors {
-        let angle = &self.turns[turn].at[which];
-        if wave == Wave::Sine { sine(angle).factors() } else { cosine(angle).factors() }
+    /// A cosine or sine of an angle, or its first or second derivative by the leading one.
+    fn wave(&self, turn: usize, wave: Wave, which: usize, order: u32) -> Factors {
+        let Turn { at, rate, .. } = &self.turns[turn];
+        let sines = (wave == Wave::Sine) == (order != 1);
+        let falls = order == 2 || order == 1 && wave == Wave::Cosine;
+        let value = if sines { sine(&at[which]) } else { cosine(&at[which]) };
+        power(rate[which].clone(), order).factors().times(value).signed(if falls { -1 } else { 1 })
     }
     /// A coordinate at the start or at the place that is asked.
     fn at(&mut self, line: &Line, which: usize) -> Sum {
         let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
             Wave::Way if which == START => Factors::zero(),
             Wave::Way => size.times(self.turned()),
-            _ => size.times(self.wave(*turn, *wave, which)),
+            _ => size.times(self.wave(*turn, *wave, which, 0)),
         });
         let waves = waves.collect();
         line.fixed.plus(&waves)
@@ -687,20 +691,15 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Its rate, per unit rate of the leading angle.
     fn rate(&self, line: &Line, which: usize) -> Sum {
-        Sum::of(line.waves.iter().map(|(size, turn, wave)| {
-            let size = size.times(&self.turns[*turn].rate[which]);
-            match wave {
-                Wave::Way => size,
-                Wave::Cosine => size.times(self.wave(*turn, Wave::Sine, which)).opposite(),
-                Wave::Sine => size.times(self.wave(*turn, Wave::Cosine, which)),
-            }
+        Sum::of(line.waves.iter().map(|(size, turn, wave)| match wave {
+            Wave::Way => size.times(&self.turns[*turn].rate[which]),
+            _ => size.times(self.wave(*turn, *wave, which, 1)),
         }))
     }
     /// What its second derivative has per square of the leading rate, of one leading angle alone.
     fn bend(&self, line: &Line) -> Sum {
-        Sum::of(line.waves.iter().filter(|w| w.2 != Wave::Way).map(|(size, turn, wave)| {
-            size.times(square(&self.turns[*turn].rate[END])).times(self.wave(*turn, *wave, END)).opposite()
-        }))
+        let waves = line.waves.iter().filter(|w| w.2 != Wave::Way);
+        Sum::of(waves.map(|(size, turn, wave)| size.times(self.wave(*turn, *wave, END, 2))))
     }
     pub fn places(&mut self, point: &Point, which: usize) -> Vector {
         [self.at(&point[0], which), self.at(&point[1], which)]
@@ -719,7 +718,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
         let Turn { from, across, .. } = &self.turns[0];
-        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here)));
+        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here, 0)));
         let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
         let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
         let toward = [Sum::of([c, s]).opposite(), Sum::of([d, t]).opposite()];
