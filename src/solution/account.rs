@@ -181,15 +181,6 @@ const fn coordinate(quantity: Quantity, body: usize) -> Coordinate {
     }
 }
 
-/// Is this 0 where nothing moves?
-const fn is_of_motion(quantity: Quantity) -> bool {
-    use Quantity as Q;
-    matches!(
-        quantity,
-        Q::V | Q::Omega | Q::KineticEnergy | Q::AngularMomentum | Q::VMax | Q::DAtVMax | Q::DTurn
-    )
-}
-
 /// What may have a symbol before it is asked.
 const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Quantity::T];
 
@@ -245,7 +236,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         this.spring = this.all_springs();
         this.grow();
-        this.effective = this.effective_mass();
+        // Common factors are in front; the spin of a slipping body is left out, as it has no ratio.
+        this.effective = this.scene.coordinates().flat_map(|c| this.reckoned(c)).collect::<Sum>().expr();
         this.set_out()?;
         Ok(this)
     }
@@ -396,12 +388,6 @@ impl<'d, 'a> Account<'d, 'a> {
             Some((_, symbol, _)) => Factors::of(&(*symbol).into()).signed(sign(self.value(&plain.expr()))),
             None => plain,
         }
-    }
-
-    /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio, common factors in front. The
-    /// spin of a slipping body is left out.
-    fn effective_mass(&self) -> Expr {
-        self.scene.coordinates().flat_map(|c| self.reckoned(c)).collect::<Sum>().expr()
     }
 
     /// The mass or the moments of inertia of a coordinate as the lead feels them: times the square of the velocity ratio.
@@ -1244,7 +1230,10 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What a quantity is equal to.
     fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
-        if self.stays() && is_of_motion(label.quantity) {
+        use Quantity::{AngularMomentum, DAtVMax, DTurn, KineticEnergy, Omega, V, VMax};
+        let moving =
+            matches!(label.quantity, V | Omega | KineticEnergy | AngularMomentum | VMax | DAtVMax | DTurn);
+        if self.stays() && moving {
             return Ok(ZERO);
         }
         let c = coordinate(label.quantity, body);
@@ -1259,8 +1248,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 Ok(sum(self.m.of(c).inertia.iter().map(|i| i.by(omega))))
             }
             Quantity::Impulse => {
-                let v = self.get(of_body(Quantity::V, body))?;
-                let v = in_sense(v.into(), self.velocity_sense(along(body)));
+                let v = self.velocity(along(body))?;
                 let before = self.v0.by(&self.m.parts[body].line.ratio);
                 Ok(self.m.parts[body].mass.by(positive_first([v - before])))
             }
@@ -1281,13 +1269,8 @@ impl<'d, 'a> Account<'d, 'a> {
                     return Ok(positive_first(all));
                 }
                 let moment = positive_first(couples.map(|(_, e)| e));
-                let rate = match label.quantity {
-                    Quantity::WorkCouple => self.signed_travel(c)?,
-                    _ => {
-                        let omega = self.get(of_body(Quantity::Omega, body))?;
-                        in_sense(omega.into(), self.velocity_sense(c))
-                    }
-                };
+                let work = label.quantity == Quantity::WorkCouple;
+                let rate = if work { self.signed_travel(c)? } else { self.velocity(c)? };
                 Ok(moment.by(&rate))
             }
             // Found before, as if it rolled.
@@ -1420,6 +1403,11 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let travel = self.travel(c)?;
         Ok(in_sense(travel, self.velocity_sense(c)))
+    }
+
+    /// The velocity of a coordinate, with its sign.
+    fn velocity(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        Ok(in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)))
     }
 
     /// Sense in which a coordinate moves; nothing turns back.
@@ -1659,10 +1647,7 @@ impl<'d, 'a> Account<'d, 'a> {
             if share.is_zero() {
                 continue;
             }
-            let rate = match travel {
-                true => self.signed_travel(c)?,
-                false => in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)),
-            };
+            let rate = if travel { self.signed_travel(c)? } else { self.velocity(c)? };
             all.push(rate.by(share));
         }
         Ok(positive_first(all))

@@ -676,7 +676,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let each = |b: usize| (self.bodies[b].name.clone(), self.equations(b));
         let all: Vec<_> = (0..self.bodies.len()).map(each).collect();
         self.rows(&all);
-        let demands = if self.scene.end == End::Equilibrium { Vec::new() } else { self.demands() };
+        let demands = self.demands();
         if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {

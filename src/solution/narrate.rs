@@ -474,7 +474,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             }
             Short::Motion => {
                 self.motion("short")?;
-                self.why_not_energy();
+                self.begin("why");
+                self.say("why.not_energy", &[("v", &self.speed()), ("s", &self.s.clone())]);
+                self.say("why.ask", &[]);
                 Ok(())
             }
             Short::Neither => {
@@ -484,7 +486,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             Short::Together => {
                 self.motion("short")?;
                 if !self.stays() {
-                    self.why_together();
+                    // Energy is one balance for the unknown speeds of several freedoms.
+                    self.begin_as("why", "which");
+                    self.say("why.together", &[("unknown", &self.speeds())]);
+                    self.say("why.ask", &[]);
                 }
                 Ok(())
             }
@@ -665,12 +670,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let name = way(self.scene, Owner::Body(body), value);
         name.map_or_else(String::new, |w| self.words.get(w).to_owned())
     }
-    fn body(&self, body: usize) -> String {
-        names::body_within(self.words, self.scene, body)
-    }
     /// Says something of a body, which stands there alone and with its article, within a sentence and at its beginning.
     fn say_of(&mut self, name: &str, body: usize, pieces: Pieces) {
-        let (own, the) = (self.body(body), names::the_body(self.words, self.scene, body));
+        let own = names::body_within(self.words, self.scene, body);
+        let the = names::the_body(self.words, self.scene, body);
         let at_first = capital(&the);
         let all: [Pieces; 2] = [&[("body", &own), ("the", &the), ("The", &at_first)], pieces];
         self.say(name, &all.concat());
@@ -1098,13 +1101,6 @@ impl<'d, 'a> Account<'d, 'a> {
             self.integrate(id == "long");
         }
         Ok(())
-    }
-
-    /// Energy is one balance for the unknown speeds of several freedoms.
-    fn why_together(&mut self) {
-        self.begin_as("why", "which");
-        self.say("why.together", &[("unknown", &self.speeds())]);
-        self.say("why.ask", &[]);
     }
 
     /// A motion on a spring that ends at a time, at a speed or where it turns.
@@ -1602,12 +1598,6 @@ impl<'d, 'a> Account<'d, 'a> {
         self.say("why.ask", &[]);
     }
 
-    fn why_not_energy(&mut self) {
-        self.begin("why");
-        self.say("why.not_energy", &[("v", &self.speed()), ("s", &self.s.clone())]);
-        self.say("why.ask", &[]);
-    }
-
     /// The closed form of a rolling body's friction, and what its signs say.
     fn read_friction(&mut self, tie: usize, body: usize) -> Result<(), DerivationStop> {
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
@@ -1860,14 +1850,12 @@ impl<'d, 'a> Account<'d, 'a> {
         let drive = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
         let smooth = (Expr::Number(2, 1) * self.distance() * drive).over(&self.effective);
         if self.value(&smooth) > 0.0 && self.grown.is_empty() && self.spring.is_none() {
-            let fast = self.relation(&root(smooth.clone()), self.value(&smooth).sqrt(), "m/s");
-            self.say("limits.smooth", &[("v", &self.shown(self.speed())), ("fast", &fast)]);
+            self.say_fast("limits.smooth", &smooth);
         }
     }
 
     /// Without rotary inertia: the closed form of the speed that is left.
     fn massless_limit(&mut self) {
-        let v = self.speed();
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
         let masses = lines.flat_map(|c| self.reckoned(c)).map(|i| i.expr());
         let masses: Vec<Expr> = masses.filter(|e| *e != ZERO).collect();
@@ -1878,8 +1866,13 @@ impl<'d, 'a> Account<'d, 'a> {
         let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
         let light = Expr::Number(2, 1) * self.distance() * drive;
         let light = light.over(positive_first(masses));
-        let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
-        self.say("limits.massless", &[("v", &self.shown(v)), ("fast", &fast)]);
+        self.say_fast("limits.massless", &light);
+    }
+
+    /// Compares the speed with another one, of which this is the square.
+    fn say_fast(&mut self, name: &str, square: &Expr) {
+        let fast = self.relation(&root(square), self.value(square).sqrt(), "m/s");
+        self.say(name, &[("v", &self.shown(self.speed())), ("fast", &fast)]);
     }
 
     /// Where the driving force just balances: nothing happens.

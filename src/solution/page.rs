@@ -285,9 +285,16 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// The same; a single short one within the sentence.
     pub fn formulas_or_one(&mut self, all: Vec<String>) {
-        match &all[..] {
-            [one] if width(one) <= WITHIN && !one.contains('&') => self.add(format!("${one}$.")),
-            _ => self.formulas(all),
+        self.few_or_lines(all, 1);
+    }
+    /// The same; so few short ones within the sentence.
+    fn few_or_lines(&mut self, all: Vec<String>, few: usize) {
+        let short = all.iter().all(|one| width(one) <= WITHIN && !one.contains('&'));
+        if !short || all.len() > few {
+            self.formulas(all);
+        } else if !all.is_empty() {
+            let all: Vec<String> = all.iter().map(|one| format!("${one}$")).collect();
+            self.add(format!("{}.", all.join(", ")));
         }
     }
     /// Equations, as many to a line as it holds.
@@ -427,16 +434,8 @@ impl<'d, 'a> Page<'d, 'a> {
         let new = |s: &&Step| !self.told.contains(&s.symbol);
         let steps: Vec<Step> = self.steps.iter().filter(new).cloned().collect();
         self.skip_new();
-        let chains: Vec<String> = steps.iter().map(|s| self.chain(s.symbol, &s.from)).collect();
-        let short = chains.iter().all(|c| width(c) <= WITHIN && !c.contains('&'));
-        if short && chains.len() <= FEW {
-            if !chains.is_empty() {
-                let all: Vec<String> = chains.iter().map(|c| format!("${c}$")).collect();
-                self.open.push(format!("{}.", all.join(", ")));
-            }
-            return;
-        }
-        self.formulas(chains);
+        let chains = steps.iter().map(|s| self.chain(s.symbol, &s.from)).collect();
+        self.few_or_lines(chains, FEW);
     }
     /// Takes all steps as told.
     pub fn skip_new(&mut self) {

@@ -252,8 +252,8 @@ pub struct Plane<'d, 'a> {
     pub springs: Vec<SymbolId>,
     /// The works of all forces that are known.
     pub works: Vec<Expr>,
-    /// Friction of guides: joint, and what it is.
-    pub frictions: Vec<(usize, SymbolId)>,
+    /// Friction of guides: joint, symbol, and what it is, positive up or to the right.
+    pub frictions: Vec<(usize, SymbolId, Expr)>,
     /// The rate of the leading angle at the place that is asked, a magnitude.
     pub rate: SymbolId,
     /// That at the start.
@@ -344,7 +344,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             carrier,
             moving: Sum::default(),
         };
-        this.first = this.start_rate();
+        if let Some((c, given)) = this.scene.start_speeds().next() {
+            let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
+            this.first = this.number(given, tex, unit);
+        }
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
         this.moves = !this.scene.is_still() || sets_off;
         if this.gliding().is_some() {
@@ -458,13 +461,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The spin or the speed that is given at the start, of whichever body.
-    fn start_rate(&mut self) -> Expr {
-        let Some((c, given)) = self.scene.start_speeds().next() else { return ZERO };
-        let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
-        self.number(given, tex, unit)
-    }
-    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1. Of a speed that comes
+    /// The rate of the leading angle that goes with the spin or the speed that is given at the start: by the ratio of the key's places, where that is not 1. Of a speed that comes
     /// later, when all has its place.
     fn start_from(&mut self) -> Result<(), DerivationStop> {
         let turns = |c: &Coordinate| c.degree == Degree::Turn;
@@ -653,7 +650,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Some(turn) => self.axis(turn),
             None => {
                 let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-                from.map(|x| Line::fixed(if x == 0.0 { Sum::default() } else { Sum::one(sign(x)) }))
+                from.map(|x| Line::fixed(Sum::one(sign(x))))
             }
         }
     }
@@ -718,11 +715,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
         let Turn { from, across, .. } = &self.turns[0];
-        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here, 0)));
-        let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
-        let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
-        let toward = [Sum::of([c, s]).opposite(), Sum::of([d, t]).opposite()];
-        [toward, [Sum::of([u, e.opposite()]), Sum::of([w, f.opposite()])]]
+        let axis = |order| {
+            let of = |share: f64, wave| sign(share).times(self.wave(0, wave, self.here, order));
+            [0, 1].map(|i| Sum::of([of(from[i], Wave::Cosine), of(across[i], Wave::Sine)]))
+        };
+        [axis(0).map(|x| x.opposite()), axis(1)]
     }
     /// A vector, right and up, in these directions.
     fn frame(&self, v: &Vector) -> Vector {
@@ -1715,14 +1712,13 @@ impl<'d, 'a> Plane<'d, 'a> {
             -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
         });
         let way = if carried == 0.0 { rubs * up * presses.map_or(1.0, f64::signum) } else { carried };
-        let sense = Factors::one().signed(if way < 0.0 { -1 } else { 1 });
-        let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
-        let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
+        let sense = if way < 0.0 { -1 } else { 1 };
+        let along = line.each_ref().map(|f| Sum::one(f.signed(sense)));
         let point = self.spot(at);
         let pull = self.pull(at.body, &point, mu.factors(), along, Some(normal));
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
-        self.frictions.push((joint, force));
+        self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
         self.pulls.push(pull);
     }
 
@@ -1749,9 +1745,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn reactions(&self) -> Vec<SymbolId> {
         self.holds.iter().map(|h| h.unknown).collect()
     }
+    /// What is not known of the accelerations; in equilibrium there are none.
     pub fn accelerations(&self) -> Vec<SymbolId> {
         let free = self.pivot.is_none();
-        self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
+        let moving = self.bodies.iter().filter(|_| self.scene.end != End::Equilibrium);
+        moving.flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
     }
     /// The acceleration of the mass centre of a body on a pin, toward the pin and across.
     fn on_circle(&self, pivot: &Pivot) -> [Expr; 2] {
@@ -1803,7 +1801,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// What the joints demand of the accelerations, both sides.
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
-        let each = self.holds.iter().filter(|_| self.pivot.is_none()).map(|h| {
+        let none = self.pivot.is_some() || self.scene.end == End::Equilibrium;
+        let each = self.holds.iter().filter(|_| !none).map(|h| {
             let mut left = Vec::new();
             for pull in &h.pulls {
                 let it = &self.bodies[pull.body];
@@ -1831,12 +1830,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             return Ok(());
         }
-        let mut rates = self.accelerations();
-        if self.scene.end == End::Equilibrium {
-            rates.clear();
-        } else {
-            equations.extend(self.demands());
-        }
+        equations.extend(self.demands());
+        let rates = self.accelerations();
         let unknowns = [rates.clone(), self.reactions()].concat();
         let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
         let (rates, g) = (rates.len(), self.value(&self.g));
@@ -1930,20 +1925,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Speed of a point per unit rate of the leading angle, as it is written: without a radical where there is none.
     fn speed(&self, point: &Point, unit: Option<&[Factors; 2]>) -> Expr {
         let v = self.rates(point, END);
-        if let Some(unit) = unit {
-            return product(&v, &vector(unit)).expr();
-        }
-        match (v[0].is_zero(), v[1].is_zero()) {
-            (true, true) => ZERO,
-            (true, false) => v[1].expr(),
-            (false, true) => v[0].expr(),
-            _ => {
+        let is = match (unit, v[0].is_zero(), v[1].is_zero()) {
+            (Some(unit), ..) => product(&v, &vector(unit)).expr(),
+            (None, true, _) => v[1].expr(),
+            (None, false, true) => v[0].expr(),
+            (None, false, false) => {
                 let is = product(&v, &v).rooted();
                 // What rounding leaves of a point that stands still may be below 0.
                 let sound = !self.value(&is).is_nan();
                 if sound { is } else { root(square(v[0].expr()) + square(v[1].expr())) }
             }
-        }
+        };
+        let sense = self.value(&is);
+        in_sense(is, sense)
     }
     /// The line along which a joint guides a body that does not turn.
     fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
@@ -1965,7 +1959,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             let centre = self.centre(body);
             let line = self.line_of(body);
             let is = self.speed(&centre, line.as_ref());
-            let is = if self.value(&is) < 0.0 { -is } else { is };
             let plain = if self.bodies.len() == 1 { width(&self.tex(&is)) <= WITHIN } else { !sums(&is) };
             let is = if plain {
                 is
@@ -1988,6 +1981,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             it.mass.each(&own).plus(&self.turning(b, which))
         });
         each.sum()
+    }
+    /// The same, by its symbol where it has one.
+    fn whole_inertia(&mut self) -> Expr {
+        let speeds = self.speeds();
+        self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from)
     }
     /// Share of the rotation about the mass centre of a body in [`Self::inertia`].
     fn turning(&self, body: usize, which: usize) -> Sum {
@@ -2075,6 +2073,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let letters = |letters: [&str; 2], tag: &str| letters.map(|l| tagged(l, tag));
         let i = usize::from(matches!(label.quantity, Q::AY | Q::VY));
         let glides = self.glide_to(i);
+        let carried = self.glides.as_ref().map(|speed| self.positive(speed));
         let way = |b: usize| format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
         let still = matches!(label.quantity, Q::V | Q::VX | Q::VY | Q::KineticEnergy) && !self.moves;
         let (names, is) = match (label.quantity, label.of) {
@@ -2102,22 +2101,16 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ([tagged("a", &way(b)), tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
-                if let Some(speed) = &self.glides {
-                    let (speed, v) = (self.positive(speed), self.bodies[b].v);
-                    return Ok(self.page.step(v, speed));
-                }
-                let centre = self.centre(b);
-                let is = match self.speeds.get(b) {
-                    Some(speed) => speed.by(&rate),
-                    None => self.speed_of(&centre, &rate),
+                let is = match (carried, self.speeds.get(b)) {
+                    (Some(speed), _) => speed,
+                    (None, Some(speed)) => speed.by(&rate),
+                    (None, None) => self.speed(&self.centre(b), None).by(&rate),
                 };
-                let v = self.bodies[b].v;
-                return Ok(self.page.step(v, is));
+                return Ok(self.page.step(self.bodies[b].v, is));
             }
             (Q::V, Owner::Spot(spot)) => {
                 let point = self.spot(spot);
-                let glides = self.glides.as_ref().map(|speed| self.positive(speed));
-                let is = glides.unwrap_or_else(|| self.speed_of(&point, &rate));
+                let is = carried.unwrap_or_else(|| self.speed(&point, None).by(&rate));
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
                 let known = self.symbols.named(&[tagged("v", name)]).is_some();
                 let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
@@ -2155,8 +2148,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 return self.springs.get(spring).copied().ok_or_else(none);
             }
             (Q::KineticEnergy, _) => {
-                let speeds = self.speeds();
-                let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
+                let j = self.whole_inertia();
                 let all = sum(self.bodies.iter().map(|b| b.mass.expr()));
                 let (j, rate) = self.glides.clone().map_or((j, rate), |speed| (all, speed));
                 let is = ratio(1, 2).by(&j).by(square(&rate));
@@ -2192,10 +2184,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         if matches!(label.quantity, Q::OmegaSmall | Q::PeriodSmall) {
             let per = match (self.k.filter(|_| self.scene.end == End::Equilibrium), &self.pivot) {
-                (Some(k), _) => {
-                    let speeds = self.speeds();
-                    k / self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from)
-                }
+                (Some(k), _) => k / self.whole_inertia(),
                 (None, Some(pivot)) => {
                     self.bodies[0].mass.times(&self.g).times(&pivot.h).expr() / pivot.about
                 }
@@ -2323,11 +2312,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
         self.page.expanded(&square)
     }
-    fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
-        let speed = self.speed(point, None);
-        let speed = if self.value(&speed) < 0.0 { -speed } else { speed };
-        speed.by(rate)
-    }
 
     /// The force of a joint.
     pub fn of_joint(&mut self, quantity: Quantity, joint: usize) -> Option<SymbolId> {
@@ -2342,23 +2326,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),
-            Quantity::Friction if self.frictions.iter().any(|f| f.0 == joint) => {
-                let force = self.frictions.iter().find(|f| f.0 == joint)?.1;
-                let JointKind::Guide { direction_deg, mu_k: Some(mu), .. } = self.scene.joints[joint].kind
-                else {
-                    return None;
-                };
-                let line = self.direction(direction_deg);
-                let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
-                let normal = *own.first()?;
-                let pull = self.pulls.iter().find(|p| p.unknown == Some(normal))?;
-                // As it acts: along the line, positive up or to the right.
-                let at = usize::from(line[0].is_zero());
-                let sense = self.value(&pull.along[at].expr()) * self.value(&line[at].expr()) * up;
-                let mu = self.number(mu, r"\mu_k", "1");
-                Some(self.page.step(force, in_sense(mu * normal, sense)))
-            }
-            Quantity::Friction => own.get(1).copied(),
+            Quantity::Friction => match self.frictions.iter().find(|(of, ..)| *of == joint).cloned() {
+                Some((_, force, is)) => Some(self.page.step(force, is)),
+                None => own.get(1).copied(),
+            },
             Quantity::Normal | Quantity::Tension | Quantity::RimForce | Quantity::PinX => {
                 own.first().copied()
             }
