@@ -809,7 +809,10 @@ impl<'d, 'a> Account<'d, 'a> {
         // The speed, or the way, with the acceleration put in.
         let target = if place { v } else { self.steps.last().map(|s| s.symbol) };
         if let Some(symbol) = target {
-            let from = if place { self.from(symbol) } else { self.way_by_energy() };
+            // `s = m_e (v^2 - v0^2)/(2 F)`
+            let squares = square(&self.v) - square(&self.v0);
+            let way = &self.effective * squares / (Expr::Number(2, 1) * &self.drive);
+            let from = if place { self.from(symbol) } else { way };
             self.display(symbol, &from, r" \quad (\mathrm{E})");
             self.tell_groups(&from);
         }
@@ -828,12 +831,6 @@ impl<'d, 'a> Account<'d, 'a> {
         if spring.is_some() && fastest.iter().any(|q| self.asks(*q)) {
             self.tell_fastest();
         }
-    }
-
-    /// `s = m_e (v^2 - v0^2)/(2 F)`
-    fn way_by_energy(&self) -> Expr {
-        let squares = square(&self.v) - square(&self.v0);
-        &self.effective * squares / (Expr::Number(2, 1) * &self.drive)
     }
 
     /// The named ratios of displacements, from the distances to the point of contact.
