@@ -3,7 +3,7 @@
 use crate::scene::{
     AsIf, Coordinate, Degree, End, Far, GivenForce, Grows, Label, Num, Owner, Quantity, Span, SpringTie, Tie,
 };
-use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
+use crate::solution::draft::{Draft, tex_of};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, length, magnitude, number, positive_first,
     power, ratio, root, square, sum,
@@ -12,11 +12,10 @@ use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::narrate::Short;
 use crate::solution::order::{Found, Row, needed};
 use crate::solution::page::Page;
-use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::terms::{
     Action, BodyTerms, Carrying, ForceKind, ForceSource, Freedom, Terms, mark_of, tagged,
 };
-use crate::solution::text::SolutionSection;
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -91,16 +90,12 @@ pub struct Account<'d, 'a> {
     pub rolled: Option<usize>,
     /// Which way comes first.
     pub short: Short,
-    /// The rows as they are numbered.
-    pub rows: Vec<(Coordinate, usize)>,
     /// Does a thrown body still slip at the time that is asked?
     pub still_slips: bool,
     /// Are the ratios of displacements on the page?
     pub ratios_told: bool,
     /// Has it been said what is seen from the ground?
     pub grounded: bool,
-    /// What is said of contacts that are taken as rolling.
-    pub supposed: Vec<SolutionSection>,
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
@@ -109,8 +104,9 @@ pub struct Account<'d, 'a> {
 /// The symbols of a quantity that is not among the terms; the first that is free is taken.
 const fn names_of(quantity: Quantity) -> [&'static str; 2] {
     match quantity {
-        Quantity::V => ["v_G", "u_G"],
-        Quantity::Omega => [r"\omega", r"\omega_2"],
+        Quantity::A => ["a", "a_G"],
+        Quantity::ARolling => [r"a_{\mathrm{r}}", "a_2"],
+        Quantity::V => ["v", "u"],
         Quantity::T => ["t", "t_2"],
         Quantity::Displacement => [r"\Delta x", r"\Delta x_G"],
         Quantity::Distance => ["d", "D"],
@@ -185,25 +181,8 @@ const fn coordinate(quantity: Quantity, body: usize) -> Coordinate {
     }
 }
 
-/// Is this 0 where nothing moves?
-const fn is_of_motion(quantity: Quantity) -> bool {
-    use Quantity as Q;
-    matches!(
-        quantity,
-        Q::V | Q::Omega | Q::KineticEnergy | Q::AngularMomentum | Q::VMax | Q::DAtVMax | Q::DTurn
-    )
-}
-
 /// What may have a symbol before it is asked.
 const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Quantity::T];
-
-fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
-    Err(what.into())
-}
-
-fn unfound<T>() -> Result<T, DerivationStop> {
-    beyond(Beyond::Unfound)
-}
 
 stands_on!(Account.page: Page<'d, 'a>);
 
@@ -230,11 +209,9 @@ impl<'d, 'a> Account<'d, 'a> {
             slip: None,
             rolled,
             short: Short::Instant,
-            rows: Vec::new(),
             still_slips: false,
             ratios_told: false,
             grounded: false,
-            supposed: Vec::new(),
             known: Vec::new(),
             seen: Vec::new(),
         };
@@ -259,7 +236,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         this.spring = this.all_springs();
         this.grow();
-        this.effective = this.effective_mass();
+        // Common factors are in front; the spin of a slipping body is left out, as it has no ratio.
+        this.effective = this.scene.coordinates().flat_map(|c| this.reckoned(c)).collect::<Sum>().expr();
         this.set_out()?;
         Ok(this)
     }
@@ -324,8 +302,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The acceleration at the start under forces that grow.
     fn first_acceleration(&mut self) -> SymbolId {
         let first = self.at_start(&self.drive.clone());
-        let (names, unit) =
-            if self.straight() { (["a_0", "a_a"], "m/s^2") } else { ([r"\alpha_0", r"\alpha_a"], "rad/s^2") };
+        let (names, unit) = self.of_lead((["a_0", "a_a"], "m/s^2"), ([r"\alpha_0", r"\alpha_a"], "rad/s^2"));
         let start = self.page.find(&names, unit, first.over(&self.effective));
         self.first_rate = Some(start);
         start
@@ -341,7 +318,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let [first, last] = [start, a].map(Expr::from);
         let end = &self.v0 + weighed([(&first, (h, h + 2)), (&last, (2, h + 2))]).by(t);
         if !self.m.one {
-            return beyond(Beyond::GrowingForce);
+            return Err(Beyond::GrowingForce.into());
         }
         self.sense = self.value(&end).signum();
         let end = self.positive(&end);
@@ -413,17 +390,10 @@ impl<'d, 'a> Account<'d, 'a> {
         }
     }
 
-    /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio, common factors in front. The
-    /// spin of a slipping body is left out.
-    fn effective_mass(&self) -> Expr {
-        let coordinates = self.scene.coordinates().filter(|c| !self.m.of(*c).ratio.is_zero());
-        let terms: Vec<Factors> = coordinates
-            .flat_map(|c| {
-                let square = self.m.of(c).ratio.squared();
-                self.m.of(c).inertia.iter().map(move |i| i.times(&square))
-            })
-            .collect();
-        Sum::of(terms).expr()
+    /// The mass or the moments of inertia of a coordinate as the lead feels them: times the square of the velocity ratio.
+    pub fn reckoned(&self, c: Coordinate) -> impl Iterator<Item = Factors> {
+        let square = self.m.of(c).ratio.squared();
+        self.m.of(c).inertia.iter().map(move |i| i.times(&square))
     }
 
     /// A new quantity.
@@ -455,6 +425,11 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Does the lead move along a line?
     pub fn straight(&self) -> bool {
         self.lead().degree == Degree::Along
+    }
+
+    /// What belongs to a lead that moves along a line, or to one that turns.
+    pub fn of_lead<T>(&self, line: T, turn: T) -> T {
+        if self.straight() { line } else { turn }
     }
 
     /// Does this coordinate stand in no ratio to the lead: the spin of a slipping body, or any of several freedoms?
@@ -541,13 +516,8 @@ impl<'d, 'a> Account<'d, 'a> {
             from => {
                 let alone = self.m.parts.len() == 1 || matches!(label.of, Owner::Scene);
                 let tag = if alone { String::new() } else { self.m.parts[body].tag.clone() };
-                let names = match label.quantity {
-                    Quantity::A => ["a", "a_G"],
-                    Quantity::ARolling => [r"a_{\mathrm{r}}", "a_2"],
-                    Quantity::V => ["v", "u"],
-                    other => names_of(other),
-                };
-                self.page.find(&names.map(|n| marked(n, &tag)), label.quantity.unit(), from)
+                let names = names_of(label.quantity).map(|n| marked(n, &tag));
+                self.page.find(&names, label.quantity.unit(), from)
             }
         };
         self.seen.push((label, symbol));
@@ -627,10 +597,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.drive = self.share_sum(&[ForceKind::Given, ForceKind::Kinetic]);
         let lead = self.lead();
-        let mut push = self.value(&self.drive);
-        if let Some(s) = &self.spring {
-            push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
-        }
+        let push = self.value(&self.drive) + self.first_pull();
         let v0 = self.value(&self.v0);
         self.sense = match self.m.of(lead).a {
             _ if v0 != 0.0 => v0.signum(),
@@ -640,6 +607,13 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(())
     }
 
+    /// What the spring pulls the lead with at the start.
+    fn first_pull(&self) -> f64 {
+        let pull =
+            |s: &CordSpring| self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
+        self.spring.as_ref().map_or(0.0, pull)
+    }
+
     /// Sense of the friction on a body, positive up, as the key has it.
     fn friction_sense(&self, body: usize) -> f64 {
         if let Some(slip) = self.slip {
@@ -647,17 +621,13 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if self.as_if == Some(AsIf::Next) {
             // The key has the motion before it; this one goes on, or is set off by what is given.
-            let (v0, spring) = (self.value(&self.v0), self.spring.as_ref());
-            let pulls = |s: &CordSpring| {
-                self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch)
-            };
-            let push = self.value(&self.share_sum(&[ForceKind::Given])) + spring.map_or(0.0, pulls);
+            let v0 = self.value(&self.v0);
+            let push = self.value(&self.share_sum(&[ForceKind::Given])) + self.first_pull();
             let goes = if v0 == 0.0 { push } else { v0 };
             let own = self.value(&self.m.of(along(body)).ratio.expr());
             return -(goes * own).signum() * f64::from(self.m.parts[body].up);
         }
-        let key = self.variant.solved.get(of_body(Quantity::Friction, body));
-        key.map_or(1.0, |entry| if entry.value() < 0.0 { -1.0 } else { 1.0 })
+        self.key(of_body(Quantity::Friction, body)).map_or(1.0, |key| f64::from(sign(key)))
     }
 
     /// Normal forces, and the size and sign of kinetic friction, positive up.
@@ -844,14 +814,13 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn length(&mut self, num: Num) -> Expr {
-        let unit = if self.straight() { "m" } else { "rad" };
+        let unit = self.of_lead("m", "rad");
         self.number(num, "d", unit)
     }
 
     fn new_way(&mut self, from: Expr) {
-        let names: ([&str; 2], &str) =
-            if self.straight() { (["s", "s_2"], "m") } else { ([r"\varphi", r"\psi"], "rad") };
-        let symbol = self.new_symbol(&names.0, names.1);
+        let (names, unit) = self.of_lead((["s", "s_2"], "m"), ([r"\varphi", r"\psi"], "rad"));
+        let symbol = self.new_symbol(&names, unit);
         self.step(symbol, from);
         self.s = symbol.into();
     }
@@ -914,19 +883,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.v = v.into();
                 self.new_way(&self.v0.clone() * &t + ratio(1, 2) * a * square(&t));
             }
-            End::Speed(_, u) => {
-                let names = if self.straight() { ("v_1", "m/s") } else { (r"\omega_1", "rad/s") };
-                let u = self.number(u, names.0, names.1);
+            end @ (End::Speed(..) | End::TurningPoint(_)) => {
+                let names = self.of_lead(("v_1", "m/s"), (r"\omega_1", "rad/s"));
+                let given = if let End::Speed(_, u) = end { Some(u) } else { None };
+                self.v = given.map_or(ZERO, |u| self.number(u, names.0, names.1));
                 self.accelerate();
-                self.found(v_label, v, u.clone());
-                self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
-                self.v = u;
-            }
-            End::TurningPoint(_) => {
-                self.accelerate();
-                self.found(v_label, v, ZERO);
-                self.new_way(-(square(&self.v0) / (number(2) * a)));
-                self.v = ZERO;
+                self.found(v_label, v, self.v.clone());
+                self.new_way((square(&self.v) - square(&self.v0)) / (number(2) * a));
             }
             End::AtOnce if !self.m.one || self.m.parts.iter().any(|p| p.slips) => {
                 self.velocities_together()?;
@@ -957,12 +920,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let pull = sum(springs.iter().map(|s| s.stiffness.by(&s.gamma).by(&s.stretch)));
         let sense = sign(self.value(&pull));
         let pull = positive_first([in_sense(pull, f64::from(sense))]);
-        let [stiffness, stretch, tension] = [
-            ([r"k_{\mathrm{g}}", r"k_{\mathrm{s}}"], "N/m"),
-            ([r"x_{\mathrm{g}}", r"x_{\mathrm{s}}"], "m"),
-            ([r"F_{\mathrm{g}}", r"F_{\mathrm{s}}"], "N"),
-        ]
-        .map(|(names, unit)| self.new_symbol(&names, unit));
+        let [stiffness, stretch, tension] = [("k", "N/m"), ("x", "m"), ("F", "N")].map(|(letter, unit)| {
+            self.new_symbol(&["g", "s"].map(|mark| format!(r"{letter}_{{\mathrm{{{mark}}}}}")), unit)
+        });
         self.settle(stiffness, &stiff);
         self.settle(stretch, &(pull.clone() / stiffness));
         self.together_as = vec![(stiffness, stiff), (stretch, pull / stiffness)];
@@ -996,7 +956,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn stays_taut(&self, s: &Expr) -> Result<(), DerivationStop> {
         let slack = |own: &CordSpring| !own.rigid && self.value(&(&own.stretch - own.gamma.by(s))) < 0.0;
         if self.springs.len() > 1 && self.springs.iter().any(slack) {
-            return beyond(Beyond::Slack);
+            return Err(Beyond::Slack.into());
         }
         Ok(())
     }
@@ -1108,11 +1068,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
         let twice = positive_first([&spring.stiffness * squares, others]);
         match self.scene.end {
-            End::TurningPoint(_) => {
-                self.found(v_label, v, ZERO);
-            }
-            End::Speed(_, u) => {
-                self.v = self.number(u, "v_1", "m/s");
+            end @ (End::TurningPoint(_) | End::Speed(..)) => {
+                let given = if let End::Speed(_, u) = end { Some(u) } else { None };
+                self.v = given.map_or(ZERO, |u| self.number(u, "v_1", "m/s"));
                 self.found(v_label, v, self.v.clone());
             }
             _ => {
@@ -1253,16 +1211,16 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Some(symbol) = self.known(label) {
             return Ok(symbol);
         }
+        let c = coordinate(label.quantity, body);
         let own = match label.quantity {
-            Quantity::A | Quantity::Alpha => self.m.of(coordinate(label.quantity, body)).a,
-            Quantity::V | Quantity::Omega => self.m.of(coordinate(label.quantity, body)).v,
+            Quantity::A | Quantity::Alpha => self.m.of(c).a,
+            Quantity::V | Quantity::Omega => self.m.of(c).v,
             _ => None,
         };
         match (own, &from) {
             (Some(symbol), _) => Ok(self.found(label, symbol, from)),
             // It has its symbol already.
-            (None, Expr::Symbol(symbol)) if SAME.contains(&label.quantity) => {
-                let symbol = *symbol;
+            (None, &Expr::Symbol(symbol)) if SAME.contains(&label.quantity) => {
                 self.known.push((label, symbol));
                 Ok(symbol)
             }
@@ -1272,7 +1230,10 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// What a quantity is equal to.
     fn derived(&mut self, label: Label, body: usize) -> Result<Expr, DerivationStop> {
-        if self.stays() && is_of_motion(label.quantity) {
+        use Quantity::{AngularMomentum, DAtVMax, DTurn, KineticEnergy, Omega, V, VMax};
+        let moving =
+            matches!(label.quantity, V | Omega | KineticEnergy | AngularMomentum | VMax | DAtVMax | DTurn);
+        if self.stays() && moving {
             return Ok(ZERO);
         }
         let c = coordinate(label.quantity, body);
@@ -1287,8 +1248,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 Ok(sum(self.m.of(c).inertia.iter().map(|i| i.by(omega))))
             }
             Quantity::Impulse => {
-                let v = self.get(of_body(Quantity::V, body))?;
-                let v = in_sense(v.into(), self.velocity_sense(along(body)));
+                let v = self.velocity(along(body))?;
                 let before = self.v0.by(&self.m.parts[body].line.ratio);
                 Ok(self.m.parts[body].mass.by(positive_first([v - before])))
             }
@@ -1309,20 +1269,12 @@ impl<'d, 'a> Account<'d, 'a> {
                     return Ok(positive_first(all));
                 }
                 let moment = positive_first(couples.map(|(_, e)| e));
-                let rate = match label.quantity {
-                    Quantity::WorkCouple => self.signed_travel(c)?,
-                    _ => {
-                        let omega = self.get(of_body(Quantity::Omega, body))?;
-                        in_sense(omega.into(), self.velocity_sense(c))
-                    }
-                };
+                let work = label.quantity == Quantity::WorkCouple;
+                let rate = if work { self.signed_travel(c)? } else { self.velocity(c)? };
                 Ok(moment.by(&rate))
             }
             // Found before, as if it rolled.
-            Quantity::FrictionIfRolled => match self.draft.found_for(label) {
-                Some(DerivedAnswer::Value(symbol)) => Ok(symbol.into()),
-                _ => unfound(),
-            },
+            Quantity::FrictionIfRolled => self.value_for(label).map_or_else(unfound, |s| Ok(s.into())),
             Quantity::Rise => {
                 let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
                 let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
@@ -1365,7 +1317,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::PinX | Quantity::PinY | Quantity::PinForce | Quantity::PinAngle => {
                 self.axle(label.quantity, body)
             }
-            other => beyond(Beyond::Quantity(other)),
+            other => Err(Beyond::Quantity(other).into()),
         }
     }
 
@@ -1453,6 +1405,11 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(in_sense(travel, self.velocity_sense(c)))
     }
 
+    /// The velocity of a coordinate, with its sign.
+    fn velocity(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        Ok(in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)))
+    }
+
     /// Sense in which a coordinate moves; nothing turns back.
     fn velocity_sense(&self, c: Coordinate) -> f64 {
         match self.m.of(c).a {
@@ -1519,17 +1476,14 @@ impl<'d, 'a> Account<'d, 'a> {
                 let [[_, one], [_, other]] = self.extremes(body)?;
                 if self.symbols.value(one).abs() >= self.symbols.value(other).abs() { one } else { other }
             }
-            None => {
-                // Kinetic friction says nothing of the grip that rolling needs.
-                let rolling = self.found_for(of_body(Quantity::FrictionIfRolled, body));
-                match rolling {
-                    Some(DerivedAnswer::Value(f)) if self.m.parts[body].slips => f,
-                    _ => {
-                        let last = self.get(of_body(Quantity::Friction, body))?;
-                        self.largest_grown(last)?
-                    }
+            // Kinetic friction says nothing of the grip that rolling needs.
+            None => match self.value_for(of_body(Quantity::FrictionIfRolled, body)) {
+                Some(f) if self.m.parts[body].slips => f,
+                _ => {
+                    let last = self.get(of_body(Quantity::Friction, body))?;
+                    self.largest_grown(last)?
                 }
-            }
+            },
         };
         Ok(self.size(most.into()) / n)
     }
@@ -1541,7 +1495,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let from = self.from(last).put(a, &start.into());
         let first = self.grown.iter().fold(from, |f, g| f.put(g.last, &g.first));
         if self.m.reactions().iter().any(|(_, f)| first.uses().contains(f)) {
-            return beyond(Beyond::GrowingForce);
+            return Err(Beyond::GrowingForce.into());
         }
         if self.value(&first).abs() <= self.symbols.value(last).abs() {
             return Ok(last);
@@ -1580,7 +1534,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
-            number(2) * positive_first([pull.expr(), self.drive.clone()]) / kappa
+            (number(2) * positive_first([pull.expr(), self.drive.clone()])).over(&kappa)
         } else {
             let [_, rest, amplitude] = self.swing(&spring)?;
             let last = rest + in_sense(amplitude, self.stretching(&spring));
@@ -1648,10 +1602,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return None;
         }
         let c = self.magnitude(&self.m.action_of(tie)?.arm);
-        let mut j = Factors::zero();
-        for i in &part.spin.inertia {
-            j = j.plus(&i.per(&part.mass));
-        }
+        let j = part.spin.inertia.iter().fold(Factors::zero(), |j, i| j.plus(&i.per(&part.mass)));
         let up = part.up;
         let mut terms = Vec::new();
         for action in self.m.actions.iter().filter(|a| a.body == body && !a.contact) {
@@ -1696,10 +1647,7 @@ impl<'d, 'a> Account<'d, 'a> {
             if share.is_zero() {
                 continue;
             }
-            let rate = match travel {
-                true => self.signed_travel(c)?,
-                false => in_sense(self.get(speed_of(c))?.into(), self.velocity_sense(c)),
-            };
+            let rate = if travel { self.signed_travel(c)? } else { self.velocity(c)? };
             all.push(rate.by(share));
         }
         Ok(positive_first(all))
@@ -1756,11 +1704,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let mut turning = Vec::new();
         let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for c in (0..self.m.parts.len()).map(turn) {
-            let Freedom { inertia, ratio, .. } = self.m.of(c).clone();
+            let inertia = self.m.of(c).inertia.clone();
             if slips && !inertia.is_empty() {
                 turning.push(half_squares(&inertia, self.get(speed_of(c))?));
             } else {
-                turning.extend(inertia.iter().map(|i| i.by(ratio.squared())));
+                turning.extend(self.reckoned(c).map(|i| i.expr()));
             }
         }
         // The speed cancels in the share.

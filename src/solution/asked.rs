@@ -4,8 +4,9 @@ use crate::bank::{Problem, Question};
 use crate::num::formula::{Formula, Step};
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Degree, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
+use crate::solution::account::of_body;
 use crate::solution::derive;
-use crate::solution::draft::{DerivedAnswer, Detail, Draft};
+use crate::solution::draft::{Detail, Draft};
 use crate::solution::expr::{
     Expr, SymbolId, cosine, magnitude, number, power, product, root, sine, square, sum,
 };
@@ -15,7 +16,6 @@ use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{Symbols, tex_digits};
 use crate::solution::written::width;
-use crate::solve::outcome::Entry;
 use crate::words::Words;
 use crate::words::plain::capital;
 
@@ -79,10 +79,8 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             let known = labels.iter().map(|label| {
                 let needed = Label { quantity: Quantity::FrictionIfRolled, ..*label };
                 let supposed = *how == AsIf::Rolls && label.quantity == Quantity::Friction;
-                match draft.found_for(if so || !supposed { *label } else { needed }) {
-                    Some(DerivedAnswer::Value(symbol)) if so || supposed => Some((i, *label, symbol)),
-                    _ => None,
-                }
+                let symbol = draft.value_for(if so || !supposed { *label } else { needed });
+                symbol.filter(|_| so || supposed).map(|symbol| (i, *label, symbol))
             });
             if let Some(known) = known.collect::<Option<Vec<_>>>() {
                 if so {
@@ -146,7 +144,7 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
                 }
             };
             page.tell_new();
-            page.answer(question.label, DerivedAnswer::Value(symbol));
+            page.answer(question.label, symbol);
         }
         page.end();
     }
@@ -160,15 +158,12 @@ fn hand_over(draft: &mut Draft, next: &Scene) -> Result<(), DerivationStop> {
         Degree::Along => Quantity::Displacement,
         Degree::Turn => Quantity::Phi,
     };
-    let way = Label { quantity, of: Owner::Body(first.body) };
     // Bodies on lines and on fixed axles; the way of one has the sense of its motion.
-    let Some(way) = draft.variant.solved.get(way).map(Entry::value) else { return Err(Beyond::Next.into()) };
+    let way = draft.key(of_body(quantity, first.body)).ok_or(Beyond::Next)?;
     let given = draft.values.len();
     let mut taken: Vec<Expr> = Vec::new();
     for Taken { label, directed } in &next.formulas.taken {
-        let Some(DerivedAnswer::Value(symbol)) = draft.found_for(*label) else {
-            return Err(Beyond::Next.into());
-        };
+        let symbol = draft.value_for(*label).ok_or(Beyond::Next)?;
         let back = *directed && way < 0.0;
         taken.push(if back { -Expr::from(symbol) } else { symbol.into() });
         let value = draft.symbols.value(symbol);
@@ -201,10 +196,7 @@ type Named = Result<(Expr, bool), DerivationStop>;
 fn named(draft: &mut Draft, term: Term, others: &[(usize, Label, SymbolId)]) -> Named {
     let symbol = match term {
         Term::Given(given) => return Ok(given_as(draft, given)),
-        Term::Said(label) => match draft.found_for(label) {
-            Some(DerivedAnswer::Value(symbol)) => Ok(symbol),
-            _ => Err(label),
-        },
+        Term::Said(label) => draft.value_for(label).ok_or(label),
         Term::Other(i, label) => {
             let found = others.iter().find(|(o, l, _)| *o == i && *l == label);
             found.map(|(.., symbol)| *symbol).ok_or(label)
@@ -293,9 +285,9 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
         let mut draft = Draft::trial((problem, variant), scene, words, Symbols::new(words), Some(x));
         let measured: f64 = found.measured.value(&variant.data);
         let derived = derive(&mut draft);
-        match (draft.imbalance, derived.ok().and_then(|()| draft.found_for(found.label))) {
+        match (draft.imbalance, derived.ok().and_then(|()| draft.value_for(found.label))) {
             (Some(imbalance), _) => imbalance,
-            (None, Some(DerivedAnswer::Value(symbol))) => draft.symbols.value(symbol) - measured,
+            (None, Some(symbol)) => draft.symbols.value(symbol) - measured,
             _ => f64::NAN,
         }
     };
@@ -333,11 +325,11 @@ pub fn not_given(draft: &mut Draft) {
         (page.scene.formulas.found, page.scene.formulas.found.map(|f| f.unknown))
         && let Expr::Symbol(unknown) = page.number(Num::Datum(datum), "x", "1")
         && let Expr::Symbol(measured) = page.number(Num::Datum(found.measured.datum), "x", "1")
-        && let Some(DerivedAnswer::Value(forward)) = page.found_for(found.label)
+        && let Some(forward) = page.value_for(found.label)
     {
         let (name, told) = (page.names(&[unknown]), page.shown(measured));
         let equation = page.stated(forward, &measured.into());
-        page.say("asked.unknown", &[("name", &*name), ("measured", &told), ("equation", &equation)]);
+        page.say("asked.unknown", &[("name", &name), ("measured", &told), ("equation", &equation)]);
         match backward(&page, forward, measured, unknown) {
             Some(lines) => {
                 page.begin("backward");

@@ -35,11 +35,10 @@ pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
 /// words, and values that look, with the figures of the answer, like the right one or like one that the question has already.
 fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c CatalogueEntry, String)> {
     let questions = &draft.problem.questions;
-    let right: Vec<Option<String>> = questions
-        .iter()
-        .map(|q| draft.variant.solved.get(q.label).map(|entry| told(draft, q, entry.value())))
-        .collect();
-    let mut of_question: Vec<Vec<(&CatalogueEntry, String)>> = vec![Vec::new(); questions.len()];
+    let right = questions.iter().map(|q| draft.key(q.label).map(|value| told(draft, q, value)));
+    let right: Vec<Option<String>> = right.collect();
+    // In which round each is taken, its question, its words, its value.
+    let mut all: Vec<(usize, usize, &CatalogueEntry, String)> = Vec::new();
     for (index, mistake) in draft.problem.mistakes.iter().enumerate() {
         let Some(words) = catalogue.get(&mistake.id).filter(|_| mistake.unguarded.is_none()) else {
             continue;
@@ -48,20 +47,16 @@ fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c Catalo
             let wrong = draft.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
             let magnitude = draft.scene.is_magnitude(q.label);
             let wrong = told(draft, q, if magnitude { wrong.value.abs() } else { wrong.value });
-            let known =
-                right[at].as_ref() == Some(&wrong) || of_question[at].iter().any(|(_, w)| *w == wrong);
-            (!known).then_some((at, wrong))
+            let told = all.iter().any(|(_, of, _, known)| *of == at && *known == wrong);
+            (!told && right[at].as_ref() != Some(&wrong)).then_some((at, wrong))
         });
         if let Some((at, wrong)) = spoilt {
-            of_question[at].push((words, wrong));
+            let round = all.iter().filter(|(_, of, ..)| *of == at).count();
+            all.push((round, at, words, wrong));
         }
     }
-    let rounds = of_question.iter().map(Vec::len).max().unwrap_or(0);
-    let each = |round: usize| {
-        let next = of_question.iter().enumerate().filter_map(move |(at, all)| Some((at, all.get(round)?)));
-        next.map(|(at, (words, wrong))| (at, *words, wrong.clone()))
-    };
-    let mut chosen: Vec<_> = (0..rounds).flat_map(each).take(MOST).collect();
-    chosen.sort_by_key(|(at, ..)| *at);
-    chosen
+    all.sort_by_key(|(round, at, ..)| (*round, *at));
+    all.truncate(MOST);
+    all.sort_by_key(|(_, at, ..)| *at);
+    all.into_iter().map(|(_, at, words, wrong)| (at, words, wrong)).collect()
 }

@@ -13,7 +13,7 @@ use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::page::Step;
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::text::SolutionSection;
-use crate::solve::outcome::Word;
+use crate::solve::outcome::{Entry, Word};
 use crate::units::Unit;
 use crate::words::Words;
 use std::borrow::Cow;
@@ -25,6 +25,18 @@ pub enum DerivedAnswer {
     Value(SymbolId),
     /// A word.
     Word(Word),
+}
+
+impl From<SymbolId> for DerivedAnswer {
+    fn from(symbol: SymbolId) -> Self {
+        Self::Value(symbol)
+    }
+}
+
+impl From<Word> for DerivedAnswer {
+    fn from(word: Word) -> Self {
+        Self::Word(word)
+    }
 }
 
 /// How much a solution tells.
@@ -207,10 +219,9 @@ impl<'a> Draft<'a> {
                 let degrees = unit == "deg";
                 let unit = if degrees { String::new() } else { tex_of(unit) };
                 // Constants of different values bear different symbols.
-                let taken = |t: &str| self.told.iter().any(|d| d.starts_with(&format!("{t} =")));
                 let mut name = self.free(&names::sizes(tex));
                 for i in 1..10 {
-                    if taken(&name) {
+                    if self.tells(&name) {
                         name = match tex.split_once('_') {
                             Some((head, below)) if !below.starts_with('{') => {
                                 format!("{head}_{{{below},{i}}}")
@@ -233,6 +244,11 @@ impl<'a> Draft<'a> {
                 symbol.into()
             }
         }
+    }
+
+    /// Is a datum or a constant told that bears this symbol?
+    fn tells(&self, tex: &str) -> bool {
+        self.told.iter().any(|told| told.starts_with(&format!("{tex} =")))
     }
 
     /// A constant of the data that is the same as an expression, in the same unit.
@@ -263,9 +279,7 @@ impl<'a> Draft<'a> {
 
     /// The same, by the first of these symbols that is free.
     pub fn named(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
-        // A constant may bear it already.
-        let told = |tex: &str| self.told.iter().any(|d| d.starts_with(&format!("{tex} =")));
-        let open: Vec<&str> = names.iter().map(AsRef::as_ref).filter(|tex| !told(tex)).collect();
+        let open: Vec<&str> = names.iter().map(AsRef::as_ref).filter(|tex| !self.tells(tex)).collect();
         let tex = if open.is_empty() { format!("{}^{{*}}", self.free(names)) } else { self.free(&open) };
         self.unknown(&tex, unit)
     }
@@ -299,19 +313,16 @@ impl<'a> Draft<'a> {
 
     /// Gives an unknown the value of what it is equal to, with the digits of that where it is another quantity.
     pub fn settle(&mut self, symbol: SymbolId, from: &Expr) {
-        match from {
-            Expr::Symbol(same) => self.symbols.settle_as(symbol, *same, false),
-            Expr::Minus(inner) if matches!(**inner, Expr::Symbol(_)) => {
-                if let Expr::Symbol(same) = **inner {
-                    self.symbols.settle_as(symbol, same, true);
-                }
-            }
-            from => self.symbols.settle_by(symbol, from),
+        let (size, opposite) = if let Expr::Minus(inner) = from { (&**inner, true) } else { (from, false) };
+        match size {
+            Expr::Symbol(same) => self.symbols.settle_as(symbol, *same, opposite),
+            _ => self.symbols.settle_by(symbol, from),
         }
     }
 
     /// Notes an answer.
-    pub fn answer(&mut self, label: Label, answer: DerivedAnswer) {
+    pub fn answer(&mut self, label: Label, answer: impl Into<DerivedAnswer>) {
+        let answer = answer.into();
         match self.found.iter_mut().find(|(l, _)| *l == label) {
             Some((_, known)) => *known = answer,
             None => self.found.push((label, answer)),
@@ -321,6 +332,16 @@ impl<'a> Draft<'a> {
     /// What was found for a label.
     pub fn found_for(&self, label: Label) -> Option<DerivedAnswer> {
         self.found.iter().find(|(l, _)| *l == label).map(|(_, answer)| *answer)
+    }
+
+    /// The quantity that was found for a label.
+    pub fn value_for(&self, label: Label) -> Option<SymbolId> {
+        if let Some(DerivedAnswer::Value(symbol)) = self.found_for(label) { Some(symbol) } else { None }
+    }
+
+    /// What the key has for a label, SI.
+    pub fn key(&self, label: Label) -> Option<f64> {
+        self.variant.solved.get(label).map(Entry::value)
     }
 
     /// What has to be known for what is asked.

@@ -128,11 +128,6 @@ pub fn minus(of: Expr) -> Expr {
     }
 }
 
-/// `a - b`.
-fn difference(a: Expr, b: Expr) -> Expr {
-    sum([a, minus(b)])
-}
-
 /// `over / under`; equal ones give 1, an `under` of 1 falls out, signs go to the front.
 fn quotient(over: Expr, under: Expr) -> Expr {
     if over == under {
@@ -258,7 +253,7 @@ macro_rules! operators {
         impl<E: Into<Expr>> Sub<E> for $left {
             type Output = Expr;
             fn sub(self, other: E) -> Expr {
-                difference(self.into(), other.into())
+                sum([self.into(), minus(other.into())])
             }
         }
         impl<E: Into<Expr>> Mul<E> for $left {

@@ -135,8 +135,7 @@ impl Factors {
         if other.is_zero() {
             return self.clone();
         }
-        let common = without(&self.over, &without(&self.over, &other.over));
-        let shared = without(&self.under, &without(&self.under, &other.under));
+        let Self { over: common, under: shared, .. } = self.shared(other);
         let rest = |one: &Self, two: &Self| Self {
             constant: one.constant,
             over: [without(&one.over, &common), without(&two.under, &shared)].concat(),
@@ -184,14 +183,13 @@ impl Factors {
             }
             product(seen.into_iter().map(|(f, n)| power(f, n)))
         };
-        let positive = self.constant.0.abs();
-        let size = match (positive, self.constant.1) {
+        let (over, under) = (self.constant.0.abs(), self.constant.1);
+        let size = if !self.under.is_empty() || self.over.is_empty() {
             // A whole denominator goes below: c/2 and not 1/2 c.
-            (over, under) if !self.under.is_empty() || self.over.is_empty() => {
-                let below = Expr::Number(under, 1) * collected(&self.under);
-                Expr::Number(over, 1) * collected(&self.over) / below
-            }
-            (over, under) => Expr::Number(over, under) * collected(&self.over),
+            let below = Expr::Number(under, 1) * collected(&self.under);
+            Expr::Number(over, 1) * collected(&self.over) / below
+        } else {
+            Expr::Number(over, under) * collected(&self.over)
         };
         if self.constant.0 < 0 { -size } else { size }
     }

@@ -1,16 +1,16 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
+use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, RotaryInertia};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
-use crate::solution::draft::{DerivedAnswer, is_rate};
+use crate::solution::draft::is_rate;
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Sum};
 use crate::solution::narrate::Tells;
-use crate::solution::page::{WITHIN, packed};
+use crate::solution::page::{Piece, Pieces, WITHIN, packed};
 use crate::solution::plane::{END, Pivot, Plane, START};
-use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::tagged;
 use crate::solution::text::{Block, LINE};
@@ -45,13 +45,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             _ => "pinned.idea_speed",
         };
         self.say(name, &[]);
-        let carrier = self.carrier.clone();
-        self.page.say_carried(carrier.as_ref());
+        self.page.say_carried(self.carrier.as_ref());
         if self.scene.is_still() || self.rubs() {
             return;
         }
-        if let Some(pivot) = self.pivot.clone() {
-            self.say("pinned.idea_pin", &[("pin", &pivot.name)]);
+        if let Some(pivot) = &self.pivot {
+            self.page.say("pinned.idea_pin", &[("pin", &pivot.name)]);
             return;
         }
         self.say(if self.scene.drifts().is_some() { "joined.idea_drifts" } else { "joined.idea_one" }, &[]);
@@ -64,11 +63,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             ("cord", |k| matches!(k, JointKind::Cord { rod: false, .. })),
             ("rod", |k| matches!(k, JointKind::Cord { rod: true, .. })),
         ];
-        let kinds: Vec<String> = kinds
-            .into_iter()
-            .filter(|(_, is)| self.joint(*is))
-            .map(|(name, _)| self.phrase(&format!("joined.idle_{name}"), &[]))
-            .collect();
+        let kinds = kinds.into_iter().filter(|(_, is)| self.joint(*is));
+        let kinds = kinds.map(|(name, _)| self.phrase(&format!("joined.idle_{name}"), &[]));
+        let kinds: Vec<String> = kinds.collect();
         self.say("joined.idle", &[("why", &kinds.join("; "))]);
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
@@ -116,14 +113,11 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         let mut values: Vec<SymbolId> = Vec::new();
         for label in asked {
             // Components come before what they give.
-            let parts = if matches!(label.quantity, Q::PinForce | Q::PinAngle) {
-                &[Q::PinX, Q::PinY][..]
-            } else {
-                &[]
-            };
-            for quantity in parts.iter().copied().chain([label.quantity]) {
+            let composed = matches!(label.quantity, Q::PinForce | Q::PinAngle);
+            let parts = [Q::PinX, Q::PinY].into_iter().filter(|_| composed);
+            for quantity in parts.chain([label.quantity]) {
                 let symbol = self.get(Label { quantity, ..label })?;
-                self.answer(Label { quantity, ..label }, DerivedAnswer::Value(symbol));
+                self.answer(Label { quantity, ..label }, symbol);
                 if !values.contains(&symbol) && told != Some(symbol) {
                     values.push(symbol);
                 }
@@ -191,8 +185,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.page.say_share(share, several);
             if self.first == ZERO && self.digits(100.0 * share, 2) != "100" {
                 let light = self.symbols.value(self.rate) / (1.0 - share).sqrt();
-                let fast = self.rough(light, "rad/s");
-                let shown = self.shown(self.rate);
+                let (fast, shown) = (self.rough(light, "rad/s"), self.shown(self.rate));
                 if !matches!(self.scene.end, End::Speed(..)) {
                     let name = if several { "joined.massless" } else { "joined.massless_one" };
                     self.say(name, &[("fast", &fast), ("rate", &shown)]);
@@ -265,7 +258,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all: Vec<Label> = self.needed().into_iter().filter(|l| which(l.quantity)).collect();
         for label in &all {
             let symbol = self.get(*label)?;
-            self.answer(*label, DerivedAnswer::Value(symbol));
+            self.answer(*label, symbol);
         }
         Ok(all)
     }
@@ -287,10 +280,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let value = self.valued(&last, "1");
         let name = match self.scene.end {
             End::Leaves(j) => {
-                let force = self.of_joint(Quantity::Normal, j);
-                let force = force.map_or_else(String::new, |f| self.names(&[f]));
-                let angle = self.inline(&last);
-                self.say("joined.leaves", &[("force", &force), ("angle", &angle)]);
+                let force = Vec::from_iter(self.of_joint(Quantity::Normal, j));
+                self.say("joined.leaves", &[("force", &force), ("angle", &last)]);
                 None
             }
             End::TurningPoint(_) => Some("pinned.angle_turning"),
@@ -324,11 +315,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             return;
         }
         let angles: Vec<String> = angles.into_iter().map(|(_, angle)| angle).collect();
-        let none = self.loops.is_empty();
-        self.say(
-            if none { "joined.angles_alone" } else { "joined.angles" },
-            &[("angles", &angles.join("; "))],
-        );
+        let name = if self.loops.is_empty() { "joined.angles_alone" } else { "joined.angles" };
+        self.say(name, &[("angles", &angles.join("; "))]);
         let loops: Vec<String> = self.loops.iter().map(|[a, b]| format!("{a} = {b}")).collect();
         self.formulas_or_one(loops);
     }
@@ -358,7 +346,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         if ratios.is_empty() {
             return;
         }
-        self.say("joined.ratios", &[("rate", &self.names(&[self.rate]))]);
+        let rate = self.rate;
+        self.say("joined.ratios", &[("rate", &rate)]);
         self.tell(ratios.clone());
         if ratios.iter().any(|s| self.symbols.value(*s) < 0.0) {
             self.say("joined.ratios_signs", &[]);
@@ -377,13 +366,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         let before = self.steps.len();
         let speeds = self.speeds();
         self.moving = self.inertia(END, &speeds);
-        let moving: Vec<String> = (0..speeds.len())
-            .filter(|b| speeds[*b] != ZERO)
-            .map(|b| {
-                let is = speeds[b].by(self.rate);
-                self.stated(self.bodies[b].v, &is)
-            })
-            .collect();
+        let moving = (0..speeds.len()).filter(|b| speeds[*b] != ZERO);
+        let moving = moving.map(|b| self.stated(self.bodies[b].v, &speeds[b].by(self.rate)));
+        let moving: Vec<String> = moving.collect();
         let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         let name = match (self.single(), self.scene.drifts()) {
             (true, Some(_)) => "joined.speed_drifts",
@@ -400,11 +385,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         let plain = self.single() && self.moving.terms().len() == 1;
         if plain {
             let energy = ratio(1, 2).by(&is).by(square(self.rate));
-            let energy = self.inline(&energy);
             self.say("joined.energy_plain", &[("energy", &energy)]);
         } else {
             let j = self.page.find(&["J", r"J_{\mathrm{e}}"], "kg m^2", is.clone());
-            let energy = self.inline(&(ratio(1, 2).by(j).by(square(self.rate))));
+            let energy = ratio(1, 2).by(j).by(square(self.rate));
             self.say("joined.energy", &[("energy", &energy)]);
             let line = self.step_of(j);
             self.formulas_or_one(vec![line]);
@@ -423,10 +407,9 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.kinetic();
         let [placed, acted] = self.steps_of;
         let about = self.pivot.as_ref().map(|p| p.about);
-        let hidden: Vec<SymbolId> =
-            self.springs.iter().copied().chain(self.units.iter().copied()).chain(about).collect();
-        let needed: Vec<SymbolId> =
-            self.steps[placed..acted].iter().map(|s| s.symbol).filter(|s| !hidden.contains(s)).collect();
+        let hidden = [&self.springs[..], &self.units, &Vec::from_iter(about)].concat();
+        let needed = self.steps[placed..acted].iter().map(|s| s.symbol);
+        let needed: Vec<SymbolId> = needed.filter(|s| !hidden.contains(s)).collect();
         if !needed.is_empty() {
             let needs = |quantity: fn(&Expr) -> bool| needed.iter().any(|s| quantity(&self.from(*s)));
             let angles = needs(|from| from.uses().len() > 1 && matches!(from, Expr::Quotient(..)));
@@ -524,11 +507,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let is = root(is);
         self.page.step(rate, is.clone());
         if self.symbols.value(rate).is_nan() {
-            return Err(Beyond::Unfound.into());
+            return unfound();
         }
         self.display(rate, &is, r" \quad (\mathrm{E})");
         if self.sense < 0.0 {
-            self.say("pinned.magnitude", &[("omega", &self.names(&[rate]))]);
+            self.say("pinned.magnitude", &[("omega", &rate)]);
         }
         Ok(())
     }
@@ -536,8 +519,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Kinetic energy at the start.
     fn first_energy(&mut self) -> Expr {
         if let Some(ratio) = self.spun {
-            let shown = self.shown(ratio);
-            self.say("joined.first_spin", &[("ratio", &shown)]);
+            self.say("joined.first_spin", &[("ratio", &self.shown(ratio))]);
         }
         if self.first == ZERO {
             return ZERO;
@@ -551,12 +533,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             let is = self.inertia(START, &[]).expr();
             if width(&self.tex(&is)) <= LINE - 20.0 {
                 self.page.step(symbol, is);
-                self.say("joined.first", &[("inertia", &self.names(&[symbol]))]);
+                self.say("joined.first", &[("inertia", &symbol)]);
                 self.tell([symbol]);
             } else {
                 self.symbols.settle(symbol, value, 0.0);
-                let shown = self.shown(symbol);
-                self.say("joined.first", &[("inertia", &shown)]);
+                self.say("joined.first", &[("inertia", &self.shown(symbol))]);
             }
             symbol.into()
         };
@@ -571,27 +552,25 @@ impl<'d, 'a> Plane<'d, 'a> {
         if let Some(pivot) = &pivot {
             self.about_the_pin(pivot);
         }
-        let pin = pivot.as_ref().map_or("", |p| &p.name);
         let name = match &pivot {
             None if blow.impulses.is_empty() => "joined.blow",
             None => "joined.blow_joints",
             Some(pivot) if pivot.radial => "joined.blow_radial",
             Some(_) => "joined.blow_pinned",
         };
-        self.say(name, &[("pin", pin)]);
+        self.say(name, &[("pin", &pivot.map_or_else(String::new, |p| p.name))]);
         self.page.equations(&blow.rows);
         if !blow.demands.is_empty() && blow.demands.len() <= FEW {
             self.say("joined.blow_demands", &[]);
             self.page.equations(&blow.demands);
         }
-        let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
-        let mut order: Vec<SymbolId> = blow.steps.iter().map(|s| s.symbol).collect();
-        order.splice(0..0, blow.unknowns.iter().copied().filter(|s| follows(s).is_none()));
-        order.retain(|s| !self.symbols.value(*s).is_nan());
+        // What was solved for together comes before what follows from it.
+        let follows = |s: &SymbolId| blow.steps.iter().any(|step| step.symbol == *s);
+        let solved = blow.unknowns.iter().filter(|s| !follows(s)).map(|s| (*s, (*s).into()));
+        let all = solved.chain(blow.steps.iter().map(|step| (step.symbol, step.from.clone())));
+        let told = all.filter(|(s, _)| !self.symbols.value(*s).is_nan());
+        let lines: Vec<String> = told.map(|(s, from)| self.chain(s, &from)).collect();
         self.say("joined.together_blow", &[]);
-        let lines =
-            order.iter().map(|s| self.chain(*s, &follows(s).map_or((*s).into(), |step| step.from.clone())));
-        let lines: Vec<String> = lines.collect();
         self.formulas(lines);
     }
 
@@ -675,29 +654,29 @@ impl<'d, 'a> Plane<'d, 'a> {
                 (false, false) if self.radial() => "pinned.spring_there",
                 (false, false) => "joined.spring_there",
             };
-            let arm = self.free(&["p", r"p_{\mathrm{s}}"]);
-            self.say(name, &[("arm", &format!("${arm}$"))]);
+            let arm = format!("${}$", self.free(&["p", r"p_{\mathrm{s}}"]));
+            self.say(name, &[("arm", &arm)]);
             self.tell(wanted);
         }
         self.skip_new();
         let pivot = self.pivot.clone();
-        let pieces = pivot.map(|p| (p.force.map(|f| self.names(&[f])), p.name));
-        let pieces = pieces
-            .as_ref()
-            .map(|([radial, across], pin)| [("radial", &**radial), ("across", &**across), ("pin", &**pin)]);
+        let mut pieces: Vec<(&str, &dyn Piece)> = Vec::new();
+        if let Some(Pivot { force: [radial, across], name, .. }) = &pivot {
+            pieces = vec![("radial", radial), ("across", across), ("pin", name)];
+        }
         // The place has been named with the force of the spring.
         let there = if self.instant() || sprung { "" } else { "_there" };
-        let name = match (pieces.is_some(), self.radial()) {
+        let name = match (pivot.is_some(), self.radial()) {
             (false, _) if self.points() => "joined.point_senses",
             (false, _) => "joined.senses",
             (true, true) => "pinned.senses",
             (true, false) => "pinned.plane_senses",
         };
-        self.say(&format!("{name}{there}"), pieces.as_ref().map_or(&[], |p| &p[..]));
+        self.say(&format!("{name}{there}"), &pieces);
         let each = |b: usize| (self.bodies[b].name.clone(), self.equations(b));
         let all: Vec<_> = (0..self.bodies.len()).map(each).collect();
         self.rows(&all);
-        let demands = if self.scene.end == End::Equilibrium { Vec::new() } else { self.demands() };
+        let demands = self.demands();
         if demands.len() > FEW {
             self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
         } else if !demands.is_empty() {
@@ -708,20 +687,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.where_it_leaves(joint);
         } else if id == "long" {
             let (alpha, omega) = self.leading();
-            let angle = self.letter.clone();
-            let own = [("alpha", &*alpha), ("omega", &omega), ("angle", &angle)];
+            let own: Pieces = &[("alpha", &alpha), ("omega", &omega), ("angle", &self.letter.clone())];
             let name = if self.radial() { "pinned.integral" } else { "joined.integral" };
-            self.say(name, &[&own[..], pieces.as_ref().map_or(&[], |p| &p[..])].concat());
+            self.say(name, &[own, &pieces].concat());
         }
         Ok(())
     }
 
     /// The place at which a force has fallen to 0, by both methods.
     fn where_it_leaves(&mut self, joint: usize) {
-        let force = self.of_joint(Quantity::Normal, joint);
-        let force = force.map_or_else(String::new, |f| self.names(&[f]));
-        let rate = self.names(&[self.rate]);
-        let j = self.j();
+        let force = Vec::from_iter(self.of_joint(Quantity::Normal, joint));
+        let (j, rate) = (self.j(), self.rate);
         let found = self.leaving(joint, &j);
         let name = if found.is_some() { "joined.leaves_closed" } else { "joined.leaves_solved" };
         let angle = self.valued(&self.turns[0].at[END], "1");
@@ -742,37 +718,34 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The rate of the leading angle that the key has.
     fn key_rate(&self) -> f64 {
-        let of = |quantity| self.variant.solved.get(Label { quantity, of: Owner::Body(self.lead) });
         let spin = self.spin(self.lead);
         let per = if spin == ZERO { f64::NAN } else { self.value(&spin).abs() };
-        of(Quantity::Omega).map_or(f64::NAN, |e| e.value() / per)
+        self.key(of_body(Quantity::Omega, self.lead)).map_or(f64::NAN, |key| key / per)
     }
 
     fn integrate_friction(&mut self) -> Result<(), DerivationStop> {
         let rate = self.rate;
         if self.symbols.value(rate).is_nan() {
-            return Err(Beyond::Unfound.into());
+            return unfound();
         }
         let mu = self.scene.joints.iter().find_map(|joint| match joint.kind {
             JointKind::Guide { mu_k, .. } => mu_k,
             _ => None,
         });
         let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
-        let pieces = [("rate", self.names(&[rate])), ("mu", self.tex(&mu))];
-        self.say("joined.rubs", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
-        let shown = self.shown(rate);
-        self.say("joined.rubs_rate", &[("rate", &shown)]);
+        self.say("joined.rubs", &[("rate", &rate), ("mu", &self.tex(&mu))]);
+        self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);
         self.told(rate);
         self.begin_as("why", "which");
-        let forces = self.names(&self.reactions());
-        self.say("joined.why_rubs", &[("forces", &forces)]);
+        self.say("joined.why_rubs", &[("forces", &self.reactions())]);
         Ok(())
     }
 
     fn why(&mut self) {
         if self.leaves().is_some() {
+            let rate = self.rate;
             self.begin_as("why", "which");
-            self.say("joined.why_leaves", &[("rate", &self.names(&[self.rate]))]);
+            self.say("joined.why_leaves", &[("rate", &rate)]);
             return;
         }
         self.begin("why");
@@ -788,11 +761,11 @@ impl<'d, 'a> Plane<'d, 'a> {
         let energy = [speeds, rates].concat();
         if let Some(pivot) = &self.pivot {
             // Moments about the pin ask for none of its forces.
-            let (alpha, pin) = (self.names(&self.accelerations()), self.names(&pivot.force));
-            let few = self.names(&[what]);
-            let many = format!("{alpha}, {few}");
-            let count = [("n", "2"), ("many", &*many), ("k", "1"), ("few", &few)];
-            self.say("pinned.why", &[&count[..], &[("pin", &pin), ("alpha", &alpha)]].concat());
+            let (alpha, few) = (self.names(&self.accelerations()), self.names(&[what]));
+            let (many, pin) = (format!("{alpha}, {few}"), pivot.force);
+            let count: Pieces = &[("n", &"2"), ("many", &many), ("k", &"1"), ("few", &few)];
+            let own: Pieces = &[("pin", &pin), ("alpha", &alpha)];
+            self.say("pinned.why", &[count, own].concat());
             self.say("why.ask", &[]);
             return;
         }
@@ -853,9 +826,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         if !(here - there).abs().le(&(DIFFERENCES_REL * there.abs())) {
             return None;
         }
-        let pieces =
-            [("alpha", self.names(&[alpha])), ("derivatives", [w, g].map(|s| self.shown(s)).join(", "))];
-        self.say("joined.by_rate", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())));
+        let derivatives = [w, g].map(|s| self.shown(s)).join(", ");
+        self.say("joined.by_rate", &[("alpha", &alpha), ("derivatives", &derivatives)]);
         self.display(alpha, &is, "");
         Some(alpha)
     }
@@ -897,9 +869,9 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ["across", "pinned.pin_with", "pinned.pin_against"],
             ];
             for (symbol, [piece, plus, minus]) in pivot.force.into_iter().zip(signs) {
-                let (value, name) = (self.symbols.value(symbol), self.names(&[symbol]));
+                let value = self.symbols.value(symbol);
                 if value != 0.0 && !value.is_nan() {
-                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &name)]);
+                    self.say(if value > 0.0 { plus } else { minus }, &[(piece, &symbol)]);
                 }
             }
         }
@@ -978,11 +950,10 @@ impl<'d, 'a> Plane<'d, 'a> {
         t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
         let name = t.free(&[r"a_{\infty}", r"b_{\infty}"]);
         let mean = t.symbols.found(&name, a, "");
-        let shown = t.shown(mean);
-        t.page.say("pinned.mean_found", &[("mean", &shown)]);
+        t.page.say("pinned.mean_found", &[("mean", &t.page.shown(mean))]);
         let period = t.find(&[r"\tau", r"\tau_1"], "s", turns / (frequency * mean));
         let label = of_body(Quantity::Period, t.lead);
-        t.answer(label, DerivedAnswer::Value(period));
+        t.answer(label, period);
         t.tell_new();
     }
 
@@ -997,11 +968,12 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Which way a body on a pin goes, and that it gets there.
     fn gets_there(&mut self) {
         let [start, end] = [START, END].map(|which| self.angle(which));
-        let (angle, turns_back) = ([("angle", end.as_str())], matches!(self.scene.end, End::TurningPoint(_)));
+        let (angle, turns_back) =
+            (("angle", &end as &dyn Piece), matches!(self.scene.end, End::TurningPoint(_)));
         // The moments of a spring that only pushes or pulls are those of the asked place alone.
         if self.scene.struts.iter().any(|s| s.acts != Acts::Both) {
             if turns_back {
-                self.say("pinned.turns_there", &angle);
+                self.say("pinned.turns_there", &[angle]);
             }
             return;
         }
@@ -1028,14 +1000,14 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         if turns_back {
-            self.say("pinned.turns_there", &angle);
+            self.say("pinned.turns_there", &[angle]);
         } else if drives.iter().all(|d| *d >= -1e-12 * sizes) {
-            self.say("pinned.only_faster", &angle);
+            self.say("pinned.only_faster", &[angle]);
         } else if turns <= 1 && drives[0] >= 0.0 {
-            self.say("pinned.brakes_late", &angle);
+            self.say("pinned.brakes_late", &[angle]);
         } else {
             let least = squares[1..].iter().copied().fold(f64::INFINITY, f64::min);
-            self.say("pinned.never_rests", &[angle[0], ("least", &self.rough(least.sqrt(), "rad/s"))]);
+            self.say("pinned.never_rests", &[angle, ("least", &self.rough(least.sqrt(), "rad/s"))]);
         }
     }
 

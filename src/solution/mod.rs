@@ -254,11 +254,6 @@ fn check(draft: &Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
-/// `1.omega`
-fn id_of(number: usize, q: &Question) -> String {
-    format!("{number}.{}", q.id)
-}
-
 fn given(draft: &Draft) -> SolutionSection {
     let mut section = SolutionSection::new("given", draft.words.get("solution.title.given"));
     let data: Vec<String> = draft.told().iter().map(|d| format!("${d}$")).collect();
@@ -266,7 +261,7 @@ fn given(draft: &Draft) -> SolutionSection {
     section
 }
 
-/// The answers as they are to be handed in: id and text.
+/// The answers as they are to be handed in: id, as in `1.omega`, and text.
 fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
     let answer = |q: &Question| {
         let Some(entry) = draft.variant.solved.get(q.label) else {
@@ -285,7 +280,7 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
         };
         told(draft, q, entry.value()).replacen('$', &symbol, 1)
     };
-    draft.problem.questions.iter().map(|q| (id_of(number, q), answer(q))).collect()
+    draft.problem.questions.iter().map(|q| (format!("{number}.{}", q.id), answer(q))).collect()
 }
 
 /// A value (SI) as an answer to a question: with its unit and the figures asked, and where it points if words tell its sign.

@@ -8,17 +8,17 @@ use crate::scene::{
 use crate::solution::account::{
     Account, CordSpring, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored,
 };
-use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
+use crate::solution::draft::{Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::page::Page;
+use crate::solution::page::{Page, Pieces};
 use crate::solution::plane::Plane;
-use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::stop::{DerivationStop, unfound};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::{Action, ForceKind, ForceSource, relative, tagged};
-use crate::solution::text::{LINE, SolutionSection};
+use crate::solution::text::LINE;
 use crate::solution::way;
 use crate::solution::written::width;
 use crate::solve::outcome::Word;
@@ -78,7 +78,7 @@ pub(crate) trait Tells<'d, 'a: 'd>: DerefMut<Target = Page<'d, 'a>> {
     fn onward(&self) -> &'static str;
 
     // As those of the page; named here so that what they are given may look at the account.
-    fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+    fn say(&mut self, name: &str, pieces: Pieces) {
         Page::say(self, name, pieces);
     }
     fn formula(&mut self, tex: String) {
@@ -108,7 +108,7 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
             if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
                 n.before(label);
                 let symbol = n.asked(label)?;
-                n.answer(label, DerivedAnswer::Value(symbol));
+                n.answer(label, symbol);
             }
         }
         n.tell_new();
@@ -135,12 +135,12 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         return particles(draft);
     }
     let (ties, thrown) = (&draft.scene.ties, draft.scene.thrown().is_some());
-    let slips = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. }) && !thrown);
-    let slips: Vec<usize> = slips.collect();
+    let slips = |t: &usize| matches!(ties[*t], Tie::Slip { .. }) && !thrown;
+    let slips: Vec<usize> = (0..ties.len()).filter(slips).collect();
     let alone = draft.scene.bodies.len() == 1 && slips.len() == 1;
-    let mut rolled = Vec::new();
+    let mut supposed = false;
     for tie in slips {
-        rolled.extend(could_it_roll(draft, tie)?);
+        supposed |= could_it_roll(draft, tie)?;
     }
     let mut account = Account::new(draft, None)?;
     let stays = account.stays();
@@ -154,13 +154,13 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         _ if stays => Short::Together,
         _ if account.rates_alone() => Short::Rates,
         _ if !account.m.one => Short::Together,
-        _ if !rolled.is_empty() && alone => Short::Neither,
-        _ if !rolled.is_empty() => Short::Together,
+        _ if supposed && alone => Short::Neither,
+        _ if supposed => Short::Together,
         End::Time(..) => Short::Motion,
         _ if account.times_alone() => Short::Motion,
         _ => Short::Energy,
     };
-    (account.short, account.supposed) = (short, rolled);
+    account.short = short;
     tell(&mut account)
 }
 
@@ -177,18 +177,16 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
         }
         Start::Speed(..) => None,
     });
-    let (1, Some((particles, k, given))) = (scene.bodies.len(), given) else {
-        return Err(Beyond::Unfound.into());
-    };
+    let (1, Some((particles, k, given))) = (scene.bodies.len(), given) else { return unfound() };
     let mut page = Page::new(draft);
     let mut column = |of: fn(&Particle) -> Num, letter: &str, unit: &str| -> Vec<Expr> {
         let number = |p: &Particle| page.number(of(p), &format!("{letter}_{{{}}}", p.name), unit);
         particles.iter().map(number).collect()
     };
-    let (m, x) = (column(|p| p.mass_kg, "m", "kg"), column(|p| p.x_m, "x", "m"));
-    let y = column(|p| p.y_m, "y", "m");
-    let [ux, uy] = [page.number(given[0], "v_x", "m/s"), page.number(given[1], "v_y", "m/s")];
-    let spin = page.number(given[2], r"\omega", "rad/s");
+    let m = column(|p| p.mass_kg, "m", "kg");
+    let [x, y] = [column(|p| p.x_m, "x", "m"), column(|p| p.y_m, "y", "m")];
+    let names = [("v_x", "m/s"), ("v_y", "m/s"), (r"\omega", "rad/s")];
+    let [ux, uy, spin] = [0, 1, 2].map(|i| page.number(given[i], names[i].0, names[i].1));
     // Of a point: the velocity of the particle that is known, and that of the rotation about it.
     let velocity = |at: [&Expr; 2]| [&ux - &spin * (at[1] - &y[k]), &uy + &spin * (at[0] - &x[k])];
     let names: Vec<String> = particles.iter().map(|p| p.name.clone()).collect();
@@ -223,11 +221,10 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     let own = total(&mut page, &columns[6]);
     let own = page.find(&["I_G"], "kg m^2", own);
     for symbol in [mass, xg, yg, own] {
-        let from = page.from(symbol);
-        page.display(symbol, &from, "");
+        page.display_step(symbol);
     }
     for (quantity, symbol) in [(Quantity::XG, xg), (Quantity::YG, yg), (Quantity::IG, own)] {
-        page.answer(of_body(quantity, 0), DerivedAnswer::Value(symbol));
+        page.answer(of_body(quantity, 0), symbol);
     }
     page.say("lamina.velocity", &[("known", &known)]);
     let [vx, vy] = velocity([&xg.into(), &yg.into()]);
@@ -237,7 +234,7 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     let half = ratio(1, 2);
     let both = &half * mass * (square(vx) + square(vy)) + &half * own * square(&spin);
     let energy = page.find(&["T", "E"], "J", both);
-    page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
+    page.answer(of_scene(Quantity::KineticEnergy), energy);
     page.tell_new();
     page.begin_as("long", "long_lamina");
     page.say("lamina.velocities", &[("known", &known)]);
@@ -256,10 +253,10 @@ fn particles(draft: &mut Draft) -> Result<(), DerivationStop> {
     page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}".to_owned());
     let all = total(&mut page, &columns[3]);
     let again = page.find(&["T", "E"], "J", all);
-    page.display(again, &all.into(), "");
+    page.display_step(again);
     page.begin_as("why", "which");
-    let (n, count) = (names.len().to_string(), (2 * names.len()).to_string());
-    page.say("lamina.why", &[("n", &n), ("count", &count)]);
+    let count = |n: usize| n.to_string();
+    page.say("lamina.why", &[("n", &count(names.len())), ("count", &count(2 * names.len()))]);
     page.say("lamina.cross", &[("known", &known)]);
     let cross = &uy * (xg - &x[k]) - &ux * (yg - &y[k]);
     page.find(&[r"T_{\times}", r"E_{\times}"], "J", mass * &spin * cross);
@@ -375,13 +372,13 @@ fn subtracts(e: &Expr) -> bool {
     matches!(e, Expr::Sum(_)) && (1..e.parts().len()).contains(&minus) || e.parts().into_iter().any(subtracts)
 }
 
-/// What friction rolling would need on a contact that is said to slip.
-fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
-    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
+/// What friction rolling would need on a contact that is said to slip; `false` where nobody asks.
+fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> {
+    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(false) };
     let told = draft.scene.end != End::AtOnce || draft.asks(Quantity::Rolls);
     let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
-        return Ok(None);
+        return Ok(false);
     }
     let mut n = Account::new(draft, Some(tie))?;
     n.short = Short::Neither;
@@ -401,19 +398,16 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection
     n.tell_new();
     let normal = n.get(of_body(Quantity::Normal, body))?;
     let value = n.symbols.value(needed);
-    n.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(needed));
+    n.draft.answer(of_body(Quantity::FrictionIfRolled, body), needed);
     let mu = n.number(mu_s, r"\mu_s", "1");
     let most = mu * normal;
     let slips = value.abs() > n.value(&most);
     let size = n.relation(&n.size(needed.into()), value.abs(), "N");
-    let limit = n.valued(&most, "N");
-    let sense = n.way(body, value);
-    n.say(
-        if slips { "rolled.slips" } else { "rolled.rolls" },
-        &[("needed", &size), ("limit", &limit), ("way", &sense)],
-    );
-    n.stop();
-    Ok(Some(std::mem::replace(&mut n.out, SolutionSection::new("", ""))))
+    let (limit, way) = (n.valued(&most, "N"), n.way(body, value));
+    let name = if slips { "rolled.slips" } else { "rolled.rolls" };
+    n.say(name, &[("needed", &size), ("limit", &limit), ("way", &way)]);
+    n.end();
+    Ok(true)
 }
 
 impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
@@ -437,8 +431,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Energy, _) => "idea.speed",
         };
         self.say(name, &[]);
-        let carrier = self.m.carrier.clone();
-        self.page.say_carried(carrier.as_ref());
+        self.page.say_carried(self.m.carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
             let rolling = self.rolling();
@@ -447,9 +440,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                 let Some((_, body)) = found.first() else { continue };
                 self.say_of(&format!("idea.{name}"), *body, &[]);
                 if self.short == Short::Energy {
-                    let forces: Vec<SymbolId> =
-                        found.iter().filter_map(|(t, _)| self.m.force_of(*t)).collect();
-                    self.say(&format!("idea.idle_{name}"), &[("force", &self.names(&forces))]);
+                    let forces = found.iter().filter_map(|(t, _)| self.m.force_of(*t));
+                    let forces: Vec<SymbolId> = forces.collect();
+                    self.say(&format!("idea.idle_{name}"), &[("force", &forces)]);
                 }
             }
             if !cords.is_empty() {
@@ -462,18 +455,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                 };
                 let one = what == "cords" && cords.len() == 1;
                 let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                let forces = [("forces", &*self.names(&forces))];
-                self.say(&if one { "idea.cord".to_owned() } else { format!("idea.{what}") }, &forces);
+                self.say(&format!("idea.{}", if one { "cord" } else { what }), &[("forces", &forces)]);
                 if self.short == Short::Energy {
-                    self.say(&format!("idea.idle_{what}"), &forces);
+                    self.say(&format!("idea.idle_{what}"), &[("forces", &forces)]);
                 }
             }
         }
     }
     fn ways(&mut self) -> Result<(), DerivationStop> {
-        let rolled = std::mem::take(&mut self.supposed);
-        self.end();
-        self.draft.sections.extend(rolled);
         match self.short {
             Short::Energy | Short::Motion if self.spring.is_some() && !self.placed() => self.swings(),
             Short::Energy => {
@@ -485,7 +474,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             }
             Short::Motion => {
                 self.motion("short")?;
-                self.why_not_energy();
+                self.begin("why");
+                self.say("why.not_energy", &[("v", &self.speed()), ("s", &self.s.clone())]);
+                self.say("why.ask", &[]);
                 Ok(())
             }
             Short::Neither => {
@@ -495,7 +486,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             Short::Together => {
                 self.motion("short")?;
                 if !self.stays() {
-                    self.why_together();
+                    // Energy is one balance for the unknown speeds of several freedoms.
+                    self.begin_as("why", "which");
+                    self.say("why.together", &[("unknown", &self.speeds())]);
+                    self.say("why.ask", &[]);
                 }
                 Ok(())
             }
@@ -514,16 +508,16 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         }
         let asked = self.needed();
         let rolling = self.rolling();
-        for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
-            self.get(*label)?;
-        }
-        use Quantity::{Friction, Normal, RimForce, Tension};
-        let wanted = |q: Quantity| matches!(q, Friction | Tension | RimForce | Normal);
-        for label in asked.iter().filter(|l| wanted(l.quantity)) {
-            self.get(*label)?;
+        use Quantity::{A, Alpha, Friction, Normal, RimForce, Tension};
+        let rates = |q: Quantity| matches!(q, A | Alpha);
+        let reactions = |q: Quantity| matches!(q, Friction | Tension | RimForce | Normal);
+        for wanted in [&rates as &dyn Fn(Quantity) -> bool, &reactions] {
+            for label in asked.iter().filter(|l| wanted(l.quantity)) {
+                self.get(*label)?;
+            }
         }
         for (_, body) in &rolling {
-            let _ = self.get(of_body(Quantity::Friction, *body));
+            let _ = self.get(of_body(Friction, *body));
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
         if sprung {
@@ -645,13 +639,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
-            () if self.spring.is_some() && !self.scene.is_still() => {
-                if self.rolling().is_empty() {
-                    "onward.spring"
-                } else {
-                    "onward.spring_and_wheel"
-                }
-            }
+            () if self.spring.is_some() && !self.scene.is_still() => match self.rolling()[..] {
+                [] => "onward.spring",
+                _ => "onward.spring_and_wheel",
+            },
             () if wheel && pulled && self.level() => "onward.pulled_level",
             () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
             () if wheel && !pulled => "onward.wheel",
@@ -679,15 +670,13 @@ impl<'d, 'a> Account<'d, 'a> {
         let name = way(self.scene, Owner::Body(body), value);
         name.map_or_else(String::new, |w| self.words.get(w).to_owned())
     }
-    fn body(&self, body: usize) -> String {
-        names::body_within(self.words, self.scene, body)
-    }
     /// Says something of a body, which stands there alone and with its article, within a sentence and at its beginning.
-    fn say_of(&mut self, name: &str, body: usize, pieces: &[(&str, &str)]) {
-        let (own, the) = (self.body(body), names::the_body(self.words, self.scene, body));
+    fn say_of(&mut self, name: &str, body: usize, pieces: Pieces) {
+        let own = names::body_within(self.words, self.scene, body);
+        let the = names::the_body(self.words, self.scene, body);
         let at_first = capital(&the);
-        let all = [&[("body", &*own), ("the", &*the), ("The", &*at_first)][..], pieces].concat();
-        self.say(name, &all);
+        let all: [Pieces; 2] = [&[("body", &own), ("the", &the), ("The", &at_first)], pieces];
+        self.say(name, &all.concat());
     }
     /// The speed of the lead.
     fn speed(&self) -> SymbolId {
@@ -734,13 +723,9 @@ impl<'d, 'a> Account<'d, 'a> {
         self.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
     }
     fn kinetic_frictions(&self) -> Vec<SymbolId> {
+        let tie = |a: &Action| if let ForceSource::Tie(t) = a.source { Some(t) } else { None };
         let kinetic = self.m.actions.iter().filter(|a| a.kind == ForceKind::Kinetic);
-        kinetic
-            .filter_map(|a| match a.source {
-                ForceSource::Tie(t) => self.m.force_of(t),
-                _ => None,
-            })
-            .collect()
+        kinetic.filter_map(|a| self.m.force_of(tie(a)?)).collect()
     }
     fn coordinates(&self) -> Vec<Coordinate> {
         self.scene
@@ -778,14 +763,14 @@ impl<'d, 'a> Account<'d, 'a> {
         self.begin_as("short", title);
         // The direction is judged with the ratio of displacements.
         self.tell_ratios();
-        let directed = self.asks(Quantity::Direction);
-        if directed {
+        if self.asks(Quantity::Direction) {
             self.tell_direction();
         }
         let place = self.placed();
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
+            let directed = self.asks(Quantity::Direction);
             let name = if directed { "energy.counted" } else { "energy.against" };
             self.say_of(name, lead.body, &[("way", &sense)]);
         }
@@ -824,11 +809,12 @@ impl<'d, 'a> Account<'d, 'a> {
         // The speed, or the way, with the acceleration put in.
         let target = if place { v } else { self.steps.last().map(|s| s.symbol) };
         if let Some(symbol) = target {
-            let from = if place { self.from(symbol) } else { self.way_by_energy() };
+            // `s = m_e (v^2 - v0^2)/(2 F)`
+            let squares = square(&self.v) - square(&self.v0);
+            let way = &self.effective * squares / (Expr::Number(2, 1) * &self.drive);
+            let from = if place { self.from(symbol) } else { way };
             self.display(symbol, &from, r" \quad (\mathrm{E})");
-        }
-        if let Some(symbol) = target {
-            self.tell_groups(symbol);
+            self.tell_groups(&from);
         }
         // Speeds that are asked.
         self.skip_new();
@@ -847,12 +833,6 @@ impl<'d, 'a> Account<'d, 'a> {
         }
     }
 
-    /// `s = m_e (v^2 - v0^2)/(2 F)`
-    fn way_by_energy(&self) -> Expr {
-        let squares = square(&self.v) - square(&self.v0);
-        &self.effective * squares / (Expr::Number(2, 1) * &self.drive)
-    }
-
     /// The named ratios of displacements, from the distances to the point of contact.
     fn tell_ratios(&mut self) {
         if std::mem::replace(&mut self.ratios_told, true) {
@@ -866,15 +846,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             };
             let away = c.by(&is);
-            let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
             let name = if spring { "energy.ratio_spring" } else { "energy.ratio" };
-            let own = self.names(&[gamma]);
-            self.say_of(name, action.body, &[("centre", &c), ("point", &away), ("gamma", &own)]);
+            self.say_of(name, action.body, &[("centre", &c.expr()), ("point", &away), ("gamma", &gamma)]);
             let line = self.chain(gamma, &is);
             let travel = of_tie(Quantity::CordTravel, tie);
-            let given = self.placed();
-            let told = given && !spring && self.s != ZERO && self.asks_label(travel);
+            let told = self.placed() && !spring && self.s != ZERO && self.asks_label(travel);
             let tail = if told { self.get(travel).ok() } else { None }.map(|l| self.step_of(l));
             match tail {
                 Some(tail) if !tail.contains('&') => self.formula(format!(r"{line}, \qquad {tail}")),
@@ -884,13 +861,14 @@ impl<'d, 'a> Account<'d, 'a> {
             if !ahead && !spring {
                 self.say("energy.ratio_against", &[]);
             } else if self.symbols.value(gamma) > 1.0 && !spring {
-                self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
+                self.say("energy.ratio_check", &[("gamma", &gamma)]);
             }
         }
         if !self.together_as.is_empty() {
-            let names: Vec<SymbolId> = self.together_as.iter().map(|(symbol, _)| *symbol).collect();
-            self.say("energy.springs", &[("one", &self.names(&names))]);
-            for (symbol, is) in self.together_as.clone() {
+            let all = self.together_as.clone();
+            let names: Vec<SymbolId> = all.iter().map(|(symbol, _)| *symbol).collect();
+            self.say("energy.springs", &[("one", &names)]);
+            for (symbol, is) in all {
                 self.display(symbol, &is, "");
             }
         }
@@ -917,10 +895,9 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// The sums in the formula of the speed, in numbers, but for what has been cancelled in it.
-    fn tell_groups(&mut self, target: SymbolId) {
-        let formula = if self.placed() { self.from(target) } else { self.way_by_energy() };
+    fn tell_groups(&mut self, formula: &Expr) {
         let kept = formula.uses();
-        let (force, inertia) = if self.straight() { ("N", "kg") } else { ("N m", "kg m^2") };
+        let (force, inertia) = self.of_lead(("N", "kg"), ("N m", "kg m^2"));
         let mut groups = Vec::new();
         for (_, share) in self.shares(&[ForceKind::Given]) {
             let size = match share {
@@ -950,8 +927,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
             if self.detail == Detail::Full {
                 for symbol in normals.into_iter().chain([f]) {
-                    let from = self.from(symbol);
-                    self.display(symbol, &from, "");
+                    self.display_step(symbol);
                 }
             } else {
                 let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
@@ -979,8 +955,8 @@ impl<'d, 'a> Account<'d, 'a> {
                 let pull = in_sense(-(k * spring.gamma.by(rest)), self.sense);
                 let works = stored(k, x, &rest.into()) - k * rest * (x - rest);
                 let all = ratio(1, 2) * k * square(x - rest);
-                let (others, all) = (self.inline(&pull), format!("${}$", self.equation(&works, &all)));
-                self.say("energy.fastest", &[("others", &others), ("square", &all)]);
+                let all = format!("${}$", self.equation(&works, &all));
+                self.say("energy.fastest", &[("others", &pull), ("square", &all)]);
             }
             self.tell_new();
         }
@@ -991,26 +967,25 @@ impl<'d, 'a> Account<'d, 'a> {
         let sense = self.way(lead.body, self.sense * f64::from(self.m.parts[lead.body].up));
         match self.spring.clone() {
             Some(s) => {
-                let pull = s.stiffness.by(&s.gamma).by(&s.stretch);
                 let drive = self.drive.clone();
-                let against = self.valued(&self.positive(&drive), "N");
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
-                let force = self.valued(&(&s.stiffness * &s.stretch), "N");
-                let pull = self.valued(&pull, "N");
-                let pieces = [("force", &*force), ("pull", &pull), ("against", &against), ("way", &sense)];
-                self.say_of(name, lead.body, &pieces);
+                let all = [
+                    &s.stiffness * &s.stretch,
+                    s.stiffness.by(&s.gamma).by(&s.stretch),
+                    self.positive(&drive),
+                ];
+                let [force, pull, against] = all.map(|e| self.valued(&e, "N"));
+                let pieces: Pieces =
+                    &[("force", &force), ("pull", &pull), ("against", &against), ("way", &sense)];
+                self.say_of(name, lead.body, pieces);
             }
             None => {
                 let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
                 let helps = |n: &Self, e: &Expr| n.value(e) * n.sense > 0.0;
                 let (with, against): (Vec<Expr>, Vec<Expr>) = shares.partition(|e| helps(self, e));
-                let size = |n: &Self, all: Vec<Expr>| {
-                    let whole = sum(all);
-                    let unit = if n.straight() { "N" } else { "N m" };
-                    n.valued(&n.positive(&whole), unit)
-                };
                 let free = against.is_empty();
-                let (pull, against) = (size(self, with), size(self, against));
+                let unit = self.of_lead("N", "N m");
+                let [pull, against] = [with, against].map(|all| self.valued(&self.positive(&sum(all)), unit));
                 let name = if free { "energy.direction_free" } else { "energy.direction" };
                 self.say_of(name, lead.body, &[("pull", &pull), ("against", &against), ("way", &sense)]);
             }
@@ -1059,7 +1034,6 @@ impl<'d, 'a> Account<'d, 'a> {
             let law =
                 |s: &CordSpring| self.stated(s.tension, &(&s.stiffness * (&s.stretch - s.gamma.by(s_now))));
             let laws: Vec<String> = self.springs.iter().map(law).collect();
-            let s_now = self.names(&[s_now]);
             self.say("motion.spring", &[("law", &laws.join(", ")), ("s", &s_now)]);
         }
         if !links.is_empty() {
@@ -1074,21 +1048,22 @@ impl<'d, 'a> Account<'d, 'a> {
         let gone = if self.m.one { self.elimination() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
         let a = self.rate();
-        let from: Vec<String> = gone
-            .iter()
-            .filter_map(|f| {
-                let is = self.stated(f.symbols[0], f.is.as_ref()?);
-                Some(self.phrase("motion.from", &[("n", &f.rows[0].name), ("is", &is)]))
-            })
-            .collect();
-        let n = self.number_of(last);
+        let from = gone.iter().filter_map(|f| {
+            let is = self.stated(f.symbols[0], f.is.as_ref()?);
+            Some(self.phrase("motion.from", &[("n", &f.rows[0].name), ("is", &is)]))
+        });
+        let from: Vec<String> = from.collect();
         if !from.is_empty() {
+            let n = self.number_of(last);
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
-        let drive = self.share_sum(&DRIVING);
-        let line = self.equation(&drive, &self.effective.by(a));
+        let (drive, gain) = (self.share_sum(&DRIVING), self.effective.by(a));
+        let line = self.equation(&drive, &gain);
         if self.spring.is_some() {
-            self.formula(line);
+            // What is the last row itself stands there already.
+            if !self.equations(last.body).contains(&(Some(last), drive, gain)) {
+                self.formula(line);
+            }
         } else if from.is_empty() {
             let row = self.chain(a, &drive.over(&self.effective));
             self.formulas_or_one(vec![row]);
@@ -1102,9 +1077,8 @@ impl<'d, 'a> Account<'d, 'a> {
     /// All equations at once: what comes out.
     fn solved_together(&mut self, id: &str) -> Result<(), DerivationStop> {
         if self.m.one {
-            let all: Vec<Label> = self.m.reactions().iter().map(|(t, _)| self.label_of_tie(*t)).collect();
-            for label in all {
-                let _ = self.get(label);
+            for (tie, _) in self.m.reactions() {
+                let _ = self.get(self.label_of_tie(tie));
             }
         }
         self.tell_frictions();
@@ -1124,13 +1098,6 @@ impl<'d, 'a> Account<'d, 'a> {
             self.integrate(id == "long");
         }
         Ok(())
-    }
-
-    /// Energy is one balance for the unknown speeds of several freedoms.
-    fn why_together(&mut self) {
-        self.begin_as("why", "which");
-        self.say("why.together", &[("unknown", &self.names(&self.speeds()))]);
-        self.say("why.ask", &[]);
     }
 
     /// A motion on a spring that ends at a time, at a speed or where it turns.
@@ -1190,17 +1157,17 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// All rows with numbers.
     fn write_rows(&mut self) {
-        let each = |body: usize| (self.m.parts[body].label.clone(), self.equations(body));
-        let all: Vec<_> = (0..self.m.parts.len()).map(each).collect();
-        let rows = all.iter().flat_map(|(_, rows)| rows).zip(1..);
-        self.rows = rows.filter_map(|((c, ..), n)| Some(((*c)?, n))).collect();
-        let plain =
-            all.into_iter().map(|(name, rows)| (name, rows.into_iter().map(|(_, l, r)| (l, r)).collect()));
-        self.page.rows(&plain.collect::<Vec<_>>());
+        let plain = |body| self.equations(body).into_iter().map(|(_, left, right)| (left, right)).collect();
+        let all = self.m.parts.iter().zip(0..).map(|(part, body)| (part.label.clone(), plain(body)));
+        let all: Vec<_> = all.collect();
+        self.page.rows(&all);
     }
 
+    /// The number of the row of a coordinate.
     pub fn number_of(&self, c: Coordinate) -> String {
-        self.rows.iter().find(|(r, _)| *r == c).map_or_else(String::new, |(_, n)| n.to_string())
+        let rows = (0..self.m.parts.len()).flat_map(|body| self.equations(body)).zip(1..);
+        let mut own = rows.filter(|((of, ..), _)| *of == Some(c)).map(|(_, n)| n.to_string());
+        own.next().unwrap_or_default()
     }
 
     /// From the acceleration to the speed, or to the distance.
@@ -1208,20 +1175,19 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.rate();
         let v = self.speed();
         let gain = ratio(1, 2) * (square(&self.v) - square(&self.v0));
-        let pieces = [
-            ("a", self.names(&[a])),
-            ("gain", self.equation(&gain, &(a * &self.s))),
-            ("ds", if self.straight() { r"\mathrm{d}s".to_owned() } else { r"\mathrm{d}\varphi".to_owned() }),
-            ("d", self.inline(&self.s)),
-            ("vv", format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
-            ("aa", self.symbols.tex(a).to_owned()),
+        let pieces: Pieces = &[
+            ("a", &a),
+            ("gain", &self.equation(&gain, &(a * &self.s))),
+            ("ds", &self.of_lead(r"\mathrm{d}s", r"\mathrm{d}\varphi")),
+            ("d", &self.s.clone()),
+            ("vv", &format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
+            ("aa", &self.symbols.tex(a).to_owned()),
         ];
-        let pieces: Vec<(&str, &str)> = pieces.iter().map(|(n, t)| (*n, t.as_str())).collect();
         match self.scene.end {
             _ if self.short == Short::Rates => {}
             End::Time(..) if self.spring.is_some() => {}
             End::Speed(..) | End::TurningPoint(_) if self.short == Short::Motion => {
-                self.say("motion.over_time", &pieces);
+                self.say("motion.over_time", pieces);
                 self.skip_new();
                 if let Ok(t) = self.get(of_scene(Quantity::T)) {
                     self.tell([t]);
@@ -1230,12 +1196,12 @@ impl<'d, 'a> Account<'d, 'a> {
             End::Time(..) => {
                 let grown: Vec<SymbolId> = self.grown.iter().map(|g| g.last).chain(self.first_rate).collect();
                 if grown.is_empty() {
-                    self.say("motion.over_time", &pieces);
+                    self.say("motion.over_time", pieces);
                 } else {
                     let even = self.scene.law() == Some(Law::EVEN);
                     self.say(if even { "motion.grows" } else { "motion.grows_power" }, &[]);
                     self.tell(grown);
-                    self.say(if even { "motion.over_time_grows" } else { "motion.over_time_power" }, &pieces);
+                    self.say(if even { "motion.over_time_grows" } else { "motion.over_time_power" }, pieces);
                 }
                 // What comes after the acceleration.
                 let at = self.steps.iter().position(|s| s.symbol == a).map_or(0, |i| i + 1);
@@ -1251,15 +1217,16 @@ impl<'d, 'a> Account<'d, 'a> {
                     let pull = self.tex(&pull);
                     let pull = if several { format!(r"\left({pull}\right)") } else { pull };
                     let (k, x) = (self.tex(&spring.stiffness), r"x\,\mathrm{d}x");
-                    let stored = self.inline(&stored(&spring.stiffness, &spring.stretch, &self.last));
+                    let stored = stored(&spring.stiffness, &spring.stretch, &self.last);
                     let share = format!(r"${pull}\,\mathrm{{d}}s = -{k}\,{x}$");
                     let share =
                         self.phrase("motion.share_of_spring", &[("share", &share), ("stored", &stored)]);
-                    self.say("motion.integral_spring", &[&pieces[..], &[("spring", &share)]].concat());
+                    let all: [Pieces; 2] = [pieces, &[("spring", &share)]];
+                    self.say("motion.integral_spring", &all.concat());
                 } else if again && !self.grown.is_empty() {
-                    self.say("motion.integral_place", &pieces);
+                    self.say("motion.integral_place", pieces);
                 } else if again {
-                    self.say("motion.integral", &pieces);
+                    self.say("motion.integral", pieces);
                 } else if self.short == Short::Together && !self.stays() {
                     self.say("motion.speed_of_slip", &[]);
                     self.tell([v]);
@@ -1284,10 +1251,10 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// How the contact of a body slips that is thrown.
     fn slip_at_start(&mut self, slip: SymbolId) -> Result<(), DerivationStop> {
-        let (body, value) =
-            (self.lead().body, self.symbols.value(slip) * f64::from(self.m.parts[self.lead().body].up));
+        let (body, up) = (self.lead().body, f64::from(self.m.parts[self.lead().body].up));
+        let value = self.symbols.value(slip) * up;
         if value == 0.0 {
-            return Err(Beyond::Unfound.into());
+            return unfound();
         }
         let c = self.scene.thrown().map(|t| self.number(t.radius_m, "R", "m"));
         let c = c.map_or_else(String::new, |c| self.tex(&c));
@@ -1324,20 +1291,20 @@ impl<'d, 'a> Account<'d, 'a> {
         let normal = self.get(of_body(Quantity::Normal, body))?;
         let (fall, j) = (self.share_sum(&[ForceKind::Given]), self.inertia_of(body).per(square(&c)));
         let rolling = fall.over(self.m.parts[body].mass.plus(&j));
-        let grip = self.number(thrown.mu_s, r"\mu_s", "1") * normal;
+        let grip = self.grip(body, thrown.mu_s)?;
         let holds = self.value(&j.by(&rolling)).abs() <= self.value(&grip);
         let rolls = matches!((&asked, event), (Some(t), Some(e)) if self.value(t) > self.symbols.value(e));
         let slid = match (&asked, event) {
             (Some(t), _) if !rolls => t.clone(),
             (_, Some(event)) if holds => event.into(),
-            _ => return Err(Beyond::Unfound.into()),
+            _ => return unfound(),
         };
         if let (Some(t), Some(event)) = (&asked, event) {
-            let pieces = [("asked", &*self.inline(t)), ("event", &*self.names(&[event]))];
-            self.say(if rolls { "thrown.by_then" } else { "thrown.not_yet" }, &pieces);
+            let name = if rolls { "thrown.by_then" } else { "thrown.not_yet" };
+            self.say(name, &[("asked", t), ("event", &event)]);
         }
         self.still_slips = asked.is_some() && !rolls;
-        self.say("thrown.state", &[("t", &self.inline(&slid))]);
+        self.say("thrown.state", &[("t", &slid)]);
         let way = |start: &Expr, rate: SymbolId| start * &slid + ratio(1, 2) * (rate * square(&slid));
         let spins = self.still_slips.then(|| &w0 + alpha * &slid);
         let mark = if rolls { r"\mathrm{r}" } else { "1" };
@@ -1411,7 +1378,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.find(&[&a_tex], "m/s^2", rolling);
         let back = -f64::from(self.m.parts[body].up);
         let f = self.find(&[&f_tex], "N", if level { ZERO } else { in_sense(j.by(a), back) });
-        self.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(f));
+        self.draft.answer(of_body(Quantity::FrictionIfRolled, body), f);
         self.ends_as(of_body(Quantity::ARolling, body), a);
         self.tell_new();
         Ok([a, f])
@@ -1529,7 +1496,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let j = self.inertia_of(body).per(c.squared());
         let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
         let needed = self.valued(&self.positive(&needed), "N");
-        let limit = self.number(mu_s, r"\mu_s", "1") * normal;
+        let limit = self.grip(body, mu_s)?;
         self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &self.valued(&limit, "N"))]);
         Ok(())
     }
@@ -1537,7 +1504,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// A slipping wheel: each freedom has its own equation.
     fn two_freedoms(&mut self) -> Result<(), DerivationStop> {
         let (1, Some(body)) = (self.m.parts.len(), self.m.parts.iter().position(|p| p.slips)) else {
-            return Err(Beyond::Unfound.into());
+            return unfound();
         };
         let (a, alpha) = self.tell_own(body)?;
         if let Some(c) = self.radius_of(body) {
@@ -1562,7 +1529,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.get(of_body(quantity, body))?;
         }
         let slip = self.get(of_body(Quantity::SlipDistance, body))?;
-        self.say("motion.spin_of_slip", &[("slip", &self.names(&[slip]))]);
+        self.say("motion.spin_of_slip", &[("slip", &slip)]);
         self.tell_new();
         Ok(())
     }
@@ -1587,10 +1554,9 @@ impl<'d, 'a> Account<'d, 'a> {
         let centre = self.equation(&work, &gain);
         let rotation = self.equation(&(in_sense(moments, turn) * phi), &spin);
         let f = self.kinetic_frictions();
-        let f = self.names(&f);
         self.say("slip.centre", &[("friction", &f)]);
         self.formula(format!(r"{centre}, \qquad {rotation}"));
-        self.say("slip.neither", &[("unknown", &self.names(&[v, w])), ("friction", &f)]);
+        self.say("slip.neither", &[("unknown", &[v, w]), ("friction", &f)]);
         Ok(())
     }
 
@@ -1609,33 +1575,23 @@ impl<'d, 'a> Account<'d, 'a> {
         let pressing: Vec<SymbolId> = if rubs.is_empty() { Vec::new() } else { normals.clone() };
         let energy: Vec<SymbolId> = [rubs.clone(), pressing, speeds].concat();
         if even {
-            let (many, few) = (self.names(&newton), self.names(&energy));
             let (n, k) = (newton.len().to_string(), energy.len().to_string());
-            self.say("why.neither", &[("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)]);
+            self.say("why.neither", &[("many", &newton), ("n", &n), ("few", &energy), ("k", &k)]);
         } else {
             let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
             let gone = (!reactions.is_empty()).then(|| self.names(&reactions));
-            let more: Vec<&str> = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")]
-                .into_iter()
-                .filter_map(|(is, name)| is.then_some(name))
-                .collect();
+            let more = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")];
+            let more: Vec<&str> = more.into_iter().filter_map(|(is, name)| is.then_some(name)).collect();
             self.page.compare(what, [&newton, &energy], &more, gone.as_deref());
-            let silent: Vec<SymbolId> =
-                reactions.into_iter().chain(normals.into_iter().filter(|_| rubs.is_empty())).collect();
+            let pressing = normals.into_iter().filter(|_| rubs.is_empty());
+            let silent: Vec<SymbolId> = reactions.into_iter().chain(pressing).collect();
             if !silent.is_empty() {
-                self.say("why.price", &[("forces", &self.names(&silent))]);
+                self.say("why.price", &[("forces", &silent)]);
             }
             if self.asks(Quantity::T) {
                 self.say("why.price_time", &[]);
             }
         }
-        self.say("why.ask", &[]);
-    }
-
-    fn why_not_energy(&mut self) {
-        self.begin("why");
-        let v = self.speed();
-        self.say("why.not_energy", &[("v", &self.names(&[v])), ("s", &self.inline(&self.s.clone()))]);
         self.say("why.ask", &[]);
     }
 
@@ -1652,9 +1608,8 @@ impl<'d, 'a> Account<'d, 'a> {
             let scale = value.abs().max(1e-9);
             if !closed.terms.is_empty() && (self.value(&whole) - value).abs() < 1e-6 * scale {
                 self.say("friction.closed", &[]);
-                let tex =
-                    format!("{} = {} = {}", self.symbols.tex(f), self.tex(&whole), self.symbols.shown(f));
-                self.formula(tex);
+                let tex = self.tex(&whole);
+                self.formula(format!("{} = {tex} = {}", self.symbols.tex(f), self.symbols.shown(f)));
                 self.read_signs(body, &closed.terms);
             }
         }
@@ -1662,15 +1617,14 @@ impl<'d, 'a> Account<'d, 'a> {
         if value != 0.0 {
             let moments = self.row(Coordinate { body, degree: Degree::Turn });
             if moments.iter().all(|(action, _)| action.contact) {
-                self.say("friction.alone", &[("f", &self.names(&[f]))]);
+                self.say("friction.alone", &[("f", &f)]);
             }
-            self.say("friction.points", &[("f", &self.names(&[f])), ("way", &sense)]);
+            self.say("friction.points", &[("f", &f), ("way", &sense)]);
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
-            let mu = self.number(mu, r"\mu_s", "1");
-            let n = self.get(of_body(Quantity::Normal, body))?;
-            let most = self.valued(&(mu * n), "N");
-            self.say("friction.not_mu", &[("f", &self.names(&[f])), ("most", &most)]);
+            let grip = self.grip(body, mu)?;
+            let most = self.valued(&grip, "N");
+            self.say("friction.not_mu", &[("f", &f), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {
             self.skip_new();
@@ -1681,7 +1635,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 && self.symbols.value(k0) >= self.datum(r)
             {
                 let r = self.number(r, "R", "m");
-                self.say("friction.any_wheel", &[("r", &self.inline(&r)), ("way", &up)]);
+                self.say("friction.any_wheel", &[("r", &r), ("way", &up)]);
             }
         }
         Ok(())
@@ -1691,7 +1645,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn read_signs(&mut self, body: usize, terms: &[(Action, Factors)]) {
         for (action, lever) in terms {
             let whole = lever.expr();
-            let force = self.inline(&action.force);
+            let force = &action.force;
             let value = self.value(&(whole.clone() * self.size(action.force.clone())));
             let vanishes = self.value(&whole) == 0.0;
             if value == 0.0 && !vanishes {
@@ -1704,8 +1658,9 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => "friction.force",
             };
             let sense = self.way(body, value);
+            // The factor of a force that turns nothing stands there alone.
             let factor = if vanishes { self.tex(&whole) } else { self.inline(&whole) };
-            self.say(name, &[("force", &force), ("factor", &factor), ("way", &sense)]);
+            self.say(name, &[("force", force), ("factor", &factor), ("way", &sense)]);
         }
     }
 
@@ -1724,7 +1679,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn word(&mut self, label: Label, word: Word) {
-        self.draft.answer(label, DerivedAnswer::Word(word));
+        self.draft.answer(label, word);
     }
 
     /// Slides that start from rest have to be torn loose.
@@ -1739,25 +1694,28 @@ impl<'d, 'a> Account<'d, 'a> {
             if self.m.of(along).ratio.is_zero() {
                 continue;
             }
-            let mu = self.number(mu, r"\mu_s", "1");
-            let n = self.get(of_body(Quantity::Normal, body))?;
+            let grip = self.grip(body, mu)?;
             let push = self.at_start(&self.share_sum(&[ForceKind::Given]));
             let push = positive_first([in_sense(push, self.sense)]);
-            let hold = (mu * n) * self.magnitude(&self.m.of(along).ratio).expr();
+            let hold = grip * self.magnitude(&self.m.of(along).ratio).expr();
             let (push, hold) = (self.valued(&push, "N"), self.valued(&hold, "N"));
             self.say("holds.torn", &[("push", &push), ("hold", &hold)]);
         }
         Ok(())
     }
 
+    /// The most that static friction holds: `mu_s N`.
+    fn grip(&mut self, body: usize, mu: Num) -> Result<Expr, DerivationStop> {
+        let mu = self.number(mu, r"\mu_s", "1");
+        Ok(mu * self.get(of_body(Quantity::Normal, body))?)
+    }
+
     /// What slides as soon as it moves, and stays.
     fn held_by_friction(&mut self, body: usize, mu: Num) -> Result<(), DerivationStop> {
-        let mu = self.number(mu, r"\mu_s", "1");
-        let n = self.get(of_body(Quantity::Normal, body))?;
+        let grip = self.grip(body, mu)?;
         let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
-        let most = self.valued(&(mu * n), "N");
-        let f = self.shown(f);
-        self.say_of("holds.held", body, &[("f", &f), ("most", &most)]);
+        let most = self.valued(&grip, "N");
+        self.say_of("holds.held", body, &[("f", &self.shown(f)), ("most", &most)]);
         Ok(())
     }
 
@@ -1788,10 +1746,9 @@ impl<'d, 'a> Account<'d, 'a> {
             ends.into_iter().flatten().for_each(|s| self.page.told(s));
             self.tell_new();
             let [[first, one], [last, other]] = ends;
-            let (first, last) = (self.chained(first), self.chained(last));
-            let (one, other) = (self.shown(one), self.shown(other));
-            let pieces = [("first", &*first), ("one", &*one), ("last", &*last), ("two", &*other)];
-            self.say("holds.extremes", &pieces);
+            let ([first, last], [one, other]) =
+                ([first, last].map(|s| self.chained(s)), [one, other].map(|s| self.shown(s)));
+            self.say("holds.extremes", &[("first", &first), ("one", &one), ("last", &last), ("two", &other)]);
         }
         let value = self.symbols.value(largest).abs();
         let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
@@ -1808,7 +1765,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let a = self.get(of_body(Quantity::A, body))?;
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
         let friction = self.get(of_body(Quantity::Friction, body))?;
-        let Some(c) = self.radius_of(body) else { return Err(Beyond::Unfound.into()) };
+        let Some(c) = self.radius_of(body) else { return unfound() };
         let contact = a - c.expr() * alpha;
         let up = f64::from(self.m.parts[body].up);
         let value = self.value(&contact) * up;
@@ -1876,10 +1833,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if d > far {
             return Ok(());
         }
-        let distance = self.inline(&self.distance());
         let known = self.is_told(turn);
         let far = if known { self.shown(turn) } else { self.names(&[turn]) };
-        self.say("holds.reaches", &[("d", &distance), ("turn", &far)]);
+        self.say("holds.reaches", &[("d", &self.distance()), ("turn", &far)]);
         if !known {
             self.tell([turn]);
         }
@@ -1891,22 +1847,15 @@ impl<'d, 'a> Account<'d, 'a> {
         let drive = positive_first([in_sense(self.share_sum(&[ForceKind::Given]), self.sense)]);
         let smooth = (Expr::Number(2, 1) * self.distance() * drive).over(&self.effective);
         if self.value(&smooth) > 0.0 && self.grown.is_empty() && self.spring.is_none() {
-            let fast = self.relation(&root(smooth.clone()), self.value(&smooth).sqrt(), "m/s");
-            self.say("limits.smooth", &[("v", &self.shown(self.speed())), ("fast", &fast)]);
+            self.say_fast("limits.smooth", &smooth);
         }
     }
 
     /// Without rotary inertia: the closed form of the speed that is left.
     fn massless_limit(&mut self) {
-        let v = self.speed();
         let lines = self.coordinates().into_iter().filter(|c| c.degree == Degree::Along);
-        let masses: Vec<Expr> = lines
-            .flat_map(|c| {
-                let by = self.m.of(c).ratio.squared();
-                self.m.of(c).inertia.iter().map(move |i| i.by(&by))
-            })
-            .filter(|e| *e != ZERO)
-            .collect();
+        let masses = lines.flat_map(|c| self.reckoned(c)).map(|i| i.expr());
+        let masses: Vec<Expr> = masses.filter(|e| *e != ZERO).collect();
         if !self.spins() || masses.is_empty() || !self.straight() || matches!(self.scene.end, End::Speed(..))
         {
             return;
@@ -1914,8 +1863,13 @@ impl<'d, 'a> Account<'d, 'a> {
         let drive = positive_first([in_sense(self.drive.clone(), self.sense)]);
         let light = Expr::Number(2, 1) * self.distance() * drive;
         let light = light.over(positive_first(masses));
-        let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
-        self.say("limits.massless", &[("v", &self.shown(v)), ("fast", &fast)]);
+        self.say_fast("limits.massless", &light);
+    }
+
+    /// Compares the speed with another one, of which this is the square.
+    fn say_fast(&mut self, name: &str, square: &Expr) {
+        let fast = self.relation(&root(square), self.value(square).sqrt(), "m/s");
+        self.say(name, &[("v", &self.shown(self.speed())), ("fast", &fast)]);
     }
 
     /// Where the driving force just balances: nothing happens.
@@ -1924,7 +1878,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let force = self.tex(&action.force);
         let digits = self.digits(self.value(&needed), FIGURES);
         let text = format!(r"${} = {} = {digits}\ {}$", marked(&force, "0"), self.tex(&needed), tex_of("N"));
-        self.say("limits.balance", &[("force", &self.inline(&action.force)), ("is", &text)]);
+        self.say("limits.balance", &[("force", &action.force), ("is", &text)]);
     }
 
     /// Is every line on which something moves level?

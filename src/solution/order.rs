@@ -125,9 +125,9 @@ impl Plane<'_, '_> {
     /// The equations of this place in the order in which they are told.
     pub fn rows_in_order(&mut self, moments: bool) -> Vec<Row> {
         let joints = self.phrase("order.joints", &[]);
-        let demands = if self.scene.end == End::Equilibrium { Vec::new() } else { self.demands() };
         let named = |name, sides| Row { at: 0, name, sides, told: true };
-        let mut all: Vec<Row> = demands.into_iter().map(|sides| named(joints.clone(), sides)).collect();
+        let mut all: Vec<Row> =
+            self.demands().into_iter().map(|sides| named(joints.clone(), sides)).collect();
         let equations = (0..self.bodies.len()).flat_map(|b| self.equations(b));
         all.extend(equations.zip(1..).map(|(sides, n)| named(format!("({n})"), sides)));
         for body in 0..if moments { self.bodies.len() } else { 0 } {
@@ -143,7 +143,7 @@ impl Plane<'_, '_> {
         let (Some(alpha), None) = (it.alpha, &self.pivot) else { return all };
         for spot in spots {
             let Some((_, point)) = scene.point_name(spot) else { continue };
-            let name = self.phrase("order.moments", &[("point", point), ("body", &it.name)]);
+            let name = self.phrase("order.moments", &[("point", &point), ("body", &it.name)]);
             let away = less(&self.centre(body), &self.spot(spot));
             let away = self.places(&away, self.here);
             let known = all.iter().any(|row| row.name == name);

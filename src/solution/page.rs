@@ -32,6 +32,34 @@ pub struct Step {
     pub from: Expr,
 }
 
+/// What can stand in the place of a piece of a sentence: words as they are, quantities by their symbols, formulas in symbols.
+pub trait Piece {
+    fn told(&self, page: &Page) -> String;
+}
+
+/// The pieces of a sentence, each with its name.
+pub type Pieces<'p> = &'p [(&'p str, &'p dyn Piece)];
+
+/// How each kind of piece is told.
+macro_rules! pieces {
+    ($($what:ty: $told:expr;)*) => {$(
+        impl Piece for $what {
+            fn told(&self, page: &Page) -> String {
+                let told: fn(&Page, &Self) -> String = $told;
+                told(page, self)
+            }
+        }
+    )*};
+}
+pieces! {
+    &str: |_, words| (*words).to_owned();
+    String: |_, words| words.clone();
+    SymbolId: |page, symbol| page.names(&[*symbol]);
+    [SymbolId; 2]: |page, symbols| page.names(symbols);
+    Vec<SymbolId>: |page, symbols| page.names(symbols);
+    Expr: |page, formula| page.inline(formula);
+}
+
 /// The section that is being written.
 pub struct Page<'d, 'a> {
     pub draft: &'d mut Draft<'a>,
@@ -184,6 +212,11 @@ impl<'d, 'a> Page<'d, 'a> {
         self.told.push(symbol);
         self.formula(if line.contains('&') { line } else { format!("{line}{behind}") });
     }
+    /// The same of a quantity as it was found.
+    pub fn display_step(&mut self, symbol: SymbolId) {
+        let from = self.from(symbol);
+        self.display(symbol, &from, "");
+    }
     /// `$v = ... = 4.94 m/s$`
     pub fn chained(&self, symbol: SymbolId) -> String {
         let line = self.step_of(symbol);
@@ -225,11 +258,14 @@ impl<'d, 'a> Page<'d, 'a> {
         }
     }
     /// A phrase of the solutions.
-    pub fn phrase(&self, name: &str, pieces: &[(&str, &str)]) -> String {
-        self.words.say(&format!("solution.{name}"), pieces)
+    pub fn phrase(&self, name: &str, pieces: Pieces) -> String {
+        let told: Vec<(&str, String)> =
+            pieces.iter().map(|(name, piece)| (*name, piece.told(self))).collect();
+        let told: Vec<(&str, &str)> = told.iter().map(|(name, text)| (*name, text.as_str())).collect();
+        self.words.say(&format!("solution.{name}"), &told)
     }
     /// A sentence of the paragraph that is being written.
-    pub fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+    pub fn say(&mut self, name: &str, pieces: Pieces) {
         let text = self.phrase(name, pieces);
         // What holds of two bodies alike is said once.
         if text.ends_with(':') || !self.open.contains(&text) {
@@ -249,9 +285,16 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// The same; a single short one within the sentence.
     pub fn formulas_or_one(&mut self, all: Vec<String>) {
-        match &all[..] {
-            [one] if width(one) <= WITHIN && !one.contains('&') => self.add(format!("${one}$.")),
-            _ => self.formulas(all),
+        self.few_or_lines(all, 1);
+    }
+    /// The same; so few short ones within the sentence.
+    fn few_or_lines(&mut self, all: Vec<String>, few: usize) {
+        let short = all.iter().all(|one| width(one) <= WITHIN && !one.contains('&'));
+        if !short || all.len() > few {
+            self.formulas(all);
+        } else if !all.is_empty() {
+            let all: Vec<String> = all.iter().map(|one| format!("${one}$")).collect();
+            self.add(format!("{}.", all.join(", ")));
         }
     }
     /// Equations, as many to a line as it holds.
@@ -288,17 +331,16 @@ impl<'d, 'a> Page<'d, 'a> {
         ties: &[&str],
         gone: Option<&str>,
     ) {
-        let (what, many, few) = (self.names(&[what]), self.names(newton), self.names(energy));
         let ties: String = ties.iter().map(|ties| self.phrase(ties, &[])).collect();
         let ties = ties.replace(",,", ",");
-        let n = newton.len().to_string();
+        let (many, n) = (self.names(newton), newton.len().to_string());
         self.say("why.newton", &[("what", &what), ("many", &many), ("n", &n), ("ties", &ties)]);
         match gone {
-            Some(forces) => self.say("why.eliminate", &[("forces", forces)]),
+            Some(forces) => self.say("why.eliminate", &[("forces", &forces)]),
             None => self.say("why.no_reaction", &[]),
         }
         let name = if energy.len() == 1 { "why.energy_one" } else { "why.energy" };
-        self.say(name, &[("few", &few), ("k", &energy.len().to_string())]);
+        self.say(name, &[("few", &self.names(energy)), ("k", &energy.len().to_string())]);
     }
     /// The share of the kinetic energy that rotation has.
     pub fn say_share(&mut self, share: f64, several: bool) {
@@ -310,10 +352,9 @@ impl<'d, 'a> Page<'d, 'a> {
     /// From where it all is seen, if something carries it.
     pub fn say_carried(&mut self, carrier: Option<&Carrying>) {
         let Some(Carrying { speed, acceleration, .. }) = carrier else { return };
-        let [speed, acceleration] = [speed, acceleration].map(|e| self.inline(e));
         let steady = carrier.is_some_and(|c| c.acceleration == ZERO);
         let name = if steady { "carried.steady" } else { "carried.apparent" };
-        self.say(name, &[("speed", &speed), ("acceleration", &acceleration)]);
+        self.say(name, &[("speed", speed), ("acceleration", acceleration)]);
     }
     /// The angle of a vector with these components, counter-clockwise from the right.
     pub fn angle_of(&self, x: SymbolId, y: SymbolId) -> Expr {
@@ -393,16 +434,8 @@ impl<'d, 'a> Page<'d, 'a> {
         let new = |s: &&Step| !self.told.contains(&s.symbol);
         let steps: Vec<Step> = self.steps.iter().filter(new).cloned().collect();
         self.skip_new();
-        let chains: Vec<String> = steps.iter().map(|s| self.chain(s.symbol, &s.from)).collect();
-        let short = chains.iter().all(|c| width(c) <= WITHIN && !c.contains('&'));
-        if short && chains.len() <= FEW {
-            if !chains.is_empty() {
-                let all: Vec<String> = chains.iter().map(|c| format!("${c}$")).collect();
-                self.open.push(format!("{}.", all.join(", ")));
-            }
-            return;
-        }
-        self.formulas(chains);
+        let chains = steps.iter().map(|s| self.chain(s.symbol, &s.from)).collect();
+        self.few_or_lines(chains, FEW);
     }
     /// Takes all steps as told.
     pub fn skip_new(&mut self) {

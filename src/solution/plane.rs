@@ -9,16 +9,16 @@ use crate::scene::{
     Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Rest,
     RotaryInertia, Spot, Strut, StrutEnd, Surface,
 };
-use crate::solution::account::{START_NAMES, stored};
+use crate::solution::account::{START_NAMES, of_body, stored};
 use crate::solution::asked;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::Draft;
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, ratio, root, signed, sine,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, length, number, positive_first, power, ratio, root, signed,
+    sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, Step, WITHIN};
-use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::stop::{Beyond, DerivationStop, unfound};
 use crate::solution::terms::{self, Carrying, tagged};
 use crate::solution::written::width;
 
@@ -105,6 +105,10 @@ fn from_axis(axis: &Point, at: &[Factors; 2]) -> Point {
 }
 fn along(line: &Line, unit: &[Factors; 2]) -> Point {
     [line.times(&unit[0]), line.times(&unit[1])]
+}
+/// From one point of a body to another, along its axis and to its left.
+fn between(to: &[Factors; 2], from: &[Factors; 2]) -> [Factors; 2] {
+    [0, 1].map(|i| to[i].plus(&from[i].opposite()))
 }
 fn dot(a: &Point, unit: &[Factors; 2]) -> Line {
     a[0].times(&unit[0]).plus(&a[1].times(&unit[1]))
@@ -248,8 +252,8 @@ pub struct Plane<'d, 'a> {
     pub springs: Vec<SymbolId>,
     /// The works of all forces that are known.
     pub works: Vec<Expr>,
-    /// Friction of guides: joint, and what it is.
-    pub frictions: Vec<(usize, SymbolId)>,
+    /// Friction of guides: joint, symbol, and what it is, positive up or to the right.
+    pub frictions: Vec<(usize, SymbolId, Expr)>,
     /// The rate of the leading angle at the place that is asked, a magnitude.
     pub rate: SymbolId,
     /// That at the start.
@@ -298,14 +302,10 @@ pub struct Plane<'d, 'a> {
 
 stands_on!(Plane.page: Page<'d, 'a>);
 
-fn beyond<T>() -> Result<T, DerivationStop> {
-    Err(Beyond::Unfound.into())
-}
-
 impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
-        let Some(lead) = draft.scene.lead() else { return beyond() };
+        let Some(lead) = draft.scene.lead() else { return unfound() };
         let g = terms::gravity(draft);
         let carrier = Carrying::of(draft);
         let mut page = Page::new(draft);
@@ -344,7 +344,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             carrier,
             moving: Sum::default(),
         };
-        this.first = this.start_rate();
+        if let Some((c, given)) = this.scene.start_speeds().next() {
+            let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
+            this.first = this.number(given, tex, unit);
+        }
         let sets_off = this.scene.is_struck() || this.value(&this.first) != 0.0;
         this.moves = !this.scene.is_still() || sets_off;
         if this.gliding().is_some() {
@@ -458,13 +461,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
 
-    /// The spin or the speed that is given at the start, of whichever body.
-    fn start_rate(&mut self) -> Expr {
-        let Some((c, given)) = self.scene.start_speeds().next() else { return ZERO };
-        let (tex, unit) = START_NAMES[usize::from(c.degree == Degree::Turn)];
-        self.number(given, tex, unit)
-    }
-    /// The rate of the leading angle that goes with it: by the ratio of the key's places, where that is not 1. Of a speed that comes
+    /// The rate of the leading angle that goes with the spin or the speed that is given at the start: by the ratio of the key's places, where that is not 1. Of a speed that comes
     /// later, when all has its place.
     fn start_from(&mut self) -> Result<(), DerivationStop> {
         let turns = |c: &Coordinate| c.degree == Degree::Turn;
@@ -473,7 +470,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             return Ok(());
         };
         let per = if c.body != self.lead {
-            let Some(poses) = self.poses(0.0, true) else { return beyond() };
+            let Some(poses) = self.poses(0.0, true) else { return unfound() };
             let ratio = poses[c.body].turn().0 * f64::from(self.sense_of(c.body));
             let tag = format!("{},0", self.bodies[c.body].tag);
             let symbol = self.named(&[tagged("n", &tag), tagged("i", &tag)], "1");
@@ -487,7 +484,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         };
         self.first = self.first.over(&per);
-        if self.value(&self.first).is_finite() { Ok(()) } else { beyond() }
+        if self.value(&self.first).is_finite() { Ok(()) } else { unfound() }
     }
     /// Where all bodies are when the leading angle has changed by this, rad, in numbers.
     fn poses(&self, way: f64, at_start: bool) -> Option<Poses<Jet<f64>>> {
@@ -523,7 +520,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.page.settle_all(&all, &unknowns, |_| ROUNDING)?;
         let before = self.steps.len();
         self.unravel();
-        let Some(change) = self.bodies[lead].alpha else { return beyond() };
+        let Some(change) = self.bodies[lead].alpha else { return unfound() };
         let change: Expr = match self.arc_of(self.lead) {
             Some(arc) => change.over(self.turning_of(arc)),
             None => change.into(),
@@ -653,7 +650,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             Some(turn) => self.axis(turn),
             None => {
                 let from = self.scene.planar(body).map_or([1.0, 0.0], |p| p.from.components());
-                from.map(|x| Line::fixed(if x == 0.0 { Sum::default() } else { Sum::one(sign(x)) }))
+                from.map(|x| Line::fixed(Sum::one(sign(x))))
             }
         }
     }
@@ -667,16 +664,20 @@ impl<'d, 'a> Plane<'d, 'a> {
         let distance = self.of_spot(spot);
         self.point(spot.body, &distance)
     }
-    fn wave(&self, turn: usize, wave: Wave, which: usize) -> Factors {
-        let angle = &self.turns[turn].at[which];
-        if wave == Wave::Sine { sine(angle).factors() } else { cosine(angle).factors() }
+    /// A cosine or sine of an angle, or its first or second derivative by the leading one.
+    fn wave(&self, turn: usize, wave: Wave, which: usize, order: u32) -> Factors {
+        let Turn { at, rate, .. } = &self.turns[turn];
+        let sines = (wave == Wave::Sine) == (order != 1);
+        let falls = order == 2 || order == 1 && wave == Wave::Cosine;
+        let value = if sines { sine(&at[which]) } else { cosine(&at[which]) };
+        power(rate[which].clone(), order).factors().times(value).signed(if falls { -1 } else { 1 })
     }
     /// A coordinate at the start or at the place that is asked.
     fn at(&mut self, line: &Line, which: usize) -> Sum {
         let waves = line.waves.iter().map(|(size, turn, wave)| match wave {
             Wave::Way if which == START => Factors::zero(),
             Wave::Way => size.times(self.turned()),
-            _ => size.times(self.wave(*turn, *wave, which)),
+            _ => size.times(self.wave(*turn, *wave, which, 0)),
         });
         let waves = waves.collect();
         line.fixed.plus(&waves)
@@ -687,20 +688,15 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Its rate, per unit rate of the leading angle.
     fn rate(&self, line: &Line, which: usize) -> Sum {
-        Sum::of(line.waves.iter().map(|(size, turn, wave)| {
-            let size = size.times(&self.turns[*turn].rate[which]);
-            match wave {
-                Wave::Way => size,
-                Wave::Cosine => size.times(self.wave(*turn, Wave::Sine, which)).opposite(),
-                Wave::Sine => size.times(self.wave(*turn, Wave::Cosine, which)),
-            }
+        Sum::of(line.waves.iter().map(|(size, turn, wave)| match wave {
+            Wave::Way => size.times(&self.turns[*turn].rate[which]),
+            _ => size.times(self.wave(*turn, *wave, which, 1)),
         }))
     }
     /// What its second derivative has per square of the leading rate, of one leading angle alone.
     fn bend(&self, line: &Line) -> Sum {
-        Sum::of(line.waves.iter().filter(|w| w.2 != Wave::Way).map(|(size, turn, wave)| {
-            size.times(square(&self.turns[*turn].rate[END])).times(self.wave(*turn, *wave, END)).opposite()
-        }))
+        let waves = line.waves.iter().filter(|w| w.2 != Wave::Way);
+        Sum::of(waves.map(|(size, turn, wave)| size.times(self.wave(*turn, *wave, END, 2))))
     }
     pub fn places(&mut self, point: &Point, which: usize) -> Vector {
         [self.at(&point[0], which), self.at(&point[1], which)]
@@ -719,11 +715,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Toward the pin from the mass centre, and across with a growing angle.
     fn circle(&self) -> [Vector; 2] {
         let Turn { from, across, .. } = &self.turns[0];
-        let of = |share: [f64; 2], wave| share.map(|x| sign(x).times(self.wave(0, wave, self.here)));
-        let ([c, d], [s, t]) = (of(*from, Wave::Cosine), of(*across, Wave::Sine));
-        let ([e, f], [u, w]) = (of(*from, Wave::Sine), of(*across, Wave::Cosine));
-        let toward = [Sum::of([c, s]).opposite(), Sum::of([d, t]).opposite()];
-        [toward, [Sum::of([u, e.opposite()]), Sum::of([w, f.opposite()])]]
+        let axis = |order| {
+            let of = |share: f64, wave| sign(share).times(self.wave(0, wave, self.here, order));
+            [0, 1].map(|i| Sum::of([of(from[i], Wave::Cosine), of(across[i], Wave::Sine)]))
+        };
+        [axis(0).map(|x| x.opposite()), axis(1)]
     }
     /// A vector, right and up, in these directions.
     fn frame(&self, v: &Vector) -> Vector {
@@ -742,23 +738,19 @@ impl<'d, 'a> Plane<'d, 'a> {
         turned
     }
 
-    /// Points of a body that are held at a known place.
-    fn held(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point)> {
-        let mut all = Vec::new();
-        for joint in &self.scene.joints {
-            let (own, place) = match joint.kind {
-                JointKind::Pin { at, place_m } if at.body == body => (at, self.ground(place_m)),
-                JointKind::Hinge { one, other, .. } if one.body == body && placed[other.body] => {
-                    (one, self.spot(other))
-                }
-                JointKind::Hinge { one, other, .. } if other.body == body && placed[one.body] => {
-                    (other, self.spot(one))
-                }
-                _ => continue,
-            };
-            all.push((self.of_spot(own), place));
-        }
-        all
+    /// The point of a body that is held at a known place.
+    fn held(&mut self, body: usize, placed: &[bool]) -> Option<([Factors; 2], Point)> {
+        let (own, place) = self.scene.joints.iter().find_map(|joint| match joint.kind {
+            JointKind::Pin { at, place_m } if at.body == body => Some((at, self.ground(place_m))),
+            JointKind::Hinge { one, other, .. } if one.body == body && placed[other.body] => {
+                Some((one, self.spot(other)))
+            }
+            JointKind::Hinge { one, other, .. } if other.body == body && placed[one.body] => {
+                Some((other, self.spot(one)))
+            }
+            _ => None,
+        })?;
+        Some((self.of_spot(own), place))
     }
     /// Points of a body that are guided, itself or by a slider that is hinged there: a place on the line and its direction.
     fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point, [Factors; 2])> {
@@ -820,11 +812,15 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The axis of the cylinder on which a body rolls or meshes, and how fast it turns per moment of its centre's speed about that axis.
     fn circles(&mut self, body: usize) -> Option<(Point, Factors)> {
         let (_, own, centre, arc, inside, _) = self.arc_of(body).filter(|(.., rolls)| *rolls)?;
-        let (own, arc) = (self.number(own, "r", "m").factors(), self.number(arc, "R", "m").factors());
+        let [own, arc] = self.radii(own, arc);
         let around = inside && self.value(&arc.expr()) < self.value(&own.expr());
         let sense = if inside == around { self.sense_of(body) } else { -self.sense_of(body) };
         let per = Factors::one().signed(sense).per(self.apart(&own, &arc, inside)).per(own);
         Some((self.ground(centre), per))
+    }
+    /// The radius of a wheel, and that of the cylinder that it touches.
+    fn radii(&mut self, own: Num, arc: Num) -> [Factors; 2] {
+        [(own, "r"), (arc, "R")].map(|(radius, name)| self.number(radius, name, "m").factors())
     }
     /// Distance of the centre of a wheel from the axis of the cylinder that it touches.
     fn apart(&self, own: &Factors, arc: &Factors, inside: bool) -> Factors {
@@ -837,7 +833,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         if !rolls {
             return Factors::zero();
         }
-        let (own, arc) = (self.number(own, "r", "m").factors(), self.number(arc, "R", "m").factors());
+        let [own, arc] = self.radii(own, arc);
         if inside { own.plus(&arc.opposite()).per(&own) } else { arc.plus(&own).per(&own) }
     }
 
@@ -892,8 +888,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let plain = names::joint(self.scene, joint);
         let is = match self.scene.joints[joint].kind {
             JointKind::Contact { radius_m, surface: Surface::Arc { radius_m: arc, inside, .. }, .. } => {
-                let [own, arc] = [(radius_m, "r"), (arc, "R")].map(|(n, name)| self.number(n, name, "m"));
-                self.apart(&own.factors(), &arc.factors(), inside).expr()
+                let [own, arc] = self.radii(radius_m, arc);
+                self.apart(&own, &arc, inside).expr()
             }
             _ => {
                 let apart = less(&self.spot(at), &self.ground(place));
@@ -923,15 +919,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let first = *links.first()?;
         let (own, (turn, length)) = (self.of_spot(first.0), self.link(first)?);
-        let second = match links.get(1) {
-            Some(link) => Some((*link, self.link(*link)?)),
-            None => None,
-        };
+        let second = links.get(1).map(|link| Some((*link, self.link(*link)?)));
         let held = times(&self.axis(turn), &length);
         let place = self.ground(first.1);
-        self.bodies[body].origin = less(&plus(&place, &held), &from_axis(axis, &own));
-        let reach = |to: [Factors; 2]| from_axis(axis, &[0, 1].map(|i| to[i].plus(&own[i].opposite())));
-        if let Some(((at, far, _), (other, length))) = second {
+        self.put(body, &own, &plus(&place, &held));
+        let reach = |to: [Factors; 2]| from_axis(axis, &between(&to, &own));
+        if let Some(second) = second {
+            let ((at, far, _), (other, length)) = second?;
             let apart = less(&plus(&place, &reach(self.of_spot(at))), &self.ground(far));
             let across = times(&self.axis(other), &length);
             self.close(&apart, (turn, &held), (other, &across));
@@ -967,8 +961,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The change of the leading angle in degrees that the key has, with its sign.
     fn way_of_key(&mut self, first: f64) -> Option<f64> {
-        let phi = Label { quantity: Quantity::Phi, of: Owner::Body(self.lead) };
-        let way = self.variant.solved.get(phi)?.value();
+        let way = self.key(of_body(Quantity::Phi, self.lead))?;
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
         let start = self.poses(0.0, true)?;
         let mut spin = self.value(&self.first);
@@ -990,8 +983,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let each = self.scene.bodies.iter().enumerate().map(|(b, body)| {
                 let along = [body.planar.as_ref().map_or(0.0, |p| pose::along(&numbers, p.centre)), 0.0];
                 let rise = end[b].point(along)[1].value - start[b].point(along)[1].value;
-                let key = self.variant.solved.get(Label { quantity: Quantity::Rise, of: Owner::Body(b) });
-                key.map_or(0.0, |k| (k.value() - rise).abs())
+                self.key(of_body(Quantity::Rise, b)).map_or(0.0, |key| (key - rise).abs())
             });
             each.sum()
         };
@@ -1006,28 +998,30 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// Places all bodies one after the other, as [`crate::scene::pose`] does.
     fn place(&mut self) -> Result<(), DerivationStop> {
-        let scene = self.scene;
-        let mut placed = vec![false; scene.bodies.len()];
+        let mut placed = vec![false; self.scene.bodies.len()];
         self.place_lead()?;
         placed[self.lead] = true;
-        let Some(angles) = self.angles() else { return beyond() };
-        while placed.iter().any(|p| !p) {
+        let Some(angles) = self.angles() else { return unfound() };
+        while placed.contains(&false) {
             let before = placed.clone();
-            for body in 0..scene.bodies.len() {
-                if !placed[body] {
-                    self.follow(body, &angles, &mut placed)?;
-                }
+            for body in 0..placed.len() {
+                placed[body] = placed[body] || self.follow(body, &angles, &mut placed)?;
             }
             if placed == before {
-                return beyond();
+                return unfound();
             }
         }
         Ok(())
     }
 
+    /// Puts a body so that this point of it is at this place.
+    fn put(&mut self, body: usize, at: &[Factors; 2], place: &Point) {
+        self.bodies[body].origin = less(place, &from_axis(&self.axis_of(body), at));
+    }
+
     fn place_lead(&mut self) -> Result<(), DerivationStop> {
         let (scene, body) = (self.scene, self.lead);
-        let Some(planar) = scene.planar(body) else { return beyond() };
+        let Some(planar) = scene.planar(body) else { return unfound() };
         let tex = self.free(&[r"\phi", r"\theta", r"\varphi"]);
         let first = planar.start_deg.map_or(ZERO, |a| self.number(a, &format!("{tex}_0"), "deg"));
         let name = match (planar.start_deg, scene.end) {
@@ -1056,29 +1050,24 @@ impl<'d, 'a> Plane<'d, 'a> {
         let turn = self.add_turn(body, [first, last], [ONE, ONE]);
         if let Some(arc) = self.arc_of(self.lead) {
             let (at, own, middle, radius, inside, _) = arc;
-            let (own, radius) =
-                (self.number(own, "r", "m").factors(), self.number(radius, "R", "m").factors());
+            let [own, radius] = self.radii(own, radius);
             let apart = self.apart(&own, &radius, inside);
             let centre = plus(&self.ground(middle), &times(&self.axis(turn), &apart));
             let by = self.turning_of(arc);
-            let own = if scene.bodies[body].turns {
+            self.bodies[body].turn = scene.bodies[body].turns.then(|| {
                 let [first, last] = self.turns[turn].at.clone();
                 let turned = if first == last { ZERO } else { (last - &first) * by.expr() };
                 let last = &first + turned;
-                Some(self.add_turn(body, [first, last], [by.expr(), by.expr()]))
-            } else {
-                None
-            };
-            self.bodies[body].turn = own;
+                self.add_turn(body, [first, last], [by.expr(), by.expr()])
+            });
             let at = self.of_spot(at);
-            let axis = self.axis_of(body);
-            self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
+            self.put(body, &at, &centre);
             return Ok(());
         }
         self.bodies[body].turn = Some(turn);
         let axis = self.axis(turn);
         let none = vec![false; scene.bodies.len()];
-        let held = self.held(body, &none).into_iter().next();
+        let held = self.held(body, &none);
         let rolls = if held.is_none() { self.rolls(body) } else { None };
         let origin = planar.origin_m.map(|place| self.ground(place));
         if let Some((at, through, unit, radius)) = rolls {
@@ -1087,7 +1076,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let way = Line { fixed: Sum::default(), waves: vec![(radius.times(sense), turn, Wave::Way)] };
             let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
             let centre = plus(&plus(&through, &along(&start.plus(&way), &unit)), &off);
-            self.bodies[body].origin = less(&centre, &from_axis(&axis, &at));
+            self.put(body, &at, &centre);
             return Ok(());
         }
         let links = self.links(body);
@@ -1126,7 +1115,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 self.open = true;
                 place
             }
-            _ => return beyond(),
+            _ => return unfound(),
         };
         Ok(())
     }
@@ -1137,102 +1126,65 @@ impl<'d, 'a> Plane<'d, 'a> {
         body: usize,
         angles: &[Vec<f64>; 2],
         placed: &mut [bool],
-    ) -> Result<(), DerivationStop> {
+    ) -> Result<bool, DerivationStop> {
         let scene = self.scene;
-        let Some(planar) = scene.planar(body) else { return beyond() };
-        let held = self.held(body, placed).into_iter().next();
-        let whole = |this: &mut Self, at: &[Factors; 2], place: &Point| {
-            let axis = this.axis_of(body);
-            this.bodies[body].origin = less(place, &from_axis(&axis, at));
-        };
-        if !scene.bodies[body].turns {
-            if let Some((at, place)) = held {
-                whole(self, &at, &place);
-                placed[body] = true;
-            }
-            return Ok(());
-        }
+        let Some(planar) = scene.planar(body) else { return unfound() };
+        let held = self.held(body, placed);
         let loose = scene.end == End::AtOnce && self.value(&self.first) == 0.0;
-        if let (true, Some(start)) = (loose, planar.start_deg) {
+        if let (true, true, Some(start)) = (scene.bodies[body].turns, loose, planar.start_deg) {
             let start = self.number(start, r"\beta", "deg");
             self.open = true;
             self.bodies[body].turn = Some(self.add_turn(body, [start.clone(), start], [ZERO, ZERO]));
-            let own = planar.origin_m.map(|place| self.ground(place));
-            match (held, own) {
-                (Some((at, place)), _) => whole(self, &at, &place),
-                (None, Some(place)) => self.bodies[body].origin = place,
-                _ => return Ok(()),
-            }
-            placed[body] = true;
-            return Ok(());
+            let own = planar.origin_m.map(|place| ([Factors::zero(), Factors::zero()], self.ground(place)));
+            let known = held.or(own);
+            known.iter().for_each(|(at, place)| self.put(body, at, place));
+            return Ok(known.is_some());
         }
-        let Some((at, place)) = held else { return Ok(()) };
+        let Some((at, place)) = held else { return Ok(false) };
+        if !scene.bodies[body].turns {
+            self.put(body, &at, &place);
+            return Ok(true);
+        }
         if let Some(to) = self.welded(body, placed) {
-            let Some(other) = self.bodies[to].turn else { return beyond() };
-            self.free_turn(body, angles);
+            let Some(other) = self.bodies[to].turn else { return unfound() };
+            let turn = self.free_turn(body, angles);
             let same = self.bodies[body].clockwise == self.bodies[to].clockwise;
-            let rate = self.turns[other].rate.clone().map(|r| signed(r, same));
-            let turn = self.turns.len() - 1;
-            self.turns[turn].rate = rate;
-            whole(self, &at, &place);
-            placed[body] = true;
-            return Ok(());
+            self.turns[turn].rate = self.turns[other].rate.clone().map(|r| signed(r, same));
+            self.put(body, &at, &place);
+            return Ok(true);
         }
         let (track, circle) = (self.rolls(body), self.circles(body));
         let guided = self.guided(body, placed).into_iter().next();
         let pair = self.pair(body, placed);
         if track.is_none() && circle.is_none() && guided.is_none() && pair.is_none() {
-            return Ok(());
+            return Ok(false);
         }
-        self.free_turn(body, angles);
-        let turn = self.turns.len() - 1;
-        whole(self, &at, &place);
-        placed[body] = true;
+        let turn = self.free_turn(body, angles);
+        self.put(body, &at, &place);
         if let Some((_, _, unit, radius)) = track {
             self.ratio(turn, |this, which| {
                 let ahead = this.rates(&place, which);
                 let ahead = product(&ahead, &vector(&unit)).times(Factors::one().per(&radius));
                 if planar.clockwise { ahead.expr() } else { ahead.opposite().expr() }
             });
-            return Ok(());
-        }
-        if let Some((axis, per)) = circle {
+        } else if let Some((axis, per)) = circle {
             self.ratio(turn, |this, which| {
                 let out = this.places(&less(&place, &axis), which);
                 cross(&out, &this.rates(&place, which)).times(&per).expr()
             });
-            return Ok(());
-        }
-        if let Some((other, through, unit)) = guided {
-            let reach = [0, 1].map(|i| other[i].plus(&at[i].opposite()));
-            let own = from_axis(&self.axis(turn), &reach);
+        } else if let Some((other, through, unit)) = guided {
+            let own = from_axis(&self.axis(turn), &between(&other, &at));
             self.slide(turn, &place, &own, (&through, &unit));
-            return Ok(());
+        } else if let Some((own, other, far)) = pair {
+            placed[other.body] = true;
+            let own = between(&self.of_spot(own), &at);
+            let second = self.free_turn(other.body, angles);
+            let to = between(&self.of_spot(other), &far.0);
+            self.put(other.body, &far.0, &far.1);
+            let ends = [from_axis(&self.axis(turn), &own), from_axis(&self.axis(second), &to)];
+            self.close(&less(&place, &far.1), (turn, &ends[0]), (second, &ends[1]));
         }
-        if let Some(pair) = pair {
-            placed[pair.1.body] = true;
-            self.follow_pair((&at, &place), pair, angles);
-        }
-        Ok(())
-    }
-
-    /// Places two hinged rods, of which the one is held by this place: the angle of the other one, and what ties both.
-    fn follow_pair(
-        &mut self,
-        (at, place): (&[Factors; 2], &Point),
-        (own, other, far): (Spot, Spot, ([Factors; 2], Point)),
-        angles: &[Vec<f64>; 2],
-    ) {
-        let turn = self.turns.len() - 1;
-        let own = self.of_spot(own);
-        let own = [0, 1].map(|i| own[i].plus(&at[i].opposite()));
-        self.free_turn(other.body, angles);
-        let second = self.of_spot(other);
-        let second = [0, 1].map(|i| second[i].plus(&far.0[i].opposite()));
-        let axis = self.axis(turn + 1);
-        self.bodies[other.body].origin = less(&far.1, &from_axis(&axis, &far.0));
-        let (one, two) = (from_axis(&self.axis(turn), &own), from_axis(&axis, &second));
-        self.close(&less(place, &far.1), (turn, &one), (turn + 1, &two));
+        Ok(true)
     }
 
     /// The body with a place to which this one is welded.
@@ -1255,15 +1207,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             if own.body != body || placed[other.body] || !scene.bodies[other.body].turns {
                 return None;
             }
-            Some((own, other, self.held(other.body, placed).into_iter().next()?))
+            Some((own, other, self.held(other.body, placed)?))
         })
     }
 
     /// The angle of a body that its joints give; its own rate is 1 until it is known.
-    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2]) {
+    fn free_turn(&mut self, body: usize, angles: &[Vec<f64>; 2]) -> usize {
         let tag = self.bodies[body].tag.clone();
         let at = self.free_angle(&tag, angles.each_ref().map(|all| all[body]));
-        self.bodies[body].turn = Some(self.add_turn(body, at, [ONE, ONE]));
+        let turn = self.add_turn(body, at, [ONE, ONE]);
+        self.bodies[body].turn = Some(turn);
+        turn
     }
     /// A new angle, at the start and at the asked place, by the next letter.
     fn free_angle(&mut self, tag: &str, degrees: [f64; 2]) -> [Expr; 2] {
@@ -1357,26 +1311,22 @@ impl<'d, 'a> Plane<'d, 'a> {
             let pull = self.pull(push.at.body, &point, size.clone(), along, None);
             let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
             self.pulls.push(pull);
-            if still {
-                continue;
-            }
-            if push.turns && self.pivot.is_some() {
+            let work = match (push.turns, &self.pivot) {
+                _ if still => continue,
                 // About a fixed pin its moment stays what it is.
-                let turned = self.turned();
-                self.works.push(moment.by(turned));
-                continue;
-            }
-            if push.turns {
-                let work = self.turning_work(push);
-                let symbol = self.named(&[r"W_{P}", r"A_{P}"], "J");
-                self.symbols.settle(symbol, work, 0.0);
-                self.page.step(symbol, symbol.into());
-                self.works.push(symbol.into());
-                continue;
-            }
-            let line = dot(&self.spot(push.at), &unit);
-            let way = self.change(&line);
-            self.works.push(size.by(way.expr()));
+                (true, Some(_)) => moment.by(self.turned()),
+                (true, None) => {
+                    let work = self.turning_work(push);
+                    let symbol = self.named(&[r"W_{P}", r"A_{P}"], "J");
+                    self.symbols.settle(symbol, work, 0.0);
+                    self.page.step(symbol, symbol.into()).into()
+                }
+                (false, _) => {
+                    let line = dot(&self.spot(push.at), &unit);
+                    size.by(self.change(&line).expr())
+                }
+            };
+            self.works.push(work);
         }
         for (i, couple) in scene.couples.iter().enumerate() {
             let size = self.number(couple.moment_n_m, "M", "N m").factors();
@@ -1387,7 +1337,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let turned = if self.bodies[couple.body].turn == Some(0) {
                     self.turned()
                 } else {
-                    let Some(turn) = self.bodies[couple.body].turn else { return beyond() };
+                    let Some(turn) = self.bodies[couple.body].turn else { return unfound() };
                     let [first, last] = self.turns[turn].at.clone();
                     let is = self.draft.radians(last - first);
                     self.page.find(&[tagged(r"\Delta\psi", &i.to_string())], "rad", is)
@@ -1493,15 +1443,12 @@ impl<'d, 'a> Plane<'d, 'a> {
             last = self.places(&apart, which);
             let is = self.size(&last);
             let length: Expr = self.named_by(["s", "d"], &format!("{which}{tag}"), "m", is);
-            let is = match (given, lengths.first()) {
-                (false, _) => Some(&length - &rest),
-                (true, Some(first)) => Some(&rest + &length - first),
-                (true, None) => None,
-            };
-            stretch.push(is.map_or_else(
-                || rest.clone(),
-                |is| self.named_by(["x", "e"], &format!("{which}{tag}"), "m", is),
-            ));
+            let named = |this: &mut Self, is| this.named_by(["x", "e"], &format!("{which}{tag}"), "m", is);
+            stretch.push(match (given, lengths.first()) {
+                (false, _) => named(self, &length - &rest),
+                (true, Some(first)) => named(self, &rest + &length - first),
+                (true, None) => rest.clone(),
+            });
             lengths.push(length);
         }
         for x in &mut stretch {
@@ -1546,7 +1493,7 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// A torsion spring: its work, and its moment against the angle by which it is wound.
     fn torsion(&mut self, it: &Strut, tag: &str) -> Result<(), DerivationStop> {
-        let Some(turn) = self.bodies[it.at.body].turn else { return beyond() };
+        let Some(turn) = self.bodies[it.at.body].turn else { return unfound() };
         let angles = self.turns[turn].at.clone();
         let stiffness = self.number(it.stiffness_n_m, "k_t", "N m/rad");
         let (Rest::Length(rest) | Rest::Stretch(rest)) = it.rest;
@@ -1636,13 +1583,11 @@ impl<'d, 'a> Plane<'d, 'a> {
                 JointKind::Cord { .. } => &["T"],
             };
             let unit = if blow { "N s" } else { "N" };
-            let forces: Vec<SymbolId> = letters
-                .iter()
-                .map(|l| {
-                    let name = tagged(&l[..1], &format!("{plain}{}", &l[1..]));
-                    self.named(&[&name], if *l == "M" { "N m" } else { unit })
-                })
-                .collect();
+            let named = |l: &&str| {
+                let name = tagged(&l[..1], &format!("{plain}{}", &l[1..]));
+                self.named(&[&name], if *l == "M" { "N m" } else { unit })
+            };
+            let forces: Vec<SymbolId> = letters.iter().map(named).collect();
             match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => {
                     let ends = || joint.kind.spots().zip([1, -1]);
@@ -1759,24 +1704,21 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Friction of a guide, against the sense in which its point slides: as the key has it.
     fn rub(&mut self, joint: usize, at: Spot, line: &[Factors; 2], mu: Num, normal: SymbolId) {
         let mu = self.number(mu, r"\mu_k", "1");
-        let key = self.variant.solved.get(Label { quantity: Quantity::Friction, of: Owner::Joint(joint) });
-        let key = key.map_or(0.0, |k| k.value());
+        let key = |quantity| self.key(Label { quantity, of: Owner::Joint(joint) });
+        let (rubs, presses) = (key(Quantity::Friction).unwrap_or(0.0), key(Quantity::Normal));
         let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
-        let over = self.variant.solved.get(Label { quantity: Quantity::Normal, of: Owner::Joint(joint) });
-        let presses = over.map_or(1.0, |n| n.value().signum());
         // Where guides carry it, as it goes.
         let carried = self.gliding().zip(self.glides.as_ref()).map_or(0.0, |([c, s], speed)| {
             -self.value(speed) * (c * self.value(&line[0].expr()) + s * self.value(&line[1].expr()))
         });
-        let way = if carried == 0.0 { key * up * presses } else { carried };
-        let sense = Factors::one().signed(if way < 0.0 { -1 } else { 1 });
-        let along = line.each_ref().map(|f| Sum::one(f.times(&sense)));
-        let along = along.map(|s| if s.terms().iter().all(Factors::is_zero) { Sum::default() } else { s });
+        let way = if carried == 0.0 { rubs * up * presses.map_or(1.0, f64::signum) } else { carried };
+        let sense = if way < 0.0 { -1 } else { 1 };
+        let along = line.each_ref().map(|f| Sum::one(f.signed(sense)));
         let point = self.spot(at);
         let pull = self.pull(at.body, &point, mu.factors(), along, Some(normal));
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
-        self.frictions.push((joint, force));
+        self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
         self.pulls.push(pull);
     }
 
@@ -1803,9 +1745,11 @@ impl<'d, 'a> Plane<'d, 'a> {
     pub fn reactions(&self) -> Vec<SymbolId> {
         self.holds.iter().map(|h| h.unknown).collect()
     }
+    /// What is not known of the accelerations; in equilibrium there are none.
     pub fn accelerations(&self) -> Vec<SymbolId> {
         let free = self.pivot.is_none();
-        self.bodies.iter().flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
+        let moving = self.bodies.iter().filter(|_| self.scene.end != End::Equilibrium);
+        moving.flat_map(|b| b.a.into_iter().filter(|_| free).chain(b.alpha)).collect()
     }
     /// The acceleration of the mass centre of a body on a pin, toward the pin and across.
     fn on_circle(&self, pivot: &Pivot) -> [Expr; 2] {
@@ -1857,7 +1801,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// What the joints demand of the accelerations, both sides.
     pub fn demands(&self) -> Vec<(Expr, Expr)> {
-        let each = self.holds.iter().filter(|_| self.pivot.is_none()).map(|h| {
+        let none = self.pivot.is_some() || self.scene.end == End::Equilibrium;
+        let each = self.holds.iter().filter(|_| !none).map(|h| {
             let mut left = Vec::new();
             for pull in &h.pulls {
                 let it = &self.bodies[pull.body];
@@ -1885,12 +1830,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             return Ok(());
         }
-        let mut rates = self.accelerations();
-        if self.scene.end == End::Equilibrium {
-            rates.clear();
-        } else {
-            equations.extend(self.demands());
-        }
+        equations.extend(self.demands());
+        let rates = self.accelerations();
         let unknowns = [rates.clone(), self.reactions()].concat();
         let weights: f64 = self.bodies.iter().map(|b| self.value(&b.mass.by(&self.g))).sum();
         let (rates, g) = (rates.len(), self.value(&self.g));
@@ -1984,20 +1925,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Speed of a point per unit rate of the leading angle, as it is written: without a radical where there is none.
     fn speed(&self, point: &Point, unit: Option<&[Factors; 2]>) -> Expr {
         let v = self.rates(point, END);
-        if let Some(unit) = unit {
-            return product(&v, &vector(unit)).expr();
-        }
-        match (v[0].is_zero(), v[1].is_zero()) {
-            (true, true) => ZERO,
-            (true, false) => v[1].expr(),
-            (false, true) => v[0].expr(),
-            _ => {
+        let is = match (unit, v[0].is_zero(), v[1].is_zero()) {
+            (Some(unit), ..) => product(&v, &vector(unit)).expr(),
+            (None, true, _) => v[1].expr(),
+            (None, false, true) => v[0].expr(),
+            (None, false, false) => {
                 let is = product(&v, &v).rooted();
                 // What rounding leaves of a point that stands still may be below 0.
                 let sound = !self.value(&is).is_nan();
                 if sound { is } else { root(square(v[0].expr()) + square(v[1].expr())) }
             }
-        }
+        };
+        let sense = self.value(&is);
+        in_sense(is, sense)
     }
     /// The line along which a joint guides a body that does not turn.
     fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
@@ -2019,7 +1959,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             let centre = self.centre(body);
             let line = self.line_of(body);
             let is = self.speed(&centre, line.as_ref());
-            let is = if self.value(&is) < 0.0 { -is } else { is };
             let plain = if self.bodies.len() == 1 { width(&self.tex(&is)) <= WITHIN } else { !sums(&is) };
             let is = if plain {
                 is
@@ -2042,6 +1981,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             it.mass.each(&own).plus(&self.turning(b, which))
         });
         each.sum()
+    }
+    /// The same, by its symbol where it has one.
+    fn whole_inertia(&mut self) -> Expr {
+        let speeds = self.speeds();
+        self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from)
     }
     /// Share of the rotation about the mass centre of a body in [`Self::inertia`].
     fn turning(&self, body: usize, which: usize) -> Sum {
@@ -2117,18 +2061,19 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The quantity of a label once the place that is asked is solved.
     pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         use Quantity as Q;
-        if let Some(DerivedAnswer::Value(known)) = self.found_for(label) {
+        if let Some(known) = self.value_for(label) {
             return Ok(known);
         }
         if let Some(found) = self.of_pivot(label)? {
             return Ok(found);
         }
         let none = || DerivationStop::Beyond(Beyond::Quantity(label.quantity));
-        let key = self.variant.solved.get(label).map(|e| e.value());
+        let key = self.key(label);
         let rate = if self.moves { self.rate.into() } else { ZERO };
         let letters = |letters: [&str; 2], tag: &str| letters.map(|l| tagged(l, tag));
         let i = usize::from(matches!(label.quantity, Q::AY | Q::VY));
         let glides = self.glide_to(i);
+        let carried = self.glides.as_ref().map(|speed| self.positive(speed));
         let way = |b: usize| format!("{}{}", self.bodies[b].tag, ["x", "y"][i]);
         let still = matches!(label.quantity, Q::V | Q::VX | Q::VY | Q::KineticEnergy) && !self.moves;
         let (names, is) = match (label.quantity, label.of) {
@@ -2156,22 +2101,16 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ([tagged("a", &way(b)), tagged("b", "x")], a + with)
             }
             (Q::V, Owner::Body(b)) => {
-                if let Some(speed) = &self.glides {
-                    let (speed, v) = (self.positive(speed), self.bodies[b].v);
-                    return Ok(self.page.step(v, speed));
-                }
-                let centre = self.centre(b);
-                let is = match self.speeds.get(b) {
-                    Some(speed) => speed.by(&rate),
-                    None => self.speed_of(&centre, &rate),
+                let is = match (carried, self.speeds.get(b)) {
+                    (Some(speed), _) => speed,
+                    (None, Some(speed)) => speed.by(&rate),
+                    (None, None) => self.speed(&self.centre(b), None).by(&rate),
                 };
-                let v = self.bodies[b].v;
-                return Ok(self.page.step(v, is));
+                return Ok(self.page.step(self.bodies[b].v, is));
             }
             (Q::V, Owner::Spot(spot)) => {
                 let point = self.spot(spot);
-                let glides = self.glides.as_ref().map(|speed| self.positive(speed));
-                let is = glides.unwrap_or_else(|| self.speed_of(&point, &rate));
+                let is = carried.unwrap_or_else(|| self.speed(&point, None).by(&rate));
                 let name = self.scene.point_name(spot).map_or("P", |n| n.1);
                 let known = self.symbols.named(&[tagged("v", name)]).is_some();
                 let tag = if known { self.bodies[spot.body].tag.as_str() } else { "" };
@@ -2204,10 +2143,12 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let name = format!(r"\mathrm{{t}}{}", one_of(self.scene.struts.len(), s));
                 return Ok(self.page.find(&[tagged("M", &name)], "N m", ZERO - moment));
             }
-            (Q::SpringForce, Owner::Strut(s)) => return self.springs.get(s).copied().ok_or_else(none),
+            (Q::SpringForce, of) => {
+                let spring = if let Owner::Strut(s) = of { s } else { 0 };
+                return self.springs.get(spring).copied().ok_or_else(none);
+            }
             (Q::KineticEnergy, _) => {
-                let speeds = self.speeds();
-                let j = self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from);
+                let j = self.whole_inertia();
                 let all = sum(self.bodies.iter().map(|b| b.mass.expr()));
                 let (j, rate) = self.glides.clone().map_or((j, rate), |speed| (all, speed));
                 let is = ratio(1, 2).by(&j).by(square(&rate));
@@ -2232,23 +2173,18 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// What a quantity is of a body on a pin that no other body has, or has in another way.
     fn of_pivot(&mut self, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
         use Quantity as Q;
-        if let Some(blow) = &self.blow
-            && let (Q::Impulse | Q::ImpulseX | Q::ImpulseY, Owner::Joint(j)) = (label.quantity, label.of)
-        {
-            return self.impulse_of(&blow.impulses.clone(), j, label.quantity);
-        }
-        if let (Some(blow), true, None) = (self.blow.clone(), self.scene.end == End::AtOnce, &self.pivot)
-            && blow.from_rest
-            && let Some(found) = self.just_after(&blow, label)
-        {
-            return Ok(Some(found));
+        if let Some(blow) = self.blow.clone() {
+            if let (Q::Impulse | Q::ImpulseX | Q::ImpulseY, Owner::Joint(j)) = (label.quantity, label.of) {
+                return Ok(self.impulse_of(&blow, j, label.quantity));
+            }
+            let free = self.scene.end == End::AtOnce && self.pivot.is_none() && blow.from_rest;
+            if free && let Some(found) = self.just_after(&blow, label) {
+                return Ok(Some(found));
+            }
         }
         if matches!(label.quantity, Q::OmegaSmall | Q::PeriodSmall) {
             let per = match (self.k.filter(|_| self.scene.end == End::Equilibrium), &self.pivot) {
-                (Some(k), _) => {
-                    let speeds = self.speeds();
-                    k / self.j.map_or_else(|| self.inertia(END, &speeds).expr(), Expr::from)
-                }
+                (Some(k), _) => k / self.whole_inertia(),
                 (None, Some(pivot)) => {
                     self.bodies[0].mass.times(&self.g).times(&pivot.h).expr() / pivot.about
                 }
@@ -2269,10 +2205,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             Q::IO => return Ok(Some(about)),
             Q::PinRadial => return Ok(Some(r)),
             Q::PinTangential => return Ok(Some(s)),
-            Q::SpringForce => {
-                let spring = if let Owner::Strut(s) = label.of { s } else { 0 };
-                return Ok(self.springs.get(spring).copied());
-            }
             Q::PinX | Q::PinY if !pivot.radial => {
                 return Ok(Some(pivot.force[usize::from(label.quantity == Q::PinY)]));
             }
@@ -2336,23 +2268,19 @@ impl<'d, 'a> Plane<'d, 'a> {
         Some(self.page.find_once(&names, label.quantity.unit(), is))
     }
     /// The impulse of a joint, to the right or up where it has both.
-    fn impulse_of(
-        &mut self,
-        impulses: &[(usize, SymbolId)],
-        joint: usize,
-        quantity: Quantity,
-    ) -> Result<Option<SymbolId>, DerivationStop> {
-        let own: Vec<SymbolId> = impulses.iter().filter(|(j, _)| *j == joint).map(|(_, s)| *s).collect();
+    fn impulse_of(&mut self, blow: &Blow, joint: usize, quantity: Quantity) -> Option<SymbolId> {
+        let own = blow.impulses.iter().filter(|(j, _)| *j == joint);
+        let own: Vec<SymbolId> = own.map(|(_, symbol)| *symbol).collect();
         let i = usize::from(quantity == Quantity::ImpulseY);
         if !self.pivot.as_ref().is_some_and(|p| p.radial) {
-            return Ok(own.get(i).copied());
+            return own.get(i).copied();
         }
         // The place of the blow is that of the start.
         self.here = if self.scene.end == End::AtOnce { END } else { START };
         let shares = own.iter().zip(self.basis());
         let is = positive_first(shares.map(|(impulse, unit)| unit[i].times(*impulse).expr()));
         self.here = END;
-        Ok(Some(self.page.find_once(&[["J_x", "S_x"], ["J_y", "S_y"]][i], "N s", is)))
+        Some(self.page.find_once(&[["J_x", "S_x"], ["J_y", "S_y"]][i], "N s", is))
     }
     /// The moment of all couples, positive with a growing angle.
     fn couple(&mut self) -> Expr {
@@ -2384,45 +2312,24 @@ impl<'d, 'a> Plane<'d, 'a> {
         let square = square(&self.first) + number(2) * sum(self.works.clone()) / pivot.about;
         self.page.expanded(&square)
     }
-    fn speed_of(&self, point: &Point, rate: &Expr) -> Expr {
-        let speed = self.speed(point, None);
-        let speed = if self.value(&speed) < 0.0 { -speed } else { speed };
-        speed.by(rate)
-    }
 
     /// The force of a joint.
     pub fn of_joint(&mut self, quantity: Quantity, joint: usize) -> Option<SymbolId> {
         let own: Vec<SymbolId> = self.holds.iter().filter(|h| h.joint == joint).map(|h| h.unknown).collect();
         match quantity {
-            Quantity::PinForce => {
-                let [x, y, ..] = own[..] else { return None };
-                let name = tagged("R", &names::joint(self.scene, joint));
-                Some(self.page.find(&[&name], "N", length(x, y)))
-            }
-            Quantity::PinAngle => {
-                let [x, y, ..] = own[..] else { return None };
-                let angle = self.angle_of(x, y);
-                Some(self.page.find(&[tagged(r"\psi", &names::joint(self.scene, joint))], "rad", angle))
+            Quantity::PinForce | Quantity::PinAngle => {
+                let ([x, y, ..], tag) = (&own[..], names::joint(self.scene, joint)) else { return None };
+                Some(match quantity {
+                    Quantity::PinForce => self.page.find(&[tagged("R", &tag)], "N", length(*x, *y)),
+                    _ => self.page.find(&[tagged(r"\psi", &tag)], "rad", self.page.angle_of(*x, *y)),
+                })
             }
             Quantity::PinY => own.get(1).copied(),
             Quantity::Moment => own.get(2).copied(),
-            Quantity::Friction if self.frictions.iter().any(|f| f.0 == joint) => {
-                let force = self.frictions.iter().find(|f| f.0 == joint)?.1;
-                let JointKind::Guide { direction_deg, mu_k: Some(mu), .. } = self.scene.joints[joint].kind
-                else {
-                    return None;
-                };
-                let line = self.direction(direction_deg);
-                let up = pose::upward(line.each_ref().map(|f| self.value(&f.expr())));
-                let normal = *own.first()?;
-                let pull = self.pulls.iter().find(|p| p.unknown == Some(normal))?;
-                // As it acts: along the line, positive up or to the right.
-                let at = usize::from(line[0].is_zero());
-                let sense = self.value(&pull.along[at].expr()) * self.value(&line[at].expr()) * up;
-                let mu = self.number(mu, r"\mu_k", "1");
-                Some(self.page.step(force, in_sense(mu * normal, sense)))
-            }
-            Quantity::Friction => own.get(1).copied(),
+            Quantity::Friction => match self.frictions.iter().find(|(of, ..)| *of == joint).cloned() {
+                Some((_, force, is)) => Some(self.page.step(force, is)),
+                None => own.get(1).copied(),
+            },
             Quantity::Normal | Quantity::Tension | Quantity::RimForce | Quantity::PinX => {
                 own.first().copied()
             }

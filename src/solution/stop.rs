@@ -43,6 +43,11 @@ impl From<Beyond> for DerivationStop {
     }
 }
 
+/// Something does not come out.
+pub fn unfound<T>() -> Result<T, DerivationStop> {
+    Err(Beyond::Unfound.into())
+}
+
 /// What the derivations do not cover; in words: `solution.beyond.NAME`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beyond {

@@ -11,7 +11,6 @@ use crate::solution::asked;
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, ratio, signed, sine, square, sum};
 use crate::solution::factors::{Cancel, Factors};
-use crate::solve::outcome::Entry;
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -192,46 +191,38 @@ impl Terms {
         let tensed = of(Quantity::Tension) + of(Quantity::RimForce);
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
-            match tie {
+            let (kind, force) = match tie {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     let held = match tie {
                         Tie::Slide { .. } => stays(draft, *body),
                         Tie::Roll { .. } => true,
                         _ => rolled == Some(t),
                     };
-                    let kind = if held { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let tag = below(draft, tag, rolled);
                     let force = draft.named(&["F", "R", "H"].map(|n| tagged(n, &tag)), "N");
-                    // Friction is positive up.
-                    for action in tie.actions() {
-                        let up = self.parts[action.body].up;
-                        let levers = levers(draft, &action).map(|l| l.signed(up));
-                        self.push(ForceSource::Tie(t), kind, true, action.body, force.into(), levers);
-                    }
+                    (if held { ForceKind::Reaction } else { ForceKind::Kinetic }, force.into())
                 }
-                Tie::Cord(cord) => {
-                    let (kind, force) = match &cord.to {
-                        Far::Pull(p) => (ForceKind::Given, draft.number(*p, "P", "N")),
-                        other => {
-                            cords += 1;
-                            let tag = if tensed > 1 { cords.to_string() } else { String::new() };
-                            let tag = below(draft, &tag, rolled);
-                            let force = draft.named(&["T", "S"].map(|n| tagged(n, &tag)), "N");
-                            let spring = matches!(other, Far::Spring { .. });
-                            let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
-                            (kind, force.into())
-                        }
-                    };
-                    for end in tie.actions() {
-                        let [along, arm] = levers(draft, &end);
-                        let along =
-                            if self.parts[end.body].line.a.is_some() { along } else { Factors::zero() };
-                        let arm = if self.parts[end.body].spin.a.is_some() { arm } else { Factors::zero() };
-                        let levers = [along, arm];
-                        self.push(ForceSource::Tie(t), kind, false, end.body, force.clone(), levers);
+                Tie::Cord(cord) => match &cord.to {
+                    Far::Pull(p) => (ForceKind::Given, draft.number(*p, "P", "N")),
+                    other => {
+                        cords += 1;
+                        let tag = if tensed > 1 { cords.to_string() } else { String::new() };
+                        let tag = below(draft, &tag, rolled);
+                        let force = draft.named(&["T", "S"].map(|n| tagged(n, &tag)), "N");
+                        let spring = matches!(other, Far::Spring { .. });
+                        (if spring { ForceKind::Spring } else { ForceKind::Reaction }, force.into())
                     }
-                }
+                },
+            };
+            let contact = !matches!(tie, Tie::Cord(_));
+            for end in tie.actions() {
+                let (levers, part) = (levers(draft, &end), &self.parts[end.body]);
+                // Friction is positive up, and what cannot move has no share in a cord.
+                let moves = [part.line.a, part.spin.a].map(|a| contact || a.is_some());
+                let sense = if contact { part.up } else { 1 };
+                let levers = [0, 1].map(|i| if moves[i] { levers[i].signed(sense) } else { Factors::zero() });
+                self.push(ForceSource::Tie(t), kind, contact, end.body, force.clone(), levers);
             }
         }
         for (i, c) in scene.couples.iter().enumerate() {
@@ -318,36 +309,25 @@ impl Terms {
             let part = &self.parts[c.body];
             self.of(c).a.is_some() && !(part.slips && c.degree == Degree::Turn)
         };
-        let mut known: Vec<(Coordinate, Factors)> = Vec::new();
-        let (mut next, mut ratio) = (self.lead, Factors::one());
+        let both = |c: Coordinate| [Degree::Along, Degree::Turn].map(|degree| Coordinate { degree, ..c });
+        // Of a body that moves along its line and turns, a tie of its own has to say how.
+        let follows = |c: Coordinate| free(c) && (within(c).is_some() || !both(c).into_iter().all(free));
+        let mut known: Vec<(Coordinate, Factors)> = vec![(self.lead, Factors::one())];
         loop {
-            let both = [Degree::Along, Degree::Turn].map(|degree| Coordinate { degree, ..next });
-            if both.into_iter().all(free) {
-                let (other, per) = within(next)?;
-                known.push((other, ratio.times(per)));
-            }
-            known.push((next, ratio));
-            if (0..self.parts.len()).all(|b| known.iter().any(|(c, _)| c.body == b)) {
-                break;
-            }
-            let is_known = |(c, _): &&(Coordinate, Factors)| known.iter().any(|(k, _)| k.body == c.body);
-            let split =
-                |terms: &&Vec<_>| terms.iter().any(|t| is_known(&t)) && !terms.iter().all(|t| is_known(&t));
-            let (own, open): (Vec<_>, Vec<_>) = ties.iter().find(split)?.iter().partition(is_known);
-            let mut given = Factors::zero();
-            for (c, share) in own {
-                let (_, ratio) = known.iter().find(|(k, _)| k == c)?;
-                given = given.plus(&ratio.times(share));
-            }
-            let per = match open[..] {
-                [(c, share)] if free(*c) => share.clone(),
-                [(c, one), (_, two)] => one.plus(&two.times(within(*c)?.1)),
-                _ => return None,
-            };
-            if per.is_zero() {
-                return None;
-            }
-            (next, ratio) = (open[0].0, given.per(&per).opposite());
+            let ratio = |c: Coordinate| known.iter().find(|(k, _)| *k == c).map(|(_, ratio)| ratio);
+            let next = ties.iter().find_map(|terms| {
+                let (own, open): (Vec<_>, Vec<_>) = terms.iter().partition(|(c, _)| ratio(*c).is_some());
+                let per = match open[..] {
+                    [(c, share)] if follows(*c) => share.clone(),
+                    [(c, one), (d, two)] if c.body == d.body => one.plus(&two.times(within(*c)?.1)),
+                    _ => return None,
+                };
+                let given = own.iter().filter_map(|(c, share)| Some(ratio(*c)?.times(share)));
+                let given = given.reduce(|sum, term| sum.plus(&term)).filter(|_| !per.is_zero())?;
+                Some((open[0].0, given.per(&per).opposite()))
+            });
+            let Some(next) = next else { break };
+            known.push(next);
         }
         // A tie that closes a loop has to hold too.
         let value = |(c, share): &(Coordinate, Factors)| {
@@ -360,7 +340,8 @@ impl Terms {
                 v.iter().sum::<f64>().abs() <= 1e-9 * v.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
             })
         };
-        if !ties.iter().all(holds) {
+        let open = |c: Coordinate| free(c) && known.iter().all(|(k, _)| *k != c);
+        if draft.scene.coordinates().any(open) || !ties.iter().all(holds) {
             return None;
         }
         for (c, ratio) in known {
@@ -430,7 +411,7 @@ const ROUNDING: f64 = 1e-12;
 /// Does friction hold this body where it slides as soon as it moves? As the key has it.
 fn stays(draft: &Draft, body: usize) -> bool {
     let numbers = Numbers::<f64>::new(draft.scene, &draft.values);
-    let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
+    let of = |quantity| draft.key(Label { quantity, of: Owner::Body(body) });
     let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(c, v)| numbers.start(c, v) == 0.0);
     match numbers.bodies[body].carried {
         // It stays on what carries it.
