@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene,
-    Slope, Spot, SpringTie, Surface, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
+    Spot, SpringTie, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -282,10 +282,6 @@ impl Scene {
     pub fn is_sprung(&self) -> bool {
         self.springs().next().is_some()
     }
-    /// The pinned body of the scene, if it has one.
-    pub fn pinned(&self) -> Option<(usize, &Pin)> {
-        self.bodies.iter().enumerate().find_map(|(i, b)| Some((i, b.pin.as_ref()?)))
-    }
     /// How a body lies in the plane.
     pub fn planar(&self, body: usize) -> Option<&Planar> {
         self.bodies.get(body)?.planar.as_ref()
@@ -381,7 +377,7 @@ impl Scene {
     }
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {
-        self.couples.is_empty() && self.pinned().is_some_and(|(_, pin)| pin.spring.is_none())
+        self.couples.is_empty() && self.struts.is_empty() && self.pinned().is_some()
     }
     /// Does this body rest on wheels?
     pub fn rests(&self, body: usize) -> bool {
@@ -460,7 +456,7 @@ impl Scene {
     /// The unit in which the end of a motion is told.
     pub fn measure(&self) -> &'static str {
         let turns = |c: Coordinate| c.degree == Degree::Turn;
-        let pinned = self.pinned().is_some() || self.lead().is_some();
+        let pinned = self.lead().is_some();
         match self.end {
             End::Time(..) | End::Rolling(_) => "s",
             End::Speed(c, _) if pinned || turns(c) => "rad/s",

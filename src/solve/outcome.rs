@@ -617,8 +617,8 @@ pub enum Unsupported {
     NotThrown,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
-    /// A pinned body with another body, with ties, or with an end that belongs to a line.
-    PinnedInCompany,
+    /// Bodies in the plane beside others, with ties, or with an end that belongs to a line; an angle of what has none.
+    JoinedInCompany,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
     /// A torsion spring that is wound by half a turn or more.
