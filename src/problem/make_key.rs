@@ -116,7 +116,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         code: None,
     };
     if quantity.is_word() {
-        let right = variant.solved.word(question.label).map_or("", |w| w.text());
+        let right = variant.solved.word(question.label).map_or("", |w| w.as_str());
         key.answer = Answer::Word { right, offered: offered(problem, quantity, scene) };
         return key;
     }

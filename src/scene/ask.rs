@@ -201,6 +201,10 @@ impl Quantity {
     pub const fn looks_beyond(self) -> bool {
         matches!(self, Self::VMax | Self::DAtVMax | Self::DTurn)
     }
+    /// Has it the dimension of mass in it? All units that have begin with one of these letters.
+    pub const fn is_massive(self) -> bool {
+        matches!(self.unit().as_bytes(), [b'N' | b'J' | b'W' | b'k', ..])
+    }
     /// Is it a coordinate of a point?
     pub const fn is_place(self) -> bool {
         matches!(self, Self::XG | Self::YG)

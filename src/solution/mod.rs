@@ -299,7 +299,7 @@ fn told(draft: &Draft, q: &Question, value: f64) -> String {
 
 /// A word of an answer as the sheet has it.
 fn said(words: &Words, word: Word) -> &str {
-    words.get(&format!("sheet.{}", word.text()))
+    words.get(&format!("sheet.{}", word.as_str()))
 }
 
 /// The phrase for a direction along the line of a body; `None` for 0.

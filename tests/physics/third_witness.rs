@@ -444,7 +444,7 @@ fn thrown(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         let off = (got - entry.value()).abs() / entry.value().abs() / entry.cond.max(1.0);
         assert!(off < 1e-4, "{problem}: {quantity:?} {got} by small steps, {} in the key", entry.value());
     }
-    let direction = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1.text();
+    let direction = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1.as_str();
     assert_eq!(["up", "forward"].contains(&direction), v * up > 0.0, "{problem}: {direction}");
     11
 }
@@ -558,7 +558,7 @@ fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         ("rise", q[1] - h * out(start).1),
         ("kinetic_energy", 0.5 * (m * (v[0] * v[0] + v[1] * v[1]) + inertia * v[2] * v[2])),
     ];
-    if pin.spring.is_some() {
+    if spring.is_some() {
         seen.push(("spring_force", pull));
     }
     if scene.is_pendulum() {
