@@ -8,7 +8,7 @@
 use crate::bank::node::{Faults, Node};
 use crate::finding::told;
 use crate::scene::{
-    Degree, End, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Start, Term, scales,
+    Degree, End, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Start, Term, given, scales,
 };
 
 /// A number that is written `any`.
@@ -42,7 +42,7 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
     let has = |mass: &Mass| matches!(mass, Mass::Kilograms(n) if *n == number);
     if let Some(body) = scene.bodies.iter().position(|b| has(&b.mass)) {
         let mut other = None;
-        scales::each(&mut scene.clone(), &mut |n, unit| {
+        given::read::all(scene, &mut |n, (unit, _)| {
             if scales::is_massive(unit) && *n != number {
                 other = Some(match unit {
                     "kg" => "there is another mass",
@@ -61,7 +61,7 @@ fn proved(scene: &Scene, number: Num) -> Result<Cancels, String> {
         return Err("it is neither the mass of a body nor the radius of its shape".to_owned());
     };
     let of = &scene.bodies[body];
-    if of.pin.is_some() {
+    if of.is_pinned() {
         return Err("the body is pinned".to_owned());
     }
     if of.planar.is_some() {

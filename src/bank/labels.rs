@@ -3,7 +3,7 @@ use crate::bank::asked;
 use crate::bank::node::shorten;
 use crate::finding::told;
 use crate::scene::{
-    Attach, Cord, Degree, End, Far, JointKind, Label, Owner, Pin, Quantity, RotaryInertia, Scene, Spot, Tie,
+    Attach, Cord, Degree, End, Far, JointKind, Label, Owner, Quantity, RotaryInertia, Scene, Spot, Tie,
 };
 use crate::units::spell;
 
@@ -141,8 +141,8 @@ fn of_kind(scene: &Scene) -> Vec<Label> {
     use Quantity as Q;
     let mut all = Gathered::default();
     all.add(!matches!(scene.end, End::Equilibrium), Owner::Scene, &[Q::KineticEnergy]);
-    if let Some((b, pin)) = scene.pinned() {
-        pinned(scene, b, pin, &mut all);
+    if let Some((b, _)) = scene.pinned() {
+        pinned(scene, b, &mut all);
     } else if scene.lead().is_some() {
         joined(scene, &mut all);
     } else {
@@ -159,7 +159,7 @@ fn couples(scene: &Scene, all: &mut Gathered) {
 }
 
 /// The labels of a pinned body.
-fn pinned(scene: &Scene, body: usize, pin: &Pin, all: &mut Gathered) {
+fn pinned(scene: &Scene, body: usize, all: &mut Gathered) {
     use Quantity as Q;
     let (of, moves) = (Owner::Body(body), !scene.is_still());
     all.add(true, Owner::Scene, &[Q::RotationalFraction]);
@@ -171,7 +171,7 @@ fn pinned(scene: &Scene, body: usize, pin: &Pin, all: &mut Gathered) {
     all.add(moves, Owner::Scene, &[Q::T]);
     all.add(moves, of, &[Q::Phi, Q::Rise]);
     all.add(scene.is_pendulum(), of, &[Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall]);
-    all.add(pin.spring.is_some(), of, &[Q::SpringForce]);
+    all.add(!scene.struts.is_empty(), of, &[Q::SpringForce]);
 }
 
 /// The labels of bodies on lines and axles, and of particles.

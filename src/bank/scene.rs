@@ -5,9 +5,9 @@ use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, WHOLE, items, named, shorten};
 use crate::finding::told;
 use crate::scene::{
-    Arm, AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Line,
-    Mass, Num, Part, Particle, Pin, PinSpring, Push, RotaryInertia, Scene, Shape, Slope, Span, Start, Strut,
-    Tie, Zero,
+    AsIf, Body, Carrier, Coordinate, Couple, Degree, Derived, End, Formulas, GivenForce, Growth, Line, Mass,
+    Num, Part, Particle, Place, Planar, Push, Ray, RotaryInertia, Scene, Shape, Slope, Span, Start, Strut,
+    Tie,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -207,7 +207,8 @@ impl SceneReader<'_> {
             f.at(n, "a scene has at least one body");
         }
         let ties = fields.get("ties").map_or_else(Vec::new, |n| self.ties(n, &bodies));
-        let joints = fields.get("joints").map_or_else(Vec::new, |n| self.joints(n, &bodies));
+        let mut joints = fields.get("joints").map_or_else(Vec::new, |n| self.joints(n, &bodies));
+        joints.extend(bodies.iter().enumerate().filter_map(|(i, body)| body.pin(i)));
         let forces = fields.get("forces").map_or_else(Forces::default, |n| self.forces(n, &mut bodies));
         let Forces { couples, pushes, struts } = forces;
         let start_node = fields.get("start");
@@ -218,7 +219,8 @@ impl SceneReader<'_> {
         let next_node = fields.get("next");
         let (end, heading) = end?;
         if WHOLE
-            && let Some(body) = bodies.iter().find(|b| b.pin.is_some())
+            && let [body] = &bodies[..]
+            && body.is_pinned()
             && !self.angled.get()
             && !matches!(end, End::AtOnce)
         {
@@ -227,6 +229,11 @@ impl SceneReader<'_> {
                 told!("the angle at which `{}` starts is missing", body.name),
                 told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
+        }
+        if let [Body { planar: Some(planar), .. }] = &mut bodies[..]
+            && planar.pinned
+        {
+            planar.start_deg.get_or_insert(Num::Fixed(0.0));
         }
         let mut scene = Scene {
             gravity_m_s2: Num::Datum(gravity),
@@ -380,7 +387,6 @@ impl SceneReader<'_> {
             line: None,
             turns: false,
             particles: Vec::new(),
-            pin: None,
             planar: None,
         };
         let Some(mut fields) = Fields::open(node, "a body (mass, moves, ...)", f) else { return body };
@@ -429,7 +435,9 @@ impl SceneReader<'_> {
                 );
             }
             body.turns = true;
-            body.pin = Some(self.pin(pinned, swings, angle, &body));
+            let mut planar = self.pin(pinned, swings, angle, &body);
+            planar.points.extend(fields.get("points").into_iter().flat_map(|n| self.points(n, body.rod())));
+            body.planar = Some(planar);
             fields.get("radii");
             return body;
         }
@@ -516,13 +524,13 @@ impl SceneReader<'_> {
     }
 
     /// The pin of a body; the start gives the angle, forces the spring.
-    fn pin(&self, pinned: Option<&Node>, node: &Node, angle: Option<&Node>, body: &Body) -> Pin {
+    fn pin(&self, pinned: Option<&Node>, node: &Node, angle: Option<&Node>, body: &Body) -> Planar {
         let f = self.faults;
         let zeros = [
-            ("from upright", Zero::Upright),
-            ("upright", Zero::Upright),
-            ("from hanging", Zero::Hanging),
-            ("hanging", Zero::Hanging),
+            ("from upright", Ray::Up),
+            ("upright", Ray::Up),
+            ("from hanging", Ray::Down),
+            ("hanging", Ray::Down),
         ];
         let from = match angle {
             Some(n) => self.word(n, "from where the angle counts", &zeros),
@@ -535,7 +543,7 @@ impl SceneReader<'_> {
         let arm = pinned.and_then(|node| match &node.value {
             Value::Map(_) => Fields::open(node, "where it is pinned", f).and_then(|mut fields| {
                 let distance = self.need_number(&mut fields, "distance", "h", Need::ARM);
-                distance.map(Arm::Distance)
+                distance.map(Place::At)
             }),
             _ => match (
                 self.word(
@@ -545,7 +553,7 @@ impl SceneReader<'_> {
                 ),
                 &body.inertia,
             ) {
-                (Some(()), Some(RotaryInertia::Shape(Shape::Rod, length))) => Some(Arm::HalfOf(*length)),
+                (Some(()), Some(RotaryInertia::Shape(Shape::Rod, length))) => Some(Place::HalfOf(*length)),
                 (Some(()), Some(_)) => f.refuse_with(
                     node,
                     told!("`{}` is no rod, so it has no end", body.name),
@@ -555,12 +563,7 @@ impl SceneReader<'_> {
             },
         });
         // What is wrong is a finding already; the body stays pinned, so that no other finding follows from it.
-        Pin {
-            arm: arm.unwrap_or(Arm::Distance(Num::Fixed(1.0))),
-            from: from.unwrap_or(Zero::Hanging),
-            start_deg: Num::Fixed(0.0),
-            spring: None,
-        }
+        Planar::pinned(arm.unwrap_or(Place::At(Num::Fixed(1.0))), from.unwrap_or(Ray::Down), None)
     }
 
     fn line(
@@ -692,12 +695,12 @@ impl SceneReader<'_> {
                 list.struts.extend(self.torsion(value, bodies, list.struts.len()));
                 continue;
             }
-            if word == "spring" && bodies.iter().any(|b| b.planar.is_some()) {
+            if word == "spring" && bodies.iter().any(|b| b.planar.is_some() && !b.is_pinned()) {
                 list.struts.extend(self.strut(value, bodies, list.struts.len()));
                 continue;
             }
             if word == "spring" {
-                self.pin_spring(value, bodies);
+                list.struts.extend(self.pin_spring(value, bodies, list.struts.len()));
                 continue;
             }
             if word != "couple" {
@@ -725,34 +728,27 @@ impl SceneReader<'_> {
     }
 
     /// A spring between a fixed anchor and a point of a pinned body.
-    fn pin_spring(&self, node: &Node, bodies: &mut [Body]) {
+    fn pin_spring(&self, node: &Node, bodies: &mut [Body], count: usize) -> Option<Strut> {
         let f = self.faults;
-        let Some(mut fields) = Fields::open(node, "a spring (on, at, anchor, stiffness, natural length)", f)
-        else {
-            return;
-        };
+        let mut fields = Fields::open(node, "a spring (on, at, anchor, stiffness, natural length)", f)?;
         let body = self.need_body(&mut fields, "on", bodies);
         let at = self.need_number(&mut fields, "at", "b", Need::RADIUS);
         let anchor = fields.need("anchor", "[x_A, y_A]").and_then(|n| self.place(n));
         let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
         let rest = self.natural(node, &mut fields, Need::LENGTH);
-        let Some(body) = body else { return };
-        let name = bodies[body].name.clone();
-        let Some(pin) = &mut bodies[body].pin else {
-            f.hint(
+        let name = &bodies[body?].name;
+        if !bodies[body?].is_pinned() {
+            return f.refuse_with(
                 node,
                 told!("`{name}` is not pinned"),
                 "a spring on a cord is written `cord: {from: ..., spring: {...}}` under `ties`",
             );
-            return;
-        };
-        if pin.spring.is_some() {
+        }
+        if count > 0 {
             f.hint(node, told!("`{name}` has a spring already"), "a scene has at most one spring");
         }
-        if let (Some(at_m), Some((x_m, y_m)), Some(stiffness_n_m), Some(rest)) = (at, anchor, stiffness, rest)
-        {
-            pin.spring = Some(PinSpring { at_m, x_m, y_m, stiffness_n_m, rest });
-        }
+        let (x, y) = anchor?;
+        bodies[body?].spring(body?, at?, [x, y], (stiffness?, rest?))
     }
 
     fn start(&self, node: &Node, bodies: &mut [Body]) -> Vec<Start> {
@@ -773,7 +769,7 @@ impl SceneReader<'_> {
             };
             let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
             if bodies[body].particles.is_empty() {
-                let angled = bodies[body].pin.is_some() || bodies[body].planar.is_some();
+                let angled = bodies[body].planar.is_some();
                 let angle = if angled { fields.get("angle") } else { None };
                 let speed = fields.get("speed");
                 let spin = fields.get("spin");
@@ -784,9 +780,6 @@ impl SceneReader<'_> {
                 if let Some(n) = angle {
                     self.angled.set(true);
                     let angle = self.number(n, Need::ANGLE);
-                    if let (Some(angle), Some(pin)) = (angle, &mut bodies[body].pin) {
-                        pin.start_deg = angle;
-                    }
                     if let Some(planar) = &mut bodies[body].planar {
                         planar.start_deg = angle;
                     }
@@ -795,7 +788,7 @@ impl SceneReader<'_> {
                     f.hint(value, "no speed is given", "write `{speed: v0}` or `{spin: w0}`");
                 }
                 if let Some(n) = speed {
-                    if bodies[body].line.is_none() && bodies[body].planar.is_none() {
+                    if bodies[body].line.is_none() && (!angled || bodies[body].is_pinned()) {
                         f.hint(n, told!("`{name}` does not move along a line"), "write `spin:`");
                     } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));

@@ -87,20 +87,15 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
 pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     // What moves in the plane has a message of its own, with its joints.
     let planar = scene.bodies.iter().any(|b| b.planar.is_some());
-    if !planar && !grows_alike(scene, node, faults) {
+    if (!planar || scene.pinned().is_some()) && !grows_alike(scene, node, faults) {
         return;
     }
     carrier(scene, node, faults);
     loads(scene, node, faults);
-    if let Some((b, _)) = scene.pinned() {
-        let name = Some(scene.bodies[b].name.as_str());
-        let (company, tied) = (scene.bodies.len() > 1, !scene.ties.is_empty());
-        #[rustfmt::skip] // a table
-        let rules: [SceneRule; 2] = [
-            (name.filter(|_| company), "", "`{}` is pinned, and there is another body", "a pinned body is alone in its scene"),
-            (name.filter(|_| tied), "", "`{}` is pinned, and there are ties", "write a spring under `forces`"),
-        ];
-        tell(&rules, node, faults);
+    let pinned = scene.bodies.iter().find(|b| b.is_pinned()).filter(|_| !scene.ties.is_empty());
+    if let Some(pinned) = pinned {
+        let (name, hint) = (Some(pinned.name.as_str()), "write a spring under `forces`");
+        tell(&[(name, "", "`{}` is pinned, and there are ties", hint)], node, faults);
     } else if planar {
         mechanism(scene, node, faults);
     } else if !matches!(scene.end, End::AtOnce) {
@@ -116,7 +111,7 @@ fn grows_alike(scene: &Scene, node: &Node, faults: &Faults) -> bool {
         Tie::Cord(c) => !matches!(c.to, Far::Spring { .. }),
         Tie::Slip { .. } | Tie::Slide { .. } => false,
     };
-    let bodies = scene.bodies.iter().all(|b| b.pin.is_none() && b.particles.is_empty());
+    let bodies = scene.bodies.iter().all(|b| b.planar.is_none() && b.particles.is_empty());
     let simple = bodies && scene.ties.iter().all(even) && scene.freedoms() <= 1;
     let (ends, with, end) = match law.with {
         Grows::Time => (matches!(scene.end, End::Time(..)), "time", "`end: {time: {of: wheel, is: t1}}`"),
@@ -212,7 +207,8 @@ fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
     let Some(carrier) = &scene.carried else { return };
     let name = scene.bodies.first().map_or("crate", |b| b.name.as_str());
     let fast = carrier.speed_m_s != Num::Fixed(0.0);
-    let (pinned, joined) = (scene.pinned().is_some(), scene.lead().is_some());
+    let pinned = scene.bodies.iter().any(Body::is_pinned);
+    let joined = scene.lead().is_some() && !pinned;
     let particles = scene.bodies.iter().any(|b| !b.particles.is_empty());
     let on_surface = scene.bodies.iter().any(|b| b.line.is_some_and(|l| l.surface));
     let unclear = fast && scene.start.is_empty() && on_surface;
@@ -296,7 +292,7 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
 /// The start of a scene of which only an instant is asked: with the ties it gives each velocity, and none twice. What depends
 /// on the numbers is left to the solvers: constants that agree with the ties may be given besides.
 pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
-    let moving = !matches!(scene.end, End::AtOnce) || scene.pinned().is_some() || scene.lead().is_some();
+    let moving = !matches!(scene.end, End::AtOnce) || scene.lead().is_some();
     if moving || scene.start_speeds().next().is_none() {
         return;
     }

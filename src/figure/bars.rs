@@ -8,9 +8,7 @@ use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{
-    Degree, End, Joint, JointKind, Label, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero,
-};
+use crate::scene::{Degree, Joint, JointKind, Label, Owner, Quantity, Start};
 use crate::words::Words;
 
 /// Kinds of energy, by the number of their area.
@@ -84,17 +82,7 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
         end[2] += 0.5 * force * force / k;
     }
     end[5] = sum_of(Quantity::Heat);
-    let mut work = sum_of(Quantity::WorkPull);
-    if let Some((index, pin)) = scene.pinned() {
-        let End::Angle(_, to) = scene.end else { return None };
-        if let Some(spring) = &pin.spring {
-            (start[2], end[2]) = spring_of(&view, index, pin, spring)?;
-        }
-        let turned = (view.of(to) - view.of(pin.start_deg)).to_radians();
-        for couple in scene.couples.iter().filter(|c| c.body == index) {
-            work += view.of(couple.moment_n_m) * if couple.forward { turned } else { -turned };
-        }
-    }
+    let work = sum_of(Quantity::WorkPull);
     let given: Vec<(usize, Degree, f64)> = scene
         .start
         .iter()
@@ -107,7 +95,6 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     let turning: f64 = scene
         .couples
         .iter()
-        .filter(|c| scene.bodies[c.body].pin.is_none())
         .map(|c| view.of(c.moment_n_m) * view.solved(Quantity::Phi, Owner::Body(c.body)).unwrap_or(0.0))
         .sum();
     let moving: f64 = given
@@ -135,7 +122,7 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
             // One freedom: what is missing is what all bodies together had, shared as at the end.
             let (a, b) = first.sums();
             let missing = b - a;
-            if missing < moving * (1.0 - EQUAL) || scene.pinned().is_some() {
+            if missing < moving * (1.0 - EQUAL) {
                 continue;
             }
             let share = if kinetic > 0.0 { share } else { 1.0 - moving / missing };
@@ -210,23 +197,6 @@ fn joined_bodies(view: &SceneView) -> Option<Energies> {
         energies.end[5] = before - after;
     }
     energies.holds().then_some(energies)
-}
-
-/// Energies of the spring of a pinned body at the start and at the end; `None` where its force was not found.
-fn spring_of(view: &SceneView, body: usize, pin: &Pin, spring: &PinSpring) -> Option<(f64, f64)> {
-    let k = view.of(spring.stiffness_n_m);
-    let found = |of: Owner| view.solved(Quantity::SpringForce, of);
-    let force = found(Owner::Body(body)).or_else(|| found(Owner::Scene))?;
-    let stretch = match spring.rest {
-        Rest::Stretch(x) => view.of(x),
-        Rest::Length(l) => {
-            let (s, c) = trig::sin_cos_degrees(view.of(pin.start_deg));
-            let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
-            let held = vec2(s.hi, up) * view.of(spring.at_m);
-            (vec2(view.of(spring.x_m), view.of(spring.y_m)) - held).norm() - view.of(l)
-        }
-    };
-    Some((0.5 * k * stretch * stretch, 0.5 * force * force / k))
 }
 
 /// The bars; `None` where [`energies`] has none.

@@ -8,7 +8,7 @@ use crate::figure::joined::{Laid, PlaneLayout};
 use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
-use crate::figure::{joined, layout, names, parts, say};
+use crate::figure::{joined, layout, names, parts, pinned, say};
 use crate::num::formula::Step;
 use crate::num::shown;
 use crate::picture::board::{Board, LabelTie, LabelWish, MIDDLE_FIRST, TEXT, on_arc};
@@ -16,7 +16,7 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Arm, Attach, Cord, Couple, End, Far, GivenForce, JointKind, Made, Num, Numbers, Owner, Pin, Quantity,
+    Attach, Cord, Couple, End, Far, GivenForce, JointKind, Made, Num, Numbers, Owner, Planar, Quantity,
     Scene, Side, StrutEnd, Surface, Term, Tie, pose,
 };
 use crate::words::Words;
@@ -203,8 +203,9 @@ fn asked_alone(scene: &Scene) -> Option<usize> {
 
 fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
-    match &this.pin {
-        _ if this.planar.is_some() => {
+    match (view.scene.pinned(), &this.planar) {
+        (Some((_, planar)), _) => Some(swinging(view, body, planar)),
+        (None, Some(_)) => {
             let plane = PlaneLayout::new(view)?;
             let ends = plane.at_end(view).unwrap_or_else(|| vec![plane.start.clone()]).into_iter();
             let diagrams = ends.filter_map(|laid| in_the_plane(view, &plane, laid, body));
@@ -214,8 +215,7 @@ fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
             };
             diagrams.min_by(|one, other| missed(one).total_cmp(&missed(other)))
         }
-        Some(pin) => Some(swinging(view, body, pin)),
-        None => moving(view, body),
+        (None, None) => moving(view, body),
     }
 }
 
@@ -571,20 +571,17 @@ fn cords(
 }
 
 /// The diagrams of a pinned body, at the angle that is asked.
-fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
+fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Planar) -> Diagram<'a> {
     let this = &view.scene.bodies[body];
     let hung = Hung::new(view, this, pin);
     let degrees = match view.scene.end {
         End::Angle(_, n) => view.of(n),
-        _ => view.of(pin.start_deg),
+        _ => hung.start,
     };
     let (d, across) = (hung.direction(degrees), hung.across(degrees));
     let g = d * hung.arm;
     let mass = view.kilograms(this);
-    let metres = match pin.arm {
-        Arm::Distance(h) => view.of(h),
-        Arm::HalfOf(l) => view.of(l) / 2.0,
-    };
+    let metres = joined::along(view, pin.centre);
     let name = |candidates: &[&str]| {
         let list: Vec<String> = candidates.iter().map(|c| (*c).to_owned()).collect();
         symbol::symbol(&names::free(view.problem, &list))
@@ -597,9 +594,9 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
         ForceArrow::signed(Vec2::ZERO, -d, radial, name(&["R", "O_r"])),
         ForceArrow::signed(Vec2::ZERO, across, tangential, name(&["S", "O_t"])),
     ];
-    if let Some(spring) = &pin.spring {
-        let held = d * (view.of(spring.at_m) * hung.scale);
-        let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
+    if let Some((_, at, place)) = pinned::spring_of(view.scene) {
+        let held = d * (joined::along(view, at) * hung.scale);
+        let anchor = joined::ground(view, place) * hung.scale;
         let value = found(view, Quantity::SpringForce, body);
         let symbol = name(&["F_s", r"F_{\mathrm{s}}"]);
         let pull = ForceArrow::signed(held, (anchor - held).unit(), value, symbol);

@@ -210,7 +210,7 @@ fn friction(view: &SceneView, c: &SpringCurves) -> Picture {
 fn swing(view: &SceneView) -> Option<Picture> {
     let (body, pin) = view.scene.pinned()?;
     let End::Angle(at, asked) = view.scene.end else { return None };
-    let (from, asked) = (view.of(pin.start_deg), view.of(asked));
+    let (from, asked) = (view.of(pin.start_deg?), view.of(asked));
     let span = asked - from;
     if span.abs() < 1.0 {
         return None;

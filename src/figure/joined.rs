@@ -293,7 +293,7 @@ fn lay(view: &SceneView, numbers: &Numbers<f64>, angle: &Half<f64>, at_start: bo
 }
 
 /// A distance along the axis of a body, m.
-fn along(view: &SceneView, place: Place) -> f64 {
+pub fn along(view: &SceneView, place: Place) -> f64 {
     match place {
         Place::At(n) => view.of(n),
         Place::HalfOf(n) => view.of(n) / 2.0,

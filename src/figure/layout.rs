@@ -250,7 +250,7 @@ pub fn look(view: &SceneView, index: usize, scale: f64) -> BodyLook {
 pub fn layout(view: &SceneView) -> SceneLayout {
     let scene = view.scene;
     let bodies = scene.bodies.iter().enumerate();
-    let round = bodies.filter(|(_, b)| b.turns && b.pin.is_none() && b.particles.is_empty());
+    let round = bodies.filter(|(_, b)| b.turns && b.planar.is_none() && b.particles.is_empty());
     let largest = round.map(|(b, _)| outer_m(view, b)).fold(0.0, f64::max);
     let target = match scene.bodies.len() {
         1 => 80.0,
@@ -278,7 +278,7 @@ impl Builder<'_> {
         let scene = self.view.scene;
         let drawn = |b: usize| {
             let body = &scene.bodies[b];
-            body.pin.is_none() && body.particles.is_empty()
+            body.planar.is_none() && body.particles.is_empty()
         };
         let mut order: Vec<usize> = (0..scene.bodies.len()).filter(|b| drawn(*b)).collect();
         let at =

@@ -25,8 +25,10 @@ fn kind_id<'b>(words: &Words, body: &'b Body) -> &'b str {
         Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
         Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
         Some(RotaryInertia::Shape(Shape::Hoop, _)) => "hoop",
-        Some(RotaryInertia::Shape(Shape::Disc, _)) if body.planar.is_some() => "disc",
-        Some(_) if body.pin.is_some() || body.planar.is_some() => "body",
+        Some(RotaryInertia::Shape(Shape::Disc, _)) if body.planar.as_ref().is_some_and(|p| !p.pinned) => {
+            "disc"
+        }
+        Some(_) if body.planar.is_some() => "body",
         Some(_) if body.line.is_none() => "drum",
         Some(_) => "wheel",
     }

@@ -1,10 +1,13 @@
 //! The picture of a pinned body: at its start, with the position considered as a ghost.
+use crate::figure::joined::{along, ground};
 use crate::figure::parts;
 use crate::figure::view::SceneView;
 use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, symbol};
-use crate::scene::{Arm, Body, Degree, End, Num, Pin, PinSpring, Rest, RotaryInertia, Shape, Zero};
+use crate::scene::{
+    Body, Degree, End, Num, Place, Planar, Ray, Rest, RotaryInertia, Scene, Shape, Strut, StrutEnd,
+};
 
 /// Pixels of the farthest point from the pin.
 const REACH: f64 = 175.0;
@@ -24,19 +27,23 @@ pub struct Hung {
     pub round: f64,
     /// Does its angle count from upright?
     pub upright: bool,
+    /// Its angle at the start, degrees.
+    pub start: f64,
+}
+
+/// The spring of a pinned body: where on its axis it acts, and the place of its anchor.
+pub fn spring_of(scene: &Scene) -> Option<(&Strut, Place, [Num; 2])> {
+    let spring = scene.struts.first()?;
+    let StrutEnd::Ground(place) = spring.to else { return None };
+    let (_, [at, _]) = scene.planar(spring.at.body)?.points.get(spring.at.point)?;
+    Some((spring, *at, place))
 }
 
 impl Hung {
     /// How the body of a view is drawn.
-    pub fn new(view: &SceneView, body: &Body, pin: &Pin) -> Self {
-        let arm = match pin.arm {
-            Arm::Distance(h) => view.of(h),
-            Arm::HalfOf(l) => view.of(l) / 2.0,
-        };
-        let long = match &body.inertia {
-            Some(RotaryInertia::Shape(Shape::Rod, l)) => Some(view.of(*l)),
-            _ => None,
-        };
+    pub fn new(view: &SceneView, body: &Body, pin: &Planar) -> Self {
+        let arm = along(view, pin.centre);
+        let long = body.rod().map(|l| view.of(l));
         let mass = view.kilograms(body);
         let gyration = if mass > 0.0 { (view.inertia(body) / mass).max(0.0).sqrt() } else { 0.0 };
         let round = match &body.inertia {
@@ -47,9 +54,9 @@ impl Hung {
             Some(l) => (arm + l / 2.0).max((arm - l / 2.0).abs()),
             None => arm + round,
         };
-        let spring = pin.spring.as_ref().map_or(0.0, |s| {
-            let (x, y) = (view.of(s.x_m), view.of(s.y_m));
-            (x * x + y * y).sqrt().max(view.of(s.at_m)) * 0.92
+        let spring = spring_of(view.scene).map_or(0.0, |(_, at, place)| {
+            let anchor = ground(view, place);
+            (anchor.x * anchor.x + anchor.y * anchor.y).sqrt().max(along(view, at)) * 0.92
         });
         let scale = REACH / if far.max(spring) > 0.0 { far.max(spring) } else { 1.0 };
         Self {
@@ -57,7 +64,8 @@ impl Hung {
             arm: arm * scale,
             rod: long.map(|l| ((arm - l / 2.0) * scale, (arm + l / 2.0) * scale)),
             round: round * scale,
-            upright: pin.from == Zero::Upright,
+            upright: pin.from == Ray::Up,
+            start: pin.start_deg.map_or(0.0, |n| view.of(n)),
         }
     }
 
@@ -117,9 +125,9 @@ impl Hung {
 /// Draws a pinned body with all that belongs to it.
 pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     let body = &view.scene.bodies[index];
-    let Some(pin) = &body.pin else { return };
+    let Some(pin) = &body.planar else { return };
     let hung = Hung::new(view, body, pin);
-    let start = view.of(pin.start_deg);
+    let start = hung.start;
     let end = match view.scene.end {
         End::Angle(_, n) => Some((n, view.of(n))),
         _ => None,
@@ -148,7 +156,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         support(board, bearing);
     }
     let g = d * hung.arm;
-    let mut angles = vec![(pin.start_deg, start, 0.0)];
+    let mut angles: Vec<(Num, f64, f64)> = pin.start_deg.map(|n| (n, start, 0.0)).into_iter().collect();
     if let Some((n, degrees)) = end {
         angles.push((n, degrees, 24.0));
     }
@@ -172,16 +180,22 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Clear, 9.0), spots);
     }
     sizes(board, view, body, pin, &hung, end.map(|e| e.1));
-    if let Some(spring) = &pin.spring {
-        spring_of(board, view, &hung, spring, d);
+    if let Some(spring) = spring_of(view.scene) {
+        draw_spring(board, view, &hung, spring, d);
     }
     turns(board, view, index, &hung, d);
 }
 
 /// The spring of a body that points in this direction, with its anchor and its dimensions.
-fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSpring, d: Vec2) {
-    let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
-    let held = d * (view.of(spring.at_m) * hung.scale);
+fn draw_spring(
+    board: &mut Board,
+    view: &SceneView,
+    hung: &Hung,
+    (spring, at, [x, y]): (&Strut, Place, [Num; 2]),
+    d: Vec2,
+) {
+    let anchor = ground(view, [x, y]) * hung.scale;
+    let held = d * (along(view, at) * hung.scale);
     let long = (held - anchor).norm();
     if long > 12.0 {
         board.spring(anchor, held, 9, 7.5);
@@ -209,8 +223,8 @@ fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSprin
         vec![(mid + out * 10.0, out), (mid - out * 10.0, -out)],
     );
     for (num, from, to, out) in [
-        (spring.y_m, Vec2::ZERO, vec2(0.0, anchor.y), Vec2::LEFT),
-        (spring.x_m, vec2(0.0, anchor.y), anchor, vec2(0.0, anchor.y.signum())),
+        (y, Vec2::ZERO, vec2(0.0, anchor.y), Vec2::LEFT),
+        (x, vec2(0.0, anchor.y), anchor, vec2(0.0, anchor.y.signum())),
     ] {
         if (to - from).norm() > 2.0 {
             let off = if out.x < 0.0 { 78.0 } else { 40.0 };
@@ -265,27 +279,27 @@ fn arc(board: &mut Board, view: &SceneView, hung: &Hung, num: Num, degrees: f64,
 }
 
 /// Lengths along the body, its mass and radius of gyration.
-fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hung, end: Option<f64>) {
-    let start = view.of(pin.start_deg);
+fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Planar, hung: &Hung, end: Option<f64>) {
+    let start = hung.start;
     let d = hung.direction(start);
     // On the side that the body does not sweep, unless a small angle or a spring is there.
     let away = hung.across(start) * (if end.is_some_and(|e| e < start) { 1.0 } else { -1.0 });
-    let full = pin.spring.is_some() || (1.0..35.0).contains(&start.abs());
+    let full = !view.scene.struts.is_empty() || (1.0..35.0).contains(&start.abs());
     let out = if full && hung.rod.is_some() { -away } else { away };
     // The letter of the mass centre has room between.
     let off = if hung.rod.is_some() { 37.0 } else { 28.0 };
     let at = |far: f64| d * far;
     let mut rows = Vec::new();
-    match (&body.inertia, pin.arm, hung.rod) {
+    match (&body.inertia, pin.centre, hung.rod) {
         (Some(RotaryInertia::Shape(Shape::Rod, l)), arm, Some((from, to))) => {
             dimension(board, at(from), at(to), out, off, view.label(*l, "m"));
-            if let Arm::Distance(h) = arm
+            if let Place::At(h) = arm
                 && hung.arm > 4.0
             {
                 dimension(board, at(0.0), at(hung.arm), -out, 24.0, view.label(h, "m"));
             }
         }
-        (inertia, Arm::Distance(h), _) => {
+        (inertia, Place::At(h), _) => {
             if hung.arm > 4.0 {
                 let clear = if hung.round > hung.arm * 0.9 {
                     hung.round + 14.0

@@ -1,12 +1,12 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
 use crate::figure::layout::{Placed, SceneLayout};
-use crate::figure::names;
 use crate::figure::view::SceneView;
+use crate::figure::{names, pinned};
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Rest,
-    RotaryInertia, Shape, Side, Slope, Start, Tie, Zero,
+    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Place, Planar, Ray,
+    Rest, RotaryInertia, Shape, Side, Slope, Start, Tie,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -46,9 +46,7 @@ pub fn named(view: &SceneView, body: &Body) -> String {
         Some(RotaryInertia::Moment(n)) => tell(*n, "kg·m<sup>2</sup>"),
         _ => {}
     }
-    if let Some(pin) = &body.pin
-        && let Arm::Distance(n) = pin.arm
-    {
+    if let Some(Planar { pinned: true, centre: Place::At(n), .. }) = body.planar {
         tell(n, "m");
     }
     let name = called(view, body);
@@ -266,25 +264,23 @@ pub fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
 /// The sentences about a pinned body.
 pub fn pinned(view: &SceneView, index: usize, out: &mut Vec<String>) {
     let body = &view.scene.bodies[index];
-    let Some(pin) = &body.pin else { return };
+    let Some(pin) = &body.planar else { return };
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.pinned.{name}"), pieces);
-    let zero = if pin.from == Zero::Upright { "upright" } else { "hanging" };
+    let zero = if pin.from == Ray::Up { "upright" } else { "hanging" };
     out.push(say(zero, &[("body", &named(view, body))]));
-    out.push(say("start", &[("angle", &text(view, pin.start_deg, "°"))]));
+    out.push(say("start", &[("angle", &pin.start_deg.map_or_else(String::new, |n| text(view, n, "°")))]));
     if let End::Angle(_, n) = view.scene.end {
         out.push(say("end", &[("angle", &text(view, n, "°"))]));
     }
-    if let Some(spring) = &pin.spring {
-        let rest = match spring.rest {
-            Rest::Length(n) | Rest::Stretch(n) => text(view, n, "m"),
-        };
-        let list = [text(view, spring.stiffness_n_m, "N/m"), rest].join(separator(view));
+    if let Some((spring, Place::At(at) | Place::HalfOf(at), [x, y])) = pinned::spring_of(view.scene) {
+        let (Rest::Length(n) | Rest::Stretch(n)) = spring.rest;
+        let list = [text(view, spring.stiffness_n_m, "N/m"), text(view, n, "m")].join(separator(view));
         out.push(say(
-            if view.of(spring.x_m) == 0.0 { "spring_above" } else { "spring" },
+            if view.of(x) == 0.0 { "spring_above" } else { "spring" },
             &[
-                ("x", &text(view, spring.x_m, "m")),
-                ("y", &text(view, spring.y_m, "m")),
-                ("at", &text(view, spring.at_m, "m")),
+                ("x", &text(view, x, "m")),
+                ("y", &text(view, y, "m")),
+                ("at", &text(view, at, "m")),
                 ("list", &list),
             ],
         ));

@@ -35,13 +35,13 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     let mut board = Board::new();
     let mut desc = Vec::new();
     let bodies = &view.scene.bodies;
-    if view.scene.lead().is_some() {
+    if view.scene.lead().is_some() && view.scene.pinned().is_none() {
         linkage::draw(&mut board, &view);
         linkage::tell(&view, &mut desc);
         carrier(&mut board, &view, &mut desc);
         return board.finish(words.say("figure.scene.title", &[("title", &problem.title)]), desc.join(" "));
     }
-    if bodies.iter().any(|b| b.pin.is_none() && b.particles.is_empty()) {
+    if bodies.iter().any(|b| b.planar.is_none() && b.particles.is_empty()) {
         let plan = layout::layout(&view);
         mechanism(&mut board, &view, &plan);
         say::mechanism(&view, &plan, told(&view).is_some(), &mut desc);
@@ -49,7 +49,7 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     }
     for (i, body) in bodies.iter().enumerate() {
         let mut part = Board::new();
-        if body.pin.is_some() {
+        if body.is_pinned() {
             pinned::draw(&mut part, &view, i);
             say::pinned(&view, i, &mut desc);
         } else if !body.particles.is_empty() {

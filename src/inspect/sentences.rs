@@ -199,7 +199,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
 fn reaches(scene: &Scene, c: &Check) -> String {
     let unit = scene.measure();
     let (required, available) = (figures(c.required), figures(c.available));
-    let (pinned, endless) = (scene.pinned().is_some() || scene.lead().is_some(), c.available.is_infinite());
+    let (pinned, endless) = (scene.lead().is_some(), c.available.is_infinite());
     if scene.end == End::Equilibrium {
         return "the end is not reached: there is no stable equilibrium in the way in which it sets off"
             .to_owned();
@@ -375,7 +375,7 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::ThrownEnd => "a body thrown with slip on a surface ends where it begins to roll, or after a time",
         Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
         Unsupported::MovingLamina => "of a body of particles only what holds at the instant can be asked; write `end: at once`",
-        Unsupported::PinnedInCompany => "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point",
+        Unsupported::JoinedInCompany => "what is pinned or moves in the plane is held by joints, without ties, and so is what is beside it; it ends at an angle, a time, a speed or a turning point",
         Unsupported::Overwound => "a torsion spring may be wound by less than half a turn, from the start to the end",
         Unsupported::InLine => "two hinged rods come to lie in one line on the way, or a rod lies across its guide: from there the linkage can go on in two ways, and it is not followed; let the motion end before",
         Unsupported::FrictionTurns => "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses",
@@ -483,7 +483,7 @@ fn in_unit(problem: &Problem, scene: &Scene, value: f64) -> String {
 
 /// Why an integral over a motion has no value.
 fn unsettled(scene: &Scene, Unsettled { value, gap }: &Unsettled) -> String {
-    let sprung = !scene.struts.is_empty() || scene.pinned().is_some_and(|(_, pin)| pin.spring.is_some());
+    let sprung = !scene.struts.is_empty();
     let spring =
         if sprung { ", or a spring passes its anchor, where its force has no direction" } else { "" };
     if value.is_finite() && gap.is_finite() {

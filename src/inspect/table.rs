@@ -121,7 +121,7 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
     for (i, question) in problem.questions.iter().enumerate() {
         let comma = if i == 0 { "" } else { "," };
         let value = match solved.word(question.label) {
-            Some(word) => string(word.text()),
+            Some(word) => string(word.as_str()),
             None => number(solved.get(question.label).map(|e| question.unit.from_si(e.value()))),
         };
         let (id, quantity) = (string(&question.id), string(&scene.name_of(question.label)));
@@ -180,7 +180,7 @@ fn rows<'s>(problem: &'s Problem, case: usize, solved: &'s Solved, taken: &Taken
         .chain(solved.words.iter().map(|(label, word)| QuantityRow {
             order: place(label.quantity),
             name: scene.name_of(*label),
-            word: Some(word.text()),
+            word: Some(word.as_str()),
             ..QuantityRow::default()
         }))
         .collect();

@@ -4,7 +4,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Surface, Tie, Zero};
+use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Surface, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -116,7 +116,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         code: None,
     };
     if quantity.is_word() {
-        let right = variant.solved.word(question.label).map_or("", |w| w.text());
+        let right = variant.solved.word(question.label).map_or("", |w| w.as_str());
         key.answer = Answer::Word { right, offered: offered(problem, quantity, scene) };
         return key;
     }
@@ -266,11 +266,10 @@ fn along(scene: &Scene, body: &Body, rubs: bool) -> WordSigns {
 
 /// 1 where a positive turn of a body is counter-clockwise, -1 where it is clockwise, 0 where the scene does not say.
 fn turn(scene: &Scene, body: &Body) -> i8 {
-    match (&body.planar, &body.pin, body.line) {
-        (Some(planar), ..) => sign(!planar.clockwise),
-        (_, Some(pin), _) => sign(pin.from == Zero::Hanging),
-        (.., Some(line)) if line.surface && !rises_to_the_right(scene) => 0,
-        (.., Some(line)) => sign(line.surface && !line.forward_up),
+    match (&body.planar, body.line) {
+        (Some(planar), _) => sign(!planar.clockwise),
+        (_, Some(line)) if line.surface && !rises_to_the_right(scene) => 0,
+        (_, Some(line)) => sign(line.surface && !line.forward_up),
         _ => -1,
     }
 }

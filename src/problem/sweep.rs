@@ -152,7 +152,7 @@ fn count_word(problem: &Problem, variant: &Variant, question: usize, words: &mut
         words.extend(list.iter().map(|word| Listed { word, list, right: 0 }));
     }
     if let Some(right) = variant.solved.word(label)
-        && let Some(listed) = words.iter_mut().find(|w| w.list == list && w.word == right.text())
+        && let Some(listed) = words.iter_mut().find(|w| w.list == list && w.word == right.as_str())
     {
         listed.right += 1;
     }

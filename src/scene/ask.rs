@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Pin, Planar, Scene,
-    Slope, Spot, SpringTie, Surface, Tie,
+    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
+    Spot, SpringTie, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -201,6 +201,10 @@ impl Quantity {
     pub const fn looks_beyond(self) -> bool {
         matches!(self, Self::VMax | Self::DAtVMax | Self::DTurn)
     }
+    /// Has it the dimension of mass in it? All units that have begin with one of these letters.
+    pub const fn is_massive(self) -> bool {
+        matches!(self.unit().as_bytes(), [b'N' | b'J' | b'W' | b'k', ..])
+    }
     /// Is it a coordinate of a point?
     pub const fn is_place(self) -> bool {
         matches!(self, Self::XG | Self::YG)
@@ -281,10 +285,6 @@ impl Scene {
     /// Is there a spring on a line or an axle?
     pub fn is_sprung(&self) -> bool {
         self.springs().next().is_some()
-    }
-    /// The pinned body of the scene, if it has one.
-    pub fn pinned(&self) -> Option<(usize, &Pin)> {
-        self.bodies.iter().enumerate().find_map(|(i, b)| Some((i, b.pin.as_ref()?)))
     }
     /// How a body lies in the plane.
     pub fn planar(&self, body: usize) -> Option<&Planar> {
@@ -381,7 +381,7 @@ impl Scene {
     }
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {
-        self.couples.is_empty() && self.pinned().is_some_and(|(_, pin)| pin.spring.is_none())
+        self.couples.is_empty() && self.struts.is_empty() && self.pinned().is_some()
     }
     /// Does this body rest on wheels?
     pub fn rests(&self, body: usize) -> bool {
@@ -460,7 +460,7 @@ impl Scene {
     /// The unit in which the end of a motion is told.
     pub fn measure(&self) -> &'static str {
         let turns = |c: Coordinate| c.degree == Degree::Turn;
-        let pinned = self.pinned().is_some() || self.lead().is_some();
+        let pinned = self.lead().is_some();
         match self.end {
             End::Time(..) | End::Rolling(_) => "s",
             End::Speed(c, _) if pinned || turns(c) => "rad/s",

@@ -37,7 +37,7 @@ impl Scene {
     /// where the scene does not tell a direction.
     pub fn axle_pulls(&self, body: usize) -> Option<SmallVec<[(usize, Aim); 2]>> {
         let b = self.bodies.get(body)?;
-        let fixed = b.line.is_none() && b.pin.is_none() && b.planar.is_none() && b.particles.is_empty();
+        let fixed = b.line.is_none() && b.planar.is_none() && b.particles.is_empty();
         if !fixed || b.massless() || matches!(b.mass, Mass::OfParts) && b.inertia.is_none() {
             return None;
         }

@@ -1,5 +1,5 @@
 //! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
-use crate::scene::{Num, Pin, Planar};
+use crate::scene::{Num, Planar};
 
 /// One rigid body.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,8 +18,6 @@ pub struct Body {
     pub turns: bool,
     /// Particles rigidly joined; not empty only for a lamina whose kinetic energy is asked.
     pub particles: Vec<Particle>,
-    /// Held by a pin away from its mass centre, so that it swings in the vertical plane; `None` for every other body.
-    pub pin: Option<Pin>,
     /// Moves in the plane as joints let it; `None` for every other body.
     pub planar: Option<Planar>,
 }
@@ -28,6 +26,13 @@ impl Body {
     /// Is its spin a coordinate of the scene? The motion of a body of particles is told by itself.
     pub fn spins(&self) -> bool {
         self.turns && self.particles.is_empty()
+    }
+    /// Its length, if it is a slender rod.
+    pub const fn rod(&self) -> Option<Num> {
+        match self.inertia {
+            Some(RotaryInertia::Shape(Shape::Rod, length)) => Some(length),
+            _ => None,
+        }
     }
     /// Is no mass told of it? On a fixed axle a given moment of inertia says all but what the axle bears.
     pub const fn massless(&self) -> bool {

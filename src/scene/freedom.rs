@@ -25,7 +25,7 @@ impl Scene {
     pub fn tells_rates(&self) -> bool {
         let slips = self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
         let slides = self.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
-        let bodies = self.pinned().is_none() && self.bodies.iter().all(|b| b.particles.is_empty());
+        let bodies = self.bodies.iter().all(|b| b.planar.is_none() && b.particles.is_empty());
         let alone = self.freedoms() <= 1;
         let still = self.start.is_empty();
         let pulled = !self.is_sprung() || alone && !slips && !slides;

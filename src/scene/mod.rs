@@ -3,7 +3,7 @@
 //! **Conventions**, stated once. Motion is planar. Each body that moves does so along its own straight line, positive
 //! *forward* (up the incline unless the scene says otherwise); a turn is positive in the sense that goes with rolling
 //! forward. Friction is the force on the body, positive forward. Cords are massless, inextensible and parallel to the
-//! line of the body that they leave. A pinned body has no line: it turns, positive as its angle grows (see [`pin`]). Angles
+//! line of the body that they leave. A pinned body has no line: it turns, positive as its angle grows (see [`planar`]). Angles
 //! are degrees in the data (they are reduced as degrees), radians in answers.
 pub mod admissible;
 pub mod ask;
@@ -12,11 +12,11 @@ pub mod body;
 pub mod force;
 pub mod formula;
 pub mod freedom;
+pub mod given;
 pub mod inertia;
 pub mod link;
 pub mod motion;
 pub mod numbers;
-pub mod pin;
 pub mod planar;
 pub mod pose;
 pub mod scales;
@@ -30,8 +30,9 @@ pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Taken, Term};
 pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Side, SpringTie, Tie};
 pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Carried, Numbers, speed};
-pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
-pub use planar::{Acts, Branch, Joint, JointKind, Place, Planar, Push, Ray, Spot, Strut, StrutEnd, Surface};
+pub use planar::{
+    Acts, Branch, Joint, JointKind, Place, Planar, Push, Ray, Rest, Spot, Strut, StrutEnd, Surface, on_axis,
+};
 pub use scales::Scales;
 
 /// Where a number of the scene comes from: a datum of the problem (by index), a constant of the bank, or a formula of data.

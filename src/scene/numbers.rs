@@ -158,36 +158,7 @@ impl<'a, T: Real> Numbers<'a, T> {
 
     /// Power of two that gives a quantity back its SI size.
     pub fn exponent(&self, quantity: Quantity) -> i32 {
-        use Quantity as Q;
-        match quantity {
-            Q::Friction
-            | Q::Normal
-            | Q::Tension
-            | Q::RimForce
-            | Q::Heat
-            | Q::WorkPull
-            | Q::PowerPull
-            | Q::WorkCouple
-            | Q::PowerCouple
-            | Q::Work
-            | Q::Impulse
-            | Q::Drive
-            | Q::Moment
-            | Q::ImpulseX
-            | Q::ImpulseY
-            | Q::AngularMomentum
-            | Q::FrictionIfRolled
-            | Q::KineticEnergy
-            | Q::IG
-            | Q::IO
-            | Q::PinRadial
-            | Q::PinTangential
-            | Q::PinForce
-            | Q::PinX
-            | Q::PinY
-            | Q::SpringForce => self.mass_exponent,
-            _ => 0,
-        }
+        if quantity.is_massive() { self.mass_exponent } else { 0 }
     }
 
     /// Gives a quantity back its SI size.

@@ -4,7 +4,7 @@
 //! Places are told in a frame fixed in space, x to the right and y up. A body has an axis with its mass centre on it, and its points are
 //! told by their distances from the origin of the axis, along it and to its left. The angle of the axis counts from one of four directions, in either sense; a turn is
 //! positive as that angle grows.
-use crate::scene::{Num, Quantity, Rest, Scene};
+use crate::scene::{Body, End, Num, Quantity, Scene};
 
 /// How a body lies in the plane and which of its points have names.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +27,32 @@ pub struct Planar {
     pub level: bool,
     /// Of the two ways in which the joints can place it, the one that is meant; `None` where the bank does not say it.
     pub side: Option<Branch>,
+    /// Does a pin of its own hold it at the origin of its axis ([`Body::pin`])? Its angle then counts clockwise from upright or
+    /// counter-clockwise from hanging.
+    pub pinned: bool,
+}
+
+impl Planar {
+    /// Of a body that a pin of its own holds, with its mass centre so far from it; its angle counts from upright or from hanging.
+    pub fn pinned(centre: Place, from: Ray, start_deg: Option<Num>) -> Self {
+        Self {
+            points: vec![("O".to_owned(), on_axis(Place::At(Num::Fixed(0.0))))],
+            centre,
+            from,
+            clockwise: from == Ray::Up,
+            start_deg,
+            driven: None,
+            origin_m: None,
+            level: false,
+            side: None,
+            pinned: true,
+        }
+    }
+}
+
+/// A point of the axis.
+pub const fn on_axis(along: Place) -> [Place; 2] {
+    [along, Place::At(Num::Fixed(0.0))]
 }
 
 /// Which of two ways of placing a body is meant.
@@ -45,6 +71,14 @@ pub enum Place {
     At(Num),
     /// Half of this length.
     HalfOf(Num),
+}
+
+impl Place {
+    /// The number that tells it.
+    pub const fn number(self) -> Num {
+        let (Self::At(x) | Self::HalfOf(x)) = self;
+        x
+    }
 }
 
 /// A direction from which angles count.
@@ -246,12 +280,48 @@ pub struct Strut {
     pub stiffness_n_m: Num,
     /// Its natural length, told directly or by its stretch at the start; of a torsion spring the angle of its body at which it is
     /// relaxed, or by which it is wound at the start, degrees.
-    pub rest: crate::scene::Rest,
+    pub rest: Rest,
     /// Whether it pulls and pushes.
     pub acts: Acts,
 }
 
+impl Body {
+    /// Does a pin of its own hold it?
+    pub fn is_pinned(&self) -> bool {
+        self.planar.as_ref().is_some_and(|p| p.pinned)
+    }
+    /// The pin of its own that holds it, called as the body is, at the origin of the frame.
+    pub fn pin(&self, index: usize) -> Option<Joint> {
+        let at = Spot { body: index, point: 0 };
+        let kind = JointKind::Pin { at, place_m: [Num::Fixed(0.0); 2] };
+        self.is_pinned().then(|| Joint { name: self.name.clone(), kind })
+    }
+    /// A spring from a point of its axis to a fixed place.
+    pub fn spring(
+        &mut self,
+        index: usize,
+        at: Num,
+        place_m: [Num; 2],
+        (stiffness_n_m, rest): (Num, Rest),
+    ) -> Option<Strut> {
+        let planar = self.planar.as_mut()?;
+        planar.points.push(("P".to_owned(), on_axis(Place::At(at))));
+        let at = Spot { body: index, point: planar.points.len() - 1 };
+        let to = StrutEnd::Ground(place_m);
+        Some(Strut { name: "spring".to_owned(), at, to, stiffness_n_m, rest, acts: Acts::Both })
+    }
+}
+
 impl Scene {
+    /// The only body of the scene, if its own pin is all that holds it and its weight, couples and a spring to a fixed place are all
+    /// that acts on it: what is told of such a pin and spring is told of the body.
+    pub fn pinned(&self) -> Option<(usize, &Planar)> {
+        let ([body], [_], []) = (&self.bodies[..], &self.joints[..], &self.pushes[..]) else { return None };
+        let grounded = |s: &Strut| s.acts == Acts::Both && matches!(s.to, StrutEnd::Ground(_));
+        let swings = self.end != End::Equilibrium && self.struts.iter().all(grounded);
+        let planar = body.planar.as_ref().filter(|p| p.pinned && p.driven.is_none());
+        planar.filter(|_| swings).map(|planar| (0, planar))
+    }
     /// Bodies in the plane that are held and pushed at their mass centres alone keep from turning: nothing has a moment about these.
     pub fn still_turns(&mut self) {
         // What acts at points, and the bodies that something turns, or that are said to.
@@ -292,6 +362,15 @@ impl Scene {
         };
         self.struts.iter().filter(|s| s.twists()).filter_map(wound).any(|angle| angle.abs() >= 180.0)
     }
+}
+
+/// How the natural length of a spring is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rest {
+    /// Natural length, m, >= 0.
+    Length(Num),
+    /// Stretch at the start, m, not above the length of the spring there.
+    Stretch(Num),
 }
 
 /// Does a spring pull and push? One that does but one of them is met on the way, and let go of.

@@ -235,6 +235,31 @@ fn turning<T: Real, X: Followed<T>>(direction: [T; 2], rate: T, second: T) -> [X
     })
 }
 
+/// A direction turned counter-clockwise by an angle.
+fn rolled<T: Real, X: Followed<T>>([c, s]: [T; 2], by: X) -> [X; 2] {
+    let (sine, cosine) = trig::turn(by.here());
+    let now = [c * cosine - s * sine, s * cosine + c * sine];
+    let [rate, second] = by.derivatives();
+    turning(now, rate, second)
+}
+/// A body of which one point lies on a circle, on this side, while its axis has this direction and another point is guided too.
+fn around<T: Real, X: Followed<T>>(
+    axis: [X; 2],
+    first: &Guided<T>,
+    second: &Guided<T>,
+    branch: f64,
+) -> Option<Pose<X>> {
+    let (centre, radius) = (fixed(first.through), first.ring?);
+    // From the point on the circle to the other one.
+    let beyond = from_origin(axis, less(second.at, first.at));
+    let way = less(less(fixed(second.through), beyond), centre);
+    let out = match second.ring {
+        Some(far) => triangle(way, [radius, far], branch),
+        None => times(toward(way, radius, second.unit, branch), radius),
+    };
+    Some(Pose::through(axis, first.at, plus(centre, out)))
+}
+
 /// What places the bodies of a scene and is the same on the whole way.
 #[derive(Debug, Clone)]
 pub struct Layout<'a, T: Real> {
@@ -919,20 +944,9 @@ impl<'a, T: Real> Layout<'a, T> {
                 let moved = plus(along_unit(*unit, ahead), along_unit(left(*unit), aside));
                 Pose { origin: plus(fixed(*from), moved), axis: self.axis(T::zero(), T::zero())? }
             }
-            Step::Slides([one, other], branch) if one.ring.is_some() || other.ring.is_some() => {
-                let axis = lead()?;
-                // From the point on the circle to the other one.
-                let beyond = |from: &Guided<T>, to: &Guided<T>| {
-                    from_origin(axis, [to.at[0] - from.at[0], to.at[1] - from.at[1]])
-                };
-                let (first, second) = if one.ring.is_some() { (one, other) } else { (other, one) };
-                let (centre, radius) = (fixed(first.through), first.ring?);
-                let back = less(fixed(second.through), beyond(first, second));
-                let out = match second.ring {
-                    Some(far) => triangle(less(back, centre), [radius, far], *branch),
-                    None => times(toward(less(back, centre), radius, second.unit, *branch), radius),
-                };
-                Pose::through(axis, first.at, plus(centre, out))
+            Step::Slides([one, other], branch) if one.ring.is_some() => around(lead()?, one, other, *branch)?,
+            Step::Slides([one, other], branch) if other.ring.is_some() => {
+                around(lead()?, other, one, *branch)?
             }
             Step::Slides([one, other], _) => {
                 // origin + s axis lies on each line: two equations for the origin.
@@ -960,22 +974,18 @@ impl<'a, T: Real> Layout<'a, T> {
                 Pose::through(axis, held.at, place(held, poses))
             }
             Step::Still(held, axis) => Pose::through(fixed(*axis), held.at, place(held, poses)),
-            Step::Rolls(held, track, [c, s]) => {
+            Step::Rolls(held, track, axis) => {
                 // Its turn goes with the way of its centre.
                 let place = place(held, poses);
                 let ahead = component(less(place, fixed(track.through)), track.unit)
                     - X::still(self.starts[track.joint]);
                 let turned = -ahead.by(T::of(1.0) / track.radius);
-                let (sine, cosine) = trig::turn(turned.here());
-                let now = [*c * cosine - *s * sine, *s * cosine + *c * sine];
-                let [rate, second] = turned.derivatives();
-                Pose::through(turning(now, rate, second), held.at, place)
+                Pose::through(rolled(*axis, turned), held.at, place)
             }
-            Step::Orbits(held, ratio, [c, s]) => {
+            Step::Orbits(held, ratio, axis) => {
                 let sense = sense(self.scene.bodies[self.lead].planar.as_ref()?);
-                let (sine, cosine) = trig::turn((way * *ratio).signed(sense));
-                let now = [*c * cosine - *s * sine, *s * cosine + *c * sine];
-                Pose::through(turning(now, ratio.signed(sense), T::zero()), held.at, place(held, poses))
+                let turned = X::with((way * *ratio).signed(sense), || [ratio.signed(sense), T::zero()]);
+                Pose::through(rolled(*axis, turned), held.at, place(held, poses))
             }
             Step::Rod(held, guide, branch) => {
                 let place = place(held, poses);

@@ -3,10 +3,7 @@
 //!
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
-use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, Formulas, JointKind, Label, Mass, Num, Owner, Pin, Place,
-    Rest, RotaryInertia, Scene, Slope, Start, StrutEnd, Surface, Tie,
-};
+use crate::scene::{Formulas, Label, Num, Owner, Scene, given};
 
 /// Units of mass, length and time: 2^e kg, m and s.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,7 +102,7 @@ impl Scales {
                 }
             }
         }
-        each(&mut scaled, &mut |num, unit| {
+        given::change::all(&mut scaled, &mut |num, (unit, _)| {
             let (old, new) = match num {
                 Num::Datum(i) => match (data.get(*i), numbers.get_mut(*i)) {
                     (Some(old), Some(new)) => (*old, new),
@@ -135,7 +132,7 @@ impl Scales {
     /// Units to be tried for a scene, those first in which its lengths, masses and weights are nearest to 1.
     pub fn tried(scene: &Scene, data: &[f64]) -> impl Iterator<Item = Self> {
         let mut known: Vec<(&'static str, i32)> = Vec::new();
-        each(&mut scene.clone(), &mut |num, unit| {
+        given::read::all(scene, &mut |num, (unit, _)| {
             let x = match num {
                 Num::Datum(i) => data.get(*i).copied().unwrap_or(0.0),
                 Num::Fixed(x) => *x,
@@ -175,7 +172,7 @@ impl Scales {
 pub fn powers_of_data(scene: &Scene, data: &[usize]) -> Option<Vec<[i32; 3]>> {
     let mut powers: Vec<Option<[i32; 3]>> = vec![None; data.len()];
     let mut all = scene.formulas == Formulas::default();
-    each(&mut scene.clone(), &mut |num, unit| {
+    given::read::all(scene, &mut |num, (unit, _)| {
         let own = Scales::powers(unit);
         match *num {
             Num::Datum(i) => {
@@ -193,182 +190,4 @@ pub fn powers_of_data(scene: &Scene, data: &[usize]) -> Option<Vec<[i32; 3]>> {
 /// Has a unit of the scene the dimension of mass in it?
 pub fn is_massive(unit: &str) -> bool {
     Scales { mass: 1, length: 0, time: 0 }.power(unit) != 0
-}
-
-/// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.
-pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
-    tell(&mut scene.gravity_m_s2, "m/s^2");
-    scene.bodies.iter_mut().for_each(|body| of_body(body, tell));
-    scene.ties.iter_mut().for_each(|tie| of_tie(tie, tell));
-    scene.couples.iter_mut().for_each(|couple| tell(&mut couple.moment_n_m, "N*m"));
-    scene.joints.iter_mut().for_each(|joint| of_joint(&mut joint.kind, tell));
-    for push in &mut scene.pushes {
-        tell(&mut push.force_n, if push.blow { "N*s" } else { "N" });
-        tell(&mut push.direction_deg, "1");
-        push.toward_m.iter_mut().flatten().for_each(|x| tell(x, "m"));
-    }
-    for strut in &mut scene.struts {
-        let [stiffness, length] = strut.units();
-        tell(&mut strut.stiffness_n_m, stiffness);
-        let (Rest::Length(rest) | Rest::Stretch(rest)) = &mut strut.rest;
-        tell(rest, length);
-        match &mut strut.to {
-            StrutEnd::Ground(place) => place.iter_mut().for_each(|x| tell(x, "m")),
-            StrutEnd::Spot(_) | StrutEnd::Twist => {}
-            StrutEnd::Guide { through_m, direction_deg } => {
-                through_m.iter_mut().for_each(|x| tell(x, "m"));
-                tell(direction_deg, "1");
-            }
-        }
-    }
-    for growth in &mut scene.growths {
-        let units = (growth.rate_unit(), growth.of_unit());
-        tell(&mut growth.rate, units.0);
-        tell(&mut growth.unit, units.1);
-    }
-    for start in &mut scene.start {
-        match start {
-            Start::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
-            Start::Lamina { vx_m_s, vy_m_s, spin_rad_s, .. } => {
-                tell(vx_m_s, "m/s");
-                tell(vy_m_s, "m/s");
-                tell(spin_rad_s, "rad/s");
-            }
-        }
-    }
-    if let Some(carrier) = &mut scene.carried {
-        tell(&mut carrier.speed_m_s, "m/s");
-        tell(&mut carrier.acceleration_m_s2, "m/s^2");
-        if let Slope::Degrees(angle) = &mut carrier.slope {
-            tell(angle, "1");
-        }
-    }
-    match &mut scene.end {
-        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) | End::Leaves(_) | End::Equilibrium => {}
-        End::Travel(c, s) | End::Position(c, s) => tell(s, if c.degree == Degree::Along { "m" } else { "1" }),
-        End::Time(_, t) => tell(t, "s"),
-        End::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
-        End::Angle(_, angle) => tell(angle, "1"),
-    }
-}
-
-/// The numbers of a contact or cord.
-fn of_tie(tie: &mut Tie, tell: &mut dyn FnMut(&mut Num, &'static str)) {
-    match tie {
-        Tie::Roll { radius_m, mu_s, .. } => {
-            tell(radius_m, "m");
-            mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
-        }
-        Tie::Slip { radius_m, mu_s, mu_k, .. } => {
-            tell(radius_m, "m");
-            tell(mu_s, "1");
-            tell(mu_k, "1");
-        }
-        Tie::Slide { mu_s, mu_k, .. } => {
-            mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
-            tell(mu_k, "1");
-        }
-        Tie::Cord(cord) => {
-            of_end(&mut cord.from, tell);
-            match &mut cord.to {
-                Far::Pull(force) => tell(force, "N"),
-                Far::Body(end) => of_end(end, tell),
-                Far::Spring { stiffness_n_m, stretch_m, .. } => {
-                    tell(stiffness_n_m, "N/m");
-                    tell(stretch_m, "m");
-                }
-                Far::Fixed => {}
-            }
-        }
-    }
-}
-
-/// The numbers of a joint.
-fn of_joint(kind: &mut JointKind, tell: &mut dyn FnMut(&mut Num, &'static str)) {
-    match kind {
-        JointKind::Hinge { turned_deg, .. } => turned_deg.iter_mut().for_each(|angle| tell(angle, "1")),
-        JointKind::Pin { place_m, .. } | JointKind::Cord { place_m, .. } => {
-            place_m.iter_mut().for_each(|x| tell(x, "m"));
-        }
-        JointKind::Contact { radius_m, surface, .. } => {
-            tell(radius_m, "m");
-            match surface {
-                Surface::Line { through_m, direction_deg } => {
-                    through_m.iter_mut().for_each(|x| tell(x, "m"));
-                    tell(direction_deg, "1");
-                }
-                Surface::Arc { centre_m, radius_m, .. } => {
-                    centre_m.iter_mut().for_each(|x| tell(x, "m"));
-                    tell(radius_m, "m");
-                }
-            }
-        }
-        JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
-            through_m.iter_mut().for_each(|x| tell(x, "m"));
-            tell(direction_deg, "1");
-            mu_k.iter_mut().for_each(|mu| tell(mu, "1"));
-        }
-    }
-}
-
-/// The numbers of a body.
-fn of_body(body: &mut Body, tell: &mut dyn FnMut(&mut Num, &'static str)) {
-    of_mass(&mut body.mass, tell);
-    match &mut body.inertia {
-        None => {}
-        Some(RotaryInertia::Gyration(r) | RotaryInertia::Shape(_, r)) => tell(r, "m"),
-        Some(RotaryInertia::Moment(i)) => tell(i, "kg*m^2"),
-        Some(RotaryInertia::Parts(parts)) => {
-            for part in parts {
-                of_mass(&mut part.mass, tell);
-                tell(&mut part.radius_m, "m");
-            }
-        }
-    }
-    for (_, radius) in &mut body.radii_m {
-        tell(radius, "m");
-    }
-    if let Some(Slope::Degrees(angle)) = body.line.as_mut().map(|line| &mut line.slope) {
-        tell(angle, "1");
-    }
-    for particle in &mut body.particles {
-        tell(&mut particle.mass_kg, "kg");
-        tell(&mut particle.x_m, "m");
-        tell(&mut particle.y_m, "m");
-    }
-    if let Some(planar) = &mut body.planar {
-        for place in planar.points.iter_mut().flat_map(|(_, p)| p).chain([&mut planar.centre]) {
-            let (Place::At(x) | Place::HalfOf(x)) = place;
-            tell(x, "m");
-        }
-        planar.start_deg.iter_mut().for_each(|angle| tell(angle, "1"));
-        planar.driven.iter_mut().for_each(|alpha| tell(alpha, "rad/s^2"));
-        planar.origin_m.iter_mut().flatten().for_each(|x| tell(x, "m"));
-    }
-    let Some(Pin { arm, start_deg, spring, .. }) = &mut body.pin else { return };
-    let (Arm::Distance(length) | Arm::HalfOf(length)) = arm;
-    tell(length, "m");
-    tell(start_deg, "1");
-    if let Some(spring) = spring {
-        let (Rest::Length(rest) | Rest::Stretch(rest)) = &mut spring.rest;
-        for length in [&mut spring.at_m, &mut spring.x_m, &mut spring.y_m, rest] {
-            tell(length, "m");
-        }
-        tell(&mut spring.stiffness_n_m, "N/m");
-    }
-}
-
-fn of_mass(mass: &mut Mass, tell: &mut dyn FnMut(&mut Num, &'static str)) {
-    match mass {
-        Mass::Kilograms(m) => tell(m, "kg"),
-        Mass::Weight(w) => tell(w, "N"),
-        Mass::OfParts => {}
-    }
-}
-
-fn of_end(end: &mut CordEnd, tell: &mut dyn FnMut(&mut Num, &'static str)) {
-    if let Attach::Wound(radius, _) = &mut end.attach {
-        tell(radius, "m");
-    }
-    end.tilt_deg.iter_mut().for_each(|tilt| tell(tilt, "1"));
 }

@@ -16,7 +16,6 @@ use crate::solution::text::SolutionSection;
 use crate::solve::outcome::{Entry, Word};
 use crate::units::Unit;
 use crate::words::Words;
-use std::borrow::Cow;
 
 /// An answer, as a method finds it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,12 +48,12 @@ pub enum Detail {
     Full,
 }
 
-/// The scene of a variant as solutions take it: a body on a pin is one in the plane that a joint holds.
+/// The scene of a variant.
 ///
 /// # Errors
 /// The variant has a case that the problem has not.
-pub fn scene_of<'a>(problem: &'a Problem, variant: &Variant) -> Result<Cow<'a, Scene>, Finding> {
-    let case = problem.cases.get(variant.case).map(|case| case.scene.in_the_plane());
+pub fn scene_of<'a>(problem: &'a Problem, variant: &Variant) -> Result<&'a Scene, Finding> {
+    let case = problem.cases.get(variant.case).map(|case| &case.scene);
     let missing =
         || Finding::new(format!("problems.{}", problem.id), format!("has no case {}", variant.case));
     case.ok_or_else(missing)
@@ -168,7 +167,7 @@ impl<'a> Draft<'a> {
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
             let level = draft.scene.lies_level();
-            let carries = |b: &Body| b.pin.is_some() || b.planar.is_some() && !level;
+            let carries = |b: &Body| b.planar.is_some() && !level;
             let weighs = |b: &Body| carries(b) || matches!(b.mass, Mass::Weight(_));
             let bodies = &draft.scene.bodies;
             let falls = !level

@@ -135,14 +135,14 @@ fn made(
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
     let scene = scene_of(problem, variant)?;
-    let mut draft = Draft::new(problem, variant, &scene, words, Symbols::new(words));
+    let mut draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
     draft.detail = detail;
     let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),
         Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
-            draft = Draft::new(problem, variant, &scene, words, Symbols::new(words));
+            draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
             Some(what)
         }
     };
@@ -294,7 +294,7 @@ fn told(draft: &Draft, q: &Question, value: f64) -> String {
 
 /// A word of an answer as the sheet has it.
 fn said(words: &Words, word: Word) -> &str {
-    words.get(&format!("sheet.{}", word.text()))
+    words.get(&format!("sheet.{}", word.as_str()))
 }
 
 /// The phrase for a direction along the line of a body; `None` for 0.

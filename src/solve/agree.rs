@@ -334,7 +334,7 @@ fn compared(
         // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms. Of joined
         // bodies that rounding stands in every pose, on both roads.
         let nothing = |share: f64| [eom, energy].map(|x| vanishes(x, share, entry.scale));
-        let joined = scene.lead().is_some();
+        let joined = scene.lead().is_some() && scene.pinned().is_none();
         if (joined || nothing(NOISE).contains(&true)) && nothing(8.0 * U) == [true; 2] {
             (eom, energy) = (0.0, 0.0);
             entry.eom = Some(eom);
@@ -452,15 +452,11 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
             return refuse(Unsupported::Overwound);
         }
         let joined = scene.bodies.iter().all(|b| b.planar.is_some()) && scene.ties.is_empty();
-        return if joined { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
-    }
-    if scene.pinned().is_some() {
         let along = matches!(scene.end, End::Travel(..) | End::Position(..));
-        let alone = scene.bodies.len() == 1 && scene.ties.is_empty() && !along;
-        return if alone { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
+        return if joined && !along { Ok(()) } else { refuse(Unsupported::JoinedInCompany) };
     }
     if matches!(scene.end, End::Angle(..)) {
-        return refuse(Unsupported::PinnedInCompany);
+        return refuse(Unsupported::JoinedInCompany);
     }
     if matches!(scene.end, End::AtOnce) && !scene.tells_rates() {
         return Ok(());

@@ -43,7 +43,7 @@ type Values<T> = Vec<Option<T>>;
 /// have a solution.
 pub fn numbers<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     // What is judged in doubles alone, in a page, needs no speed.
-    let follow = !T::is_double() && (scene.lead().is_some() || scene.pinned().is_some());
+    let follow = !T::is_double() && scene.lead().is_some();
     let labels = || entries.iter().map(|e| e.label).enumerate();
     let doubles = |sets: &[Set], asked| {
         let values = |told: Told| (told.kind(), labels().map(|(at, label)| told.value(at, label)).collect());

@@ -80,12 +80,12 @@ const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 pub fn force(scene: &Scene) -> Force {
     if scene.is_still() {
         Force::Instant
-    } else if scene.lead().is_some() {
-        Force::Joined
     } else if scene.is_pendulum() {
         Force::Pendulum
     } else if scene.pinned().is_some() {
         Force::Irregular
+    } else if scene.lead().is_some() {
+        Force::Joined
     } else if scene.thrown().is_some() {
         Force::Switched
     } else if !scene.growths.is_empty() {

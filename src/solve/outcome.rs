@@ -125,113 +125,71 @@ impl Regime {
     }
 }
 
-/// Which condition of validity, or which switch of the motion: an event at which another law takes over. Near a switch an
-/// answer may jump although its condition number is small, so draws keep away from it by a margin.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum CheckKind {
+macro_rules! check_kinds {
+    ($($(#[$doc:meta])* $kind:ident $name:literal $unit:literal;)*) => {
+        /// Which condition of validity, or which switch of the motion: an event at which another law takes over. Near a switch an
+        /// answer may jump although its condition number is small, so draws keep away from it by a margin.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum CheckKind { $($(#[$doc])* $kind,)* }
+        impl CheckKind {
+            /// All of them.
+            pub const ALL: &'static [CheckKind] = &[$(Self::$kind,)*];
+            /// Name in JSON and in tables of refusals.
+            pub const fn name(self) -> &'static str { match self { $(Self::$kind => $name,)* } }
+            /// Unit of SI of what is required and available.
+            pub fn unit(self, scene: &Scene) -> &'static str {
+                match self {
+                    Self::Reaches => scene.measure(),
+                    Self::Slack if scene.ending_coordinate().degree == Degree::Turn => "rad",
+                    _ => match self { $(Self::$kind => $unit,)* },
+                }
+            }
+        }
+    };
+}
+check_kinds! {
     /// It moves, the declared way: drive at the start, as a share of the largest force term (signed by the heading).
-    Moves,
+    Moves "moves" "N";
     /// `|F| <= mu_s N` as far as the scene looks ([`crate::scene::Span`]): required is the largest |F|, N; available `mu_s N`.
-    NoSlip,
+    NoSlip "no_slip" "N";
     /// `|F_rolled| > mu_s N`: required is `mu_s N`; available the friction that rolling would need.
-    MustSlip,
+    MustSlip "must_slip" "N";
     /// N > 0: required 0, available N.
-    Pressed,
+    Pressed "pressed" "N";
     /// A cord between bodies is taut as far as the scene looks: required 0, available the least tension, N; the margin is its
     /// share of the other forces that make it up.
-    Taut,
+    Taut "taut" "N";
     /// The slip goes against the friction: required 0, available slip acceleration against friction, m/s^2.
-    SlipDirection,
+    SlipDirection "slip_direction" "m/s^2";
     /// What is thrown starts with slip: required 0, available the slip speed, m/s; the margin is its share of the speeds
     /// that make it up.
-    StartsSlipping,
+    StartsSlipping "starts_slipping" "m/s";
     /// Kinetic friction ends the slip: required, the force that keeps it up, N; available `mu_k N`.
-    Closes,
+    Closes "closes" "N";
     /// The end event is reached before the turning point: required, the asked value; available, the farthest.
-    Reaches,
+    Reaches "reaches" "1";
     /// Switch: where the cord of a spring goes slack. Required, the way to the end; available, the way to the switch. It always
     /// holds, the margin is how far they are apart.
-    Slack,
+    Slack "slack" "m";
     /// Switch: where the slip of what is thrown ends. Required, the time of the end, s; available, that of the switch. It always
     /// holds, the margin is how far they are apart.
-    SlipEnds,
+    SlipEnds "slip_ends" "s";
     /// Switch: the turning point of what is thrown. Available, its speed at the end, m/s. It always holds, the margin is the share
     /// of the speeds that make it up.
-    UnderWay,
+    UnderWay "under_way" "m/s";
     /// Switch: whether static friction could hold what is thrown, where the end comes before that is put to the test. Required, the
     /// friction that rolling needs, N; available `mu_s N`. It always holds, the margin is how far they are apart.
-    StaticLimit,
+    StaticLimit "static_limit" "N";
     /// A contact or a cord of joined bodies holds at a blow: required 0, available its impulse, N s.
-    HoldsBlow,
+    HoldsBlow "holds_blow" "N*s";
     /// A spring that only pushes or pulls acts before the end: required, the way until it does, rad; available, that to the end.
-    Met,
+    Met "met" "rad";
     /// The motion that follows goes as it is said to: all conditions of its own hold. The margin is that of the one that holds least,
     /// whose kind is told in place of a body, by its index.
-    Next,
+    Next "next" "1";
 }
 
 impl CheckKind {
-    /// All of them.
-    pub const ALL: &'static [CheckKind] = &[
-        Self::Moves,
-        Self::NoSlip,
-        Self::MustSlip,
-        Self::Pressed,
-        Self::Taut,
-        Self::SlipDirection,
-        Self::StartsSlipping,
-        Self::Closes,
-        Self::Reaches,
-        Self::Slack,
-        Self::SlipEnds,
-        Self::UnderWay,
-        Self::StaticLimit,
-        Self::HoldsBlow,
-        Self::Met,
-        Self::Next,
-    ];
-    /// Name in JSON and in tables of refusals.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Moves => "moves",
-            Self::NoSlip => "no_slip",
-            Self::MustSlip => "must_slip",
-            Self::Pressed => "pressed",
-            Self::Taut => "taut",
-            Self::SlipDirection => "slip_direction",
-            Self::StartsSlipping => "starts_slipping",
-            Self::Closes => "closes",
-            Self::Reaches => "reaches",
-            Self::Slack => "slack",
-            Self::SlipEnds => "slip_ends",
-            Self::UnderWay => "under_way",
-            Self::StaticLimit => "static_limit",
-            Self::HoldsBlow => "holds_blow",
-            Self::Met => "met",
-            Self::Next => "next",
-        }
-    }
-    /// Unit of SI of what is required and available.
-    pub fn unit(self, scene: &Scene) -> &'static str {
-        match self {
-            Self::Moves
-            | Self::NoSlip
-            | Self::MustSlip
-            | Self::Pressed
-            | Self::Taut
-            | Self::Closes
-            | Self::StaticLimit => "N",
-            Self::SlipDirection => "m/s^2",
-            Self::StartsSlipping | Self::UnderWay => "m/s",
-            Self::HoldsBlow => "N*s",
-            Self::Met => "rad",
-            Self::Next => "1",
-            Self::SlipEnds => "s",
-            Self::Reaches => scene.measure(),
-            Self::Slack if scene.ending_coordinate().degree == Degree::Turn => "rad",
-            Self::Slack => "m",
-        }
-    }
     /// Is its margin a share that says how far it holds? That of the others is 1 or -1.
     pub const fn is_share(self) -> bool {
         !matches!(self, Self::Pressed | Self::Taut | Self::HoldsBlow | Self::SlipDirection)
@@ -295,39 +253,24 @@ impl Entry {
     }
 }
 
-/// Words that some questions ask.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Word {
+worded! {
+    /// Words that some questions ask, as students write them.
+    Word {
     /// Up the incline.
-    Up,
+    Up "up",
     /// Down the incline.
-    Down,
+    Down "down",
     /// Forward on a level.
-    Forward,
+    Forward "forward",
     /// Back on a level.
-    Back,
+    Back "back",
     /// Does not move.
-    Stays,
+    Stays "stays",
     /// Yes.
-    Yes,
+    Yes "yes",
     /// No.
-    No,
-}
-
-impl Word {
-    /// As students write it.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Up => "up",
-            Self::Down => "down",
-            Self::Forward => "forward",
-            Self::Back => "back",
-            Self::Stays => "stays",
-            Self::Yes => "yes",
-            Self::No => "no",
-        }
-    }
-}
+    No "no",
+}}
 
 /// A solved scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -617,8 +560,8 @@ pub enum Unsupported {
     NotThrown,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
-    /// A pinned body with another body, with ties, or with an end that belongs to a line.
-    PinnedInCompany,
+    /// Bodies in the plane beside others, with ties, or with an end that belongs to a line; an angle of what has none.
+    JoinedInCompany,
     /// Friction in a guide fits no side of it or both, or turns about on the way.
     FrictionTurns,
     /// A torsion spring that is wound by half a turn or more.

@@ -34,7 +34,7 @@ pub fn fill_drive<P: Real>(
     let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
     let balanced = scene.starts_from_rest() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
     if balanced {
-        let held = scene.is_sprung() || scene.bodies.iter().any(|b| b.pin.is_some() || b.planar.is_some());
+        let held = scene.is_sprung() || scene.bodies.iter().any(|b| b.planar.is_some());
         regime.motion = if held { Motion::Rest } else { Motion::Balanced };
         for (_, word) in words.iter_mut().filter(|(l, _)| l.quantity == Quantity::Direction) {
             *word = Word::Stays;
@@ -107,7 +107,7 @@ fn judge<P: Real>(
         checks.push(reaches(end.body, course));
     }
     // The turn of a body has no such word.
-    if body.pin.is_none() && body.planar.is_none() {
+    if body.planar.is_none() {
         let way = way(body.line, course.sense).map_or(Word::Stays, |way| way.word);
         words.push((Label { quantity: Quantity::Direction, of: Owner::Body(end.body) }, way));
     }
@@ -191,7 +191,7 @@ fn motion<P: Real>(scene: &Scene, course: &Course<P>, held: &[Held<P>]) -> Motio
     };
     let body = &scene.bodies[scene.ending_coordinate().body];
     let way = way(body.line, course.sense);
-    if body.pin.is_some() || body.planar.is_some() {
+    if body.planar.is_some() {
         let swings = [Motion::SwingsOk, Motion::SwingsTurningPoint, Motion::SwingsUnreachable];
         if course.sense == 0.0 { Motion::Rest } else { swings[end] }
     } else if scene.is_sprung() {

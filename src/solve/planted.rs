@@ -1,10 +1,9 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Acts, Arm, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas,
-    GivenForce, Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Pin, PinSpring, Place,
-    Planar, Push, Ray, Rest, RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface,
-    Tie, Zero,
+    Acts, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, GivenForce,
+    Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Place, Planar, Push, Ray, Rest,
+    RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -26,7 +25,6 @@ fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
         }),
         turns: k.is_some(),
         particles: Vec::new(),
-        pin: None,
         planar: None,
     }
 }
@@ -63,26 +61,20 @@ fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
 }
 
 /// A body of 4 kg pinned 0.6 m from its mass centre, from one angle to another.
-fn pinned(from: Zero, start: f64, end: f64) -> Scene {
+fn pinned(from: Ray, start: f64, end: f64) -> Scene {
     let mut swinging = body("body", None, 4.0, Some(0.35));
-    swinging.pin = Some(Pin { arm: Arm::Distance(f(0.6)), from, start_deg: f(start), spring: None });
+    swinging.planar = Some(Planar::pinned(Place::At(f(0.6)), from, Some(f(start))));
     let mut scene = scene(vec![swinging], Vec::new(), 1.0);
+    scene.joints.extend(scene.bodies[0].pin(0));
     scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(end));
     scene
 }
 
 /// The same with a spring, and with a couple against the sense of a growing angle.
 fn pinned_and_tied(start: f64, end: f64) -> Scene {
-    let mut scene = pinned(Zero::Upright, start, end);
-    if let Some(pin) = &mut scene.bodies[0].pin {
-        pin.spring = Some(PinSpring {
-            at_m: f(0.9),
-            x_m: f(0.8),
-            y_m: f(0.5),
-            stiffness_n_m: f(30.0),
-            rest: Rest::Length(f(0.4)),
-        });
-    }
+    let mut scene = pinned(Ray::Up, start, end);
+    let law = (f(30.0), Rest::Length(f(0.4)));
+    scene.struts.extend(scene.bodies[0].spring(0, f(0.9), [f(0.8), f(0.5)], law));
     scene.couples.push(Couple { body: 0, moment_n_m: f(2.0), forward: false });
     scene
 }
@@ -102,6 +94,7 @@ fn rod(name: &str, start: Option<f64>) -> Body {
         level: false,
         origin_m: None,
         side: None,
+        pinned: false,
     });
     rod
 }
@@ -426,8 +419,8 @@ fn thrown() -> Vec<(&'static str, Scene)> {
 /// Bodies on pins and joined ones.
 fn joined() -> Vec<(&'static str, Scene)> {
     vec![
-        ("pinned body falls", pinned(Zero::Upright, 20.0, 130.0)),
-        ("pendulum", pinned(Zero::Hanging, 75.0, -30.0)),
+        ("pinned body falls", pinned(Ray::Up, 20.0, 130.0)),
+        ("pendulum", pinned(Ray::Down, 75.0, -30.0)),
         ("driven flywheel", {
             // A couple that turns a body hardly off its centre: the force across the arm then comes from the displacement.
             let mut scene = pinned_and_tied(40.0, 100.0);

@@ -24,7 +24,6 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             line: Some(Line { slope: Slope::Degrees(d(4)), forward_up: true, surface: true }),
             turns: true,
             particles: vec![],
-            pin: None,
             planar: None,
         }],
         ties: vec![

@@ -295,7 +295,6 @@ fn body(name: &str, line: Option<Line>, mass: f64, gyration: Option<f64>) -> Bod
         line,
         turns: gyration.is_some(),
         particles: Vec::new(),
-        pin: None,
         planar: None,
     }
 }

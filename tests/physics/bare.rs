@@ -42,7 +42,13 @@ pub fn turning(mass: Num, inertia: RotaryInertia) -> Body {
         line: None,
         turns: true,
         particles: Vec::new(),
-        pin: None,
         planar: None,
     }
+}
+
+/// A body that its own pin holds.
+pub fn pinned(gravity: Num, body: Body, planar: Planar, end: End) -> Scene {
+    let mut scene = scene(gravity, vec![Body { planar: Some(planar), ..body }], end);
+    scene.joints.extend(scene.bodies[0].pin(0));
+    scene
 }

@@ -180,8 +180,12 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
         }
     }
     for (label, word) in &solved.words {
-        if label.quantity == program::Quantity::Direction && word.text() != told.direction {
-            faults.push(format!("direction: {} is published, {} by the judge", word.text(), told.direction));
+        if label.quantity == program::Quantity::Direction && word.as_str() != told.direction {
+            faults.push(format!(
+                "direction: {} is published, {} by the judge",
+                word.as_str(),
+                told.direction
+            ));
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }

@@ -1085,3 +1085,86 @@ end: END
     near(solve(even, "0.01", "at once").expect("off the line"), 2.0, 1e-9);
     near(solve(even, "30", "at once").expect("off the line"), 2.0, 1e-12);
 }
+
+/// Two equal rods, the one on a pin of its own, the other hinged to it and guided on the level of that pin: their angles to the
+/// vertical `phi` are equal, the mass centres at `x = L/2 sin`, `3 L/2 sin`, both at `y = L/2 cos`. So `J L^2 m phi'^2 / 2` with
+/// `J = 5/12 + sin^2/4 + 9 cos^2/4` is the kinetic energy, `m g L cos` the potential one, and the pin alone pushes sideways.
+/// Such a body was refused in company.
+#[test]
+fn a_pinned_body_has_company() {
+    let text = "
+bank: t
+title: t
+problems:
+  two:
+    title: t
+    data: {m: {name: m, unit: kg, draw: always 3}, L: {name: L, unit: m, draw: always 1.2}, a: {name: a, unit: deg, draw: always 20}, b: {name: b, unit: deg, draw: always 75}}
+    scene:
+      bodies:
+        crank: {mass: m, shape: {rod: L}, pinned: at its end, angle: from upright, points: {A: L}}
+        rod: {mass: m, shape: {rod: L}, moves: in the plane}
+      joints: {A: {hinges: [crank.A, rod.A]}, floor: {guides: rod.B, along: horizontal}}
+      start: {crank: {angle: a}}
+      end: {angle: {of: crank, reaches: b}}
+    questions: {omega: {quantity: crank.omega, ask: t, unit: rad/s}}
+";
+    let bank = load::scenes_only(text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+    let (scene, symbols) = scene(&bank, "two");
+    for (m, l, from, to) in [(3.0, 0.8, 30.0, 60.0), (2.2, 1.3, 5.0, 85.0)] {
+        let data = data(&symbols, &[("m", m), ("L", l), ("a", from), ("b", to)]);
+        let solved = agree::solve(scene, &data).unwrap();
+        let (s, c) = f64::to_radians(to).sin_cos();
+        let j = 5.0 / 12.0 + s * s / 4.0 + 9.0 * c * c / 4.0;
+        let square = 2.0 * 9.81 * (f64::to_radians(from).cos() - c) / (l * j);
+        // J phi'' + J' phi'^2 / 2 = g sin / L
+        let alpha = (9.81 * s / l + 2.0 * s * c * square) / j;
+        near(value(scene, &solved, "crank.omega").powi(2), square, 1e-13);
+        near(value(scene, &solved, "crank.alpha"), alpha, 1e-13);
+        near(value(scene, &solved, "crank.pin_x"), 2.0 * m * l * (c * alpha - s * square), 1e-12);
+        // Moments about the pin, `x a_y - y a_x` of both, give the force of the guide, and that the pin's.
+        let sinks = l / 2.0 * (s * alpha + c * square);
+        let floor = m * (9.81 - sinks) - m * l * c * (c * alpha - s * square) / (2.0 * s);
+        near(value(scene, &solved, "floor.normal"), floor, 1e-12);
+        near(value(scene, &solved, "crank.pin_y"), 2.0 * m * (9.81 - sinks) - floor, 1e-12);
+    }
+}
+
+/// What else a pin of its own may hold: a rod in the equilibrium of a couple and its weight, `sin phi = 2 M/(m g L)`, with small
+/// oscillations `omega^2 = 3 g cos phi/(2 L)`, and one that is driven, `m L^2 alpha/3 + m g L sin phi/2 - M`. Both were refused, the
+/// drive without a word.
+#[test]
+fn a_pinned_body_rests_and_is_driven() {
+    let problem = |more: &str| {
+        format!(
+            "
+bank: t
+title: t
+problems:
+  rod:
+    title: t
+    data: {{m: {{name: m, unit: kg, draw: always 3}}, L: {{name: L, unit: m, draw: always 0.8}}, M: {{name: M, unit: N m, draw: always 3}}}}
+    scene:
+      bodies: {{rod: {{mass: m, shape: {{rod: L}}, pinned: at its end, angle: from hanging}}}}
+      {more}
+    questions: {{x: {{quantity: rod.pin_y, ask: t, unit: N}}}}
+"
+        )
+    };
+    let solved = |more: &str, names: &[&str]| -> Vec<f64> {
+        let bank = load::scenes_only(&problem(more), "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+        let (scene, symbols) = scene(&bank, "rod");
+        let solved = agree::solve(scene, &data(&symbols, &[("m", 3.0), ("L", 0.8), ("M", 3.0)])).unwrap();
+        names.iter().map(|name| value(scene, &solved, name)).collect()
+    };
+    let forces = "forces: [couple: {on: rod, moment: M, sense: forward}]\n      start: {rod: {angle: 0 deg}}\n      end: equilibrium";
+    let said = solved(forces, &["phi", "omega_small", "rod.pin_y"]);
+    let phi = f64::asin(2.0 * 3.0 / (3.0 * 9.81 * 0.8));
+    near(said[0], phi, 1e-13);
+    near(said[1].powi(2), 3.0 * 9.81 * phi.cos() / (2.0 * 0.8), 1e-12);
+    near(said[2], 3.0 * 9.81, 1e-13);
+    let start = "forces: [couple: {on: rod, moment: M, sense: forward}]\n      start: {rod: {angle: 30 deg, spin: 2 rad/s, alpha: 1.5 rad/s^2}}\n      end: at once";
+    let said = solved(start, &["drive", "rod.pin_y"]);
+    let (s, c) = f64::to_radians(30.0).sin_cos();
+    near(said[0], 3.0 * 0.8 * 0.8 / 3.0 * 1.5 + 3.0 * 9.81 * 0.4 * s - 3.0, 1e-13);
+    near(said[1], 3.0 * (9.81 + 0.4 * (s * 1.5 + c * 4.0)), 1e-13);
+}

@@ -177,7 +177,7 @@ fn on_a_level_friction_decides_when_it_rolls_but_not_how_fast() {
     let s = throw("level", "forward", (0.3, 0.2), (2.0, -40.0), TO_ROLLING);
     near(&s, Quantity::V, 0.0);
     near(&s, Quantity::Omega, 0.0);
-    assert!(s.words.iter().any(|(l, w)| l.quantity == Quantity::Direction && w.text() == "stays"));
+    assert!(s.words.iter().any(|(l, w)| l.quantity == Quantity::Direction && w.as_str() == "stays"));
 }
 
 #[test]

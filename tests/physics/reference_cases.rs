@@ -221,8 +221,8 @@ fn every_case_of_the_wheel_scenes() {
         if let Some(v) = case["answers"].get("v_roll").filter(|v| !v.is_null()) {
             let down = number(v) > 0.0;
             let way = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1;
-            if way.text() != if down { "down" } else { "up" } {
-                bad.push(format!("{id} ({}): goes {}", case["tag"], way.text()));
+            if way.as_str() != if down { "down" } else { "up" } {
+                bad.push(format!("{id} ({}): goes {}", case["tag"], way.as_str()));
             }
         }
         for (theirs, ours, factor) in names(name) {
@@ -287,7 +287,7 @@ fn every_case_of_the_wheel_scenes() {
 }
 
 /// A body pinned at a fixed point, of the data m h k g phi0 phi1, or a rod of m L g phi0 phi1.
-fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
+fn pinned(inputs: &Value, from: Ray) -> (Scene, Vec<f64>) {
     let rod = inputs.get("L").is_some();
     let symbols: &[&str] =
         if rod { &["m", "L", "g", "phi0", "phi1"] } else { &["m", "h", "g", "phi0", "phi1", "k"] };
@@ -296,11 +296,10 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
     } else {
         RotaryInertia::Gyration(Num::Datum(5))
     };
-    let arm = if rod { Arm::HalfOf(Num::Datum(1)) } else { Arm::Distance(Num::Datum(1)) };
-    let pin = Pin { arm, from, start_deg: Num::Datum(3), spring: None };
-    let body = Body { pin: Some(pin), ..bare::turning(Num::Datum(0), inertia) };
+    let centre = if rod { Place::HalfOf(Num::Datum(1)) } else { Place::At(Num::Datum(1)) };
+    let planar = Planar::pinned(centre, from, Some(Num::Datum(3)));
     let end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4));
-    let scene = bare::scene(Num::Datum(2), vec![body], end);
+    let scene = bare::pinned(Num::Datum(2), bare::turning(Num::Datum(0), inertia), planar, end);
     (scene, symbols.iter().map(|s| number(&inputs[*s])).collect())
 }
 
@@ -328,8 +327,8 @@ fn every_case_of_the_pinned_scenes() {
     ];
     for case in cases["cases"].as_array().unwrap() {
         let (from, names) = match case["scene"].as_str().unwrap() {
-            "pinned-body-falls" => (Zero::Upright, falls),
-            "compound-pendulum" => (Zero::Hanging, swings),
+            "pinned-body-falls" => (Ray::Up, falls),
+            "compound-pendulum" => (Ray::Down, swings),
             _ => continue,
         };
         let id = case["id"].as_str().unwrap();

@@ -47,12 +47,12 @@ enum Kind {
 
 type Answers = Vec<(&'static str, F)>;
 
-fn truth(kind: Kind, from: Zero, v: &[F]) -> Option<Answers> {
+fn truth(kind: Kind, from: Ray, v: &[F]) -> Option<Answers> {
     let [m, h, k, g, phi0, phi1] = [0, 1, 2, 3, 4, 5].map(|i| v[i].clone());
     let two = big(2.0);
     // From hanging, growing in the same sense.
     let half = |phi: &F| {
-        let psi = if from == Zero::Upright { phi - big(180.0) } else { phi.clone() };
+        let psi = if from == Ray::Up { phi - big(180.0) } else { phi.clone() };
         (psi / &two).sin_cos_unit(360)
     };
     let ((s0, c0), (s1, c1)) = (half(&phi0), half(&phi1));
@@ -70,7 +70,7 @@ fn truth(kind: Kind, from: Zero, v: &[F]) -> Option<Answers> {
         let at = |s: &F, c: &F| {
             let (sine, cosine) = (&two * s * c, c * c - s * s);
             // From hanging a growing angle goes to +x; from upright the same sense there goes to -x.
-            let side = if from == Zero::Upright { -sine } else { sine };
+            let side = if from == Ray::Up { -sine } else { sine };
             let (dx, dy) = (&x - &b * &side, &y + &b * &cosine);
             let length = (&dx * &dx + &dy * &dy).sqrt();
             (dx, dy, length)
@@ -80,7 +80,7 @@ fn truth(kind: Kind, from: Zero, v: &[F]) -> Option<Answers> {
         let (x0, x1) = (&first - &l0, &last - &l0);
         gained += &ks * (&x0 * &x0 - &x1 * &x1) / &two;
         let force = &ks * &x1;
-        let mirror = if from == Zero::Upright { big(-1.0) } else { big(1.0) };
+        let mirror = if from == Ray::Up { big(-1.0) } else { big(1.0) };
         let (ex, ey) = (&mirror * &sine, -cosine.clone());
         let (tx, ty) = (&mirror * &cosine, sine.clone());
         let (fx, fy) = (&force * &dx / &last, &force * &dy / &last);
@@ -122,26 +122,27 @@ fn truth(kind: Kind, from: Zero, v: &[F]) -> Option<Answers> {
     Some(out)
 }
 
-fn scene(kind: Kind, from: Zero) -> Scene {
+fn scene(kind: Kind, from: Ray) -> Scene {
     let d = Num::Datum;
     let turn = Coordinate { body: 0, degree: Degree::Turn };
-    let spring = (kind == Kind::Sprung).then_some(PinSpring {
-        at_m: d(6),
-        x_m: d(7),
-        y_m: d(8),
-        stiffness_n_m: d(9),
-        rest: Rest::Length(d(10)),
-    });
-    let pin = Pin { arm: Arm::Distance(d(1)), from, start_deg: d(4), spring };
-    let body = Body { pin: Some(pin), ..bare::turning(d(0), RotaryInertia::Gyration(d(2))) };
-    let start = if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] };
-    Scene { start, ..bare::scene(d(3), vec![body], End::Angle(turn, d(5))) }
+    let planar = Planar::pinned(Place::At(d(1)), from, Some(d(4)));
+    let body = bare::turning(d(0), RotaryInertia::Gyration(d(2)));
+    let mut scene = bare::pinned(d(3), body, planar, End::Angle(turn, d(5)));
+    match kind {
+        Kind::Sprung => {
+            let law = (d(9), Rest::Length(d(10)));
+            scene.struts.extend(scene.bodies[0].spring(0, d(6), [d(7), d(8)], law));
+        }
+        Kind::Thrown => scene.start = vec![Start::Speed(turn, d(6))],
+        _ => {}
+    }
+    scene
 }
 
-fn draw(dice: &mut Dice, kind: Kind, from: Zero) -> Vec<f64> {
+fn draw(dice: &mut Dice, kind: Kind, from: Ray) -> Vec<f64> {
     let (m, h) = (dice.log(-30.0, 30.0), dice.log(-12.0, 12.0));
     let k = h * dice.log(-6.0, 6.0);
-    let top: f64 = if from == Zero::Upright { 0.0 } else { 180.0 };
+    let top: f64 = if from == Ray::Up { 0.0 } else { 180.0 };
     let bottom: f64 = 180.0 - top;
     let side = if dice.pick(2) == 0 { 1.0 } else { -1.0 };
     let phi0 = match dice.pick(4) {
@@ -152,7 +153,7 @@ fn draw(dice: &mut Dice, kind: Kind, from: Zero) -> Vec<f64> {
     let phi1 = match dice.pick(4) {
         0 => phi0 + (bottom - phi0) * dice.log(-12.0, 0.0),
         1 => bottom,
-        2 if from == Zero::Hanging => -phi0 * dice.unit(),
+        2 if from == Ray::Down => -phi0 * dice.unit(),
         _ => phi0 + (bottom - phi0) * dice.unit(),
     };
     let g = 9.81;
@@ -181,7 +182,7 @@ fn draw(dice: &mut Dice, kind: Kind, from: Zero) -> Vec<f64> {
 }
 
 /// `sum |d ln y / d ln x_i|` by differences of the formulas themselves, 2^-200 apart.
-fn conditions(kind: Kind, from: Zero, x: &[F], y: &Answers) -> Vec<f64> {
+fn conditions(kind: Kind, from: Ray, x: &[F], y: &Answers) -> Vec<f64> {
     let step = big(1.0) >> 200;
     let mut sums = vec![F::ZERO; y.len()];
     for i in (0..x.len()).filter(|i| x[*i] != F::ZERO) {
@@ -209,7 +210,7 @@ fn swings_of_any_size_meet_the_bar() {
     for (kind, scenes) in [(Kind::Free, 250), (Kind::Thrown, 250), (Kind::Sprung, 180)] {
         let (mut count, mut worst, mut reached) = (0, 0.0f64, 0);
         for i in 0..scenes {
-            let from = if i % 2 == 0 { Zero::Upright } else { Zero::Hanging };
+            let from = if i % 2 == 0 { Ray::Up } else { Ray::Down };
             let data = draw(&mut dice, kind, from);
             let scene = scene(kind, from);
             let solved = match solve(&scene, &data) {
@@ -268,7 +269,7 @@ fn enclosures_of_swings_hold_the_truth() {
     let (mut held, mut proved, scenes) = (0, 0, 4 * support::seeds(100) as usize);
     for i in 0..scenes {
         let kind = [Kind::Free, Kind::Thrown, Kind::Sprung][i % 3];
-        let from = if i % 2 == 0 { Zero::Upright } else { Zero::Hanging };
+        let from = if i % 2 == 0 { Ray::Up } else { Ray::Down };
         let mut data = draw(&mut dice, kind, from);
         // Sizes of homework: the radii of enclosures are absolute.
         let size = |x: f64| 10f64.powf(x.log10().rem_euclid(1.0));

@@ -444,7 +444,7 @@ fn thrown(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         let off = (got - entry.value()).abs() / entry.value().abs() / entry.cond.max(1.0);
         assert!(off < 1e-4, "{problem}: {quantity:?} {got} by small steps, {} in the key", entry.value());
     }
-    let direction = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1.text();
+    let direction = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1.as_str();
     assert_eq!(["up", "forward"].contains(&direction), v * up > 0.0, "{problem}: {direction}");
     11
 }
@@ -456,22 +456,27 @@ fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
     let (owner, pin) = scene.pinned().unwrap();
     let body = &scene.bodies[owner];
     let (m, inertia, g) = (w.mass(body), w.inertia(body), w.get(scene.gravity_m_s2));
-    let h = match pin.arm {
-        Arm::Distance(h) => w.get(h),
-        Arm::HalfOf(l) => w.get(l) / 2.0,
+    let h = match pin.centre {
+        Place::At(h) => w.get(h),
+        Place::HalfOf(l) => w.get(l) / 2.0,
     };
-    let up = if pin.from == Zero::Upright { 1.0 } else { -1.0 };
+    let up = if pin.from == Ray::Up { 1.0 } else { -1.0 };
+    // Its spring: where on the axis it acts, and the place of its anchor.
+    let spring = scene.struts.first().map(|s| {
+        let (Place::At(at), StrutEnd::Ground(anchor)) = (pin.points[s.at.point].1[0], s.to) else { panic!() };
+        (s, w.get(at), anchor.map(|x| w.get(x)))
+    });
     // The unit vector from the pin to the mass centre, and its derivative by the angle.
     let out = |angle: f64| (libm::sin(angle), up * libm::cos(angle));
     let along = |angle: f64| (libm::cos(angle), -up * libm::sin(angle));
     let couple: f64 =
         scene.couples.iter().map(|c| w.get(c.moment_n_m) * if c.forward { 1.0 } else { -1.0 }).sum();
-    let start = w.get(pin.start_deg).to_radians();
-    let natural = pin.spring.map(|s| match s.rest {
+    let start = w.get(pin.start_deg.unwrap()).to_radians();
+    let natural = spring.map(|(s, at, [x_m, y_m])| match s.rest {
         Rest::Length(l) => w.get(l),
         Rest::Stretch(x) => {
             let (ex, ey) = out(start);
-            libm::hypot(w.get(s.x_m) - w.get(s.at_m) * ex, w.get(s.y_m) - w.get(s.at_m) * ey) - w.get(x)
+            libm::hypot(x_m - at * ex, y_m - at * ey) - w.get(x)
         }
     });
     // Accelerations of x, y and the angle, the pin's force, and the spring's force.
@@ -479,11 +484,11 @@ fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         let (ex, ey) = out(q[2]);
         let (tx, ty) = along(q[2]);
         let (mut fx, mut fy, mut moment, mut pull) = (0.0, -m * g, couple, 0.0);
-        if let (Some(s), Some(natural)) = (pin.spring, natural) {
+        if let (Some((s, at, [x_m, y_m])), Some(natural)) = (spring, natural) {
             // From the mass centre to the point of the body, and from there to the anchor.
-            let reach = w.get(s.at_m) - h;
+            let reach = at - h;
             let (px, py) = (q[0] + reach * ex, q[1] + reach * ey);
-            let (ax, ay) = (w.get(s.x_m) - px, w.get(s.y_m) - py);
+            let (ax, ay) = (x_m - px, y_m - py);
             let length = libm::hypot(ax, ay);
             pull = w.get(s.stiffness_n_m) * (length - natural);
             let (sx, sy) = (pull * ax / length, pull * ay / length);
@@ -553,7 +558,7 @@ fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         ("rise", q[1] - h * out(start).1),
         ("kinetic_energy", 0.5 * (m * (v[0] * v[0] + v[1] * v[1]) + inertia * v[2] * v[2])),
     ];
-    if pin.spring.is_some() {
+    if spring.is_some() {
         seen.push(("spring_force", pull));
     }
     if scene.is_pendulum() {

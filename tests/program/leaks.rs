@@ -290,7 +290,7 @@ fn a_sheet_is_checked_by_its_neutral_scene_whatever_the_case() {
             for variant in variants(problem, 16).into_iter().filter(|v| cases.insert(v.case)) {
                 fs::write(&file, writer.text("s", std::slice::from_ref(&variant))).unwrap();
                 let of = |q: &slipstick::bank::Question| match variant.solved.word(q.label) {
-                    Some(word) => format!("1.{}={}", q.id, word.text()),
+                    Some(word) => format!("1.{}={}", q.id, word.as_str()),
                     None => {
                         let value = variant.solved.get(q.label).unwrap().value();
                         format!("1.{}={:e}", q.id, q.unit.from_si(value))
@@ -336,7 +336,7 @@ const GUESSED: f64 = 0.85;
 #[test]
 fn no_range_of_a_datum_tells_an_answer_in_words() {
     for Asked { bank, problem, question, drawn } in ASKED.iter() {
-        let word = |v: &Variant| v.solved.word(problem.questions[*question].label).unwrap().text();
+        let word = |v: &Variant| v.solved.word(problem.questions[*question].label).unwrap().as_str();
         let words: BTreeSet<&str> = drawn.iter().map(word).collect();
         // The tolerance of a part is printed too, and may follow how near to each other the terms of its answer are.
         for (i, q) in problem.questions.iter().enumerate().filter(|(_, q)| q.relative.fixed().is_none()) {
@@ -385,7 +385,7 @@ fn every_word_of_a_printed_list_is_right_often_enough() {
         let mut lists: BTreeMap<&[&str], BTreeMap<&str, u32>> = BTreeMap::new();
         for v in drawn {
             let list = make_key::offered(problem, label.quantity, &problem.cases[v.case].scene);
-            *lists.entry(list).or_default().entry(v.solved.word(label).unwrap().text()).or_default() += 1;
+            *lists.entry(list).or_default().entry(v.solved.word(label).unwrap().as_str()).or_default() += 1;
         }
         for (list, right) in lists {
             let printed: u32 = right.values().sum();
@@ -456,7 +456,7 @@ fn a_contact_left_open_rolls_or_slips_and_never_both() {
             v.solved.get(q.label).unwrap().value()
         };
         assert_eq!(
-            v.solved.word(problem.questions[0].label).unwrap().text(),
+            v.solved.word(problem.questions[0].label).unwrap().as_str(),
             if rolls { "yes" } else { "no" }
         );
         assert!((entry("friction") - friction).abs() <= 1e-9 * needed, "{} {friction}", entry("friction"));

@@ -63,7 +63,7 @@ impl SceneReader<'_> {
         let body = self.need_body(&mut fields, "of", bodies);
         let by = fields.need("by", "h");
         let (body, by) = (body?, by?);
-        if bodies[body].planar.is_some() {
+        if bodies[body].planar.is_some() && !bodies[body].is_pinned() {
             let hint = in_plane(&bodies[body]);
             return self.faults.refuse_with(
                 value,
@@ -204,10 +204,10 @@ impl SceneReader<'_> {
         if word == "turn" && !bodies[body].turns {
             return f.refuse(value, told!("`{}` does not turn", bodies[body].name));
         }
-        let pinned = bodies[body].pin.is_some() || bodies[body].planar.is_some();
+        let pinned = bodies[body].planar.is_some();
         let name = &bodies[body].name;
         if pinned && ["travel", "turn", "position"].contains(&word) {
-            let held = if bodies[body].planar.is_some() { "moves in the plane" } else { "is pinned" };
+            let held = if bodies[body].is_pinned() { "is pinned" } else { "moves in the plane" };
             f.hint(key, told!("`{name}` {held}: it ends at an angle"), in_plane(&bodies[body]));
         }
         if !pinned && word == "angle" {

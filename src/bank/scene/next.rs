@@ -4,7 +4,7 @@ use crate::bank::scene::SceneReader;
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Pin, Quantity, Rest, Scene,
+    Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Quantity, Rest, Scene,
     SpringTie, Start, Taken, Tie,
 };
 use std::borrow::Cow;
@@ -109,9 +109,7 @@ impl SceneReader<'_> {
 /// Why a motion does not follow another one, and what would be right; `None` if it does.
 fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
     let since_start = |rest: &Rest| matches!(rest, Rest::Stretch(_));
-    let pin_spring = next.pinned().and_then(|(_, Pin { spring, .. })| spring.as_ref());
-    let stretched =
-        pin_spring.is_some_and(|s| since_start(&s.rest)) || next.struts.iter().any(|s| since_start(&s.rest));
+    let stretched = next.struts.iter().any(|s| since_start(&s.rest));
     let contact = |s: &Scene| s.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { .. }));
     let placed = next.bodies.iter().filter_map(|b| b.planar.as_ref()).any(|p| p.origin_m.is_some());
     let driven = next.bodies.iter().filter_map(|b| b.planar.as_ref()).any(|p| p.driven.is_some());
@@ -152,7 +150,7 @@ fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
 
 /// Puts the state at the end of the first motion for that at the start of the next.
 fn take_over(first: &Scene, next: &mut Scene, data: usize) {
-    let lead = first.lead().or(first.pinned().map(|(body, _)| body));
+    let lead = first.lead();
     let ends = match lead {
         Some(body) => Coordinate { body, degree: Degree::Turn },
         None => first.ending_coordinate(),
@@ -169,20 +167,13 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
     }
     if let Some(body) = lead {
         let turned = hand.take(Label { quantity: Quantity::Phi, of }, true);
-        let start = |s: &Scene| match (&s.bodies[body].pin, &s.bodies[body].planar) {
-            (Some(pin), _) => Some(pin.start_deg),
-            (None, planar) => planar.as_ref().and_then(|p| p.start_deg),
-        };
-        let mut steps = start(first).map_or_else(Vec::new, |angle| Handover::steps(first, angle, true));
+        let start = first.planar(body).and_then(|planar| planar.start_deg);
+        let mut steps = start.map_or_else(Vec::new, |angle| Handover::steps(first, angle, true));
         steps.extend([turned, Step::Add]);
         let angle = hand.number(steps, true, "its angle");
         // Those of the others follow from the joints.
         hand.next.bodies.iter_mut().filter_map(|b| b.planar.as_mut()).for_each(|p| p.start_deg = None);
-        let body = &mut hand.next.bodies[body];
-        if let Some(pin) = &mut body.pin {
-            pin.start_deg = angle;
-        }
-        if let Some(planar) = &mut body.planar {
+        if let Some(planar) = &mut hand.next.bodies[body].planar {
             planar.start_deg = Some(angle);
         }
     }

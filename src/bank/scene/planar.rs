@@ -4,8 +4,8 @@ use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::told;
 use crate::scene::{
-    Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, RotaryInertia, Shape, Spot,
-    Strut, StrutEnd, Surface,
+    Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Strut, StrutEnd,
+    Surface, on_axis,
 };
 use crate::units::spell;
 
@@ -49,35 +49,15 @@ const ANGLES: [(&str, (Ray, bool)); 20] = [
 impl SceneReader<'_> {
     /// How a body lies in the plane; the start gives its angle.
     pub(super) fn planar(&self, fields: &mut Fields, body: &Body, level: bool) -> Planar {
-        let f = self.faults;
-        let rod = match body.inertia {
-            Some(RotaryInertia::Shape(Shape::Rod, length)) => Some(length),
-            _ => None,
-        };
-        let mut points = Vec::new();
-        match fields.get("points") {
-            Some(node) => {
-                for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
-                    if !plain_name(name) {
-                        let message = told!("`{}` is no name for a point", shorten(name));
-                        f.hint(key, message, "letters, digits and `_`, beginning with a letter");
-                    }
-                    let place = match &value.value {
-                        Value::List(both) if both.len() == 2 => {
-                            self.along(&both[0], rod).zip(self.along(&both[1], rod)).map(|(x, y)| [x, y])
-                        }
-                        _ => self.along(value, rod).map(on_axis),
-                    };
-                    points.extend(place.map(|place| (name.to_owned(), place)));
-                }
-            }
+        let (f, rod) = (self.faults, body.rod());
+        let points = match fields.get("points") {
+            Some(node) => self.points(node, rod),
             None => {
-                points.push(("A".to_owned(), on_axis(Place::At(Num::Fixed(0.0)))));
-                if let Some(length) = rod {
-                    points.push(("B".to_owned(), on_axis(Place::At(length))));
-                }
+                let ends = [("A", Some(Num::Fixed(0.0))), ("B", rod)];
+                let end = |(name, at): (&str, Option<Num>)| Some((name.to_owned(), on_axis(Place::At(at?))));
+                ends.into_iter().filter_map(end).collect()
             }
-        }
+        };
         let given = fields.get("mass centre").and_then(|n| match n.value {
             Value::List(_) => f.refuse_with(
                 n,
@@ -92,7 +72,37 @@ impl SceneReader<'_> {
         let origin_m = fields.get("placed").and_then(|n| self.place(n)).map(|(x, y)| [x, y]);
         let words = [("ahead", Branch::Ahead), ("behind", Branch::Behind)];
         let side = fields.get("side").and_then(|n| self.word(n, "on which side it lies", &words));
-        Planar { points, centre, from, clockwise, start_deg: None, driven: None, origin_m, level, side }
+        Planar {
+            points,
+            centre,
+            from,
+            clockwise,
+            start_deg: None,
+            driven: None,
+            origin_m,
+            level,
+            side,
+            pinned: false,
+        }
+    }
+
+    /// The named points of a body.
+    pub(super) fn points(&self, node: &Node, rod: Option<Num>) -> Vec<(String, [Place; 2])> {
+        let (f, mut points) = (self.faults, Vec::new());
+        for (name, key, value) in named(node, "points by name, such as `{A: 0 m, B: L}`", f) {
+            if !plain_name(name) {
+                let message = told!("`{}` is no name for a point", shorten(name));
+                f.hint(key, message, "letters, digits and `_`, beginning with a letter");
+            }
+            let place = match &value.value {
+                Value::List(both) if both.len() == 2 => {
+                    self.along(&both[0], rod).zip(self.along(&both[1], rod)).map(|(x, y)| [x, y])
+                }
+                _ => self.along(value, rod).map(on_axis),
+            };
+            points.extend(place.map(|place| (name.to_owned(), place)));
+        }
+        points
     }
 
     /// A distance along the axis of a body: a length, or a place of a rod in words.
@@ -393,11 +403,6 @@ impl SceneReader<'_> {
             ),
         }
     }
-}
-
-/// A point of the axis.
-const fn on_axis(along: Place) -> [Place; 2] {
-    [along, Place::At(Num::Fixed(0.0))]
 }
 
 /// The name that is given; else the first is called as its kind, the next ones are numbered.

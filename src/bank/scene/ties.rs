@@ -224,7 +224,7 @@ impl SceneReader<'_> {
         let rim = |node: &Node| {
             let (index, body, radius) = wheel_of(node, bodies)?;
             let (_, radius) = body.radii_m.iter().find(|(n, _)| n == radius)?;
-            (body.line.is_none() && body.turns && body.pin.is_none()).then_some((index, *radius))
+            (body.line.is_none() && body.turns && body.planar.is_none()).then_some((index, *radius))
         };
         let rim = |node: &Node| {
             let hint = "a body about a fixed axle and one of its radii, such as `gear.rim`";
@@ -273,7 +273,7 @@ impl SceneReader<'_> {
                 (Some(own), _) => own.slope == line.slope,
                 (None, attach) => attach != Attach::Centre,
             };
-            let wheels = wheel.turns && wheel.pin.is_none() && wheel.planar.is_none() && beside;
+            let wheels = wheel.turns && wheel.planar.is_none() && beside;
             // What moves the load forward moves the wheel forward.
             let same = wheel.line.is_none_or(|l| l.forward_up) == line.forward_up;
             wheels.then(|| CordEnd::new(index, attach, !same))
@@ -399,7 +399,7 @@ impl SceneReader<'_> {
         let sideways = |n: &Node| {
             n.text().is_some_and(|t| t.trim().ends_with(" forward") || t.trim().ends_with(" back"))
         };
-        let level = body.line.is_none() && body.pin.is_none() && leaves.is_some_and(sideways);
+        let level = body.line.is_none() && !body.is_pinned() && leaves.is_some_and(sideways);
         if WHOLE && let (Some(n), false) = (tilted, level || body.line.is_some_and(|l| l.surface)) {
             f.hint(
                 n,
@@ -410,7 +410,7 @@ impl SceneReader<'_> {
         if !body.particles.is_empty() {
             return f.refuse(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
         }
-        if body.pin.is_some() {
+        if body.is_pinned() {
             return f.refuse_with(
                 node,
                 told!("no cord is tied to the pinned body `{}`", body.name),

@@ -177,8 +177,7 @@ pub fn road<T: Real>(
     asked: Scope,
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
-    let plane = scene.in_the_plane();
-    let mut account = Account::new(&plane, n)?;
+    let mut account = Account::new(scene, n)?;
     account.pinned = scene.pinned().is_some();
     account.points = points;
     if points.is_some() && !account.pinned {

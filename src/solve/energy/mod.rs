@@ -71,7 +71,7 @@ fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>,
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
-    if scene.lead().is_some() || scene.pinned().is_some() {
+    if scene.lead().is_some() {
         return Ok(joined::road(scene, &n, asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
@@ -130,7 +130,7 @@ fn alone_by<T: Real>(
     points: Option<usize>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() || scene.pinned().is_some() {
+    if scene.lead().is_some() {
         return joined::road(scene, &n, Scope::ALL, points);
     }
     if matches!(scene.end, End::AtOnce) {

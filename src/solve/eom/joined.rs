@@ -180,11 +180,10 @@ pub fn road_by<T: Real>(
     asked: Scope,
     by: Option<Steps>,
 ) -> Result<(Road<T>, Count), Refusal> {
-    let plane = scene.in_the_plane();
-    let mechanism = Mechanism::new(&plane, n)?;
+    let mechanism = Mechanism::new(scene, n)?;
     let (count, road) = (Count::default(), Road::new(asked));
     let pinned = scene.pinned().map(|(body, _)| body);
-    let mut teller = Teller { scene: &plane, n, mechanism: &mechanism, asked, by, pinned, count, road };
+    let mut teller = Teller { scene, n, mechanism: &mechanism, asked, by, pinned, count, road };
     follow(&mut teller)?;
     Ok((teller.road, teller.count))
 }

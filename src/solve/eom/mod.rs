@@ -73,7 +73,7 @@ pub fn roads(scene: &Scene, sets: &[Set], asked: Scope) -> Vec<Option<Told>> {
 /// So many sets of data are walked together at less cost than one by one, if any are.
 #[cfg(feature = "program")]
 fn least_together(scene: &Scene) -> Option<usize> {
-    let placed = scene.lead().is_some() || scene.pinned().is_some();
+    let placed = scene.lead().is_some();
     let joined = is_given(scene) && placed && !scene.is_still();
     if side_by_side(scene) { Some(2) } else { joined.then_some(4) }
 }
@@ -98,7 +98,7 @@ fn together(
 
 /// Is it walked for several sets of data at once? A motion on lines and axles, with all data given and nothing asked by formulas.
 pub fn side_by_side(scene: &Scene) -> bool {
-    let placed = scene.lead().is_some() || scene.pinned().is_some() || scene.thrown().is_some();
+    let placed = scene.lead().is_some() || scene.thrown().is_some();
     cfg!(feature = "program") && is_given(scene) && !placed && !matches!(scene.end, End::AtOnce)
 }
 
@@ -124,7 +124,7 @@ fn another<T: Real>(scene: &Scene, data: &[f64], taken: &[T]) -> Result<Road<T>,
 
 /// Everything that it finds, by the kind of the scene.
 fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
-    if scene.lead().is_some() || scene.pinned().is_some() {
+    if scene.lead().is_some() {
         return Ok(joined::road_by(scene, &n, asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
@@ -188,10 +188,10 @@ fn alone_by<T: Real>(
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
-    if scene.lead().is_some() || scene.pinned().is_some() {
+    if scene.lead().is_some() {
         // Its formula wants accelerations that do not hang on the speed.
         return match rung.method() {
-            Method::Verlet if scene.lead().is_some() => Err(Refusal::NoMethod { method: Method::Verlet }),
+            Method::Verlet if scene.pinned().is_none() => Err(Refusal::NoMethod { method: Method::Verlet }),
             _ => joined::road_by(scene, &n, Scope::ALL, Some((rung, asked))),
         };
     }
