@@ -254,7 +254,9 @@ impl PlaneLayout {
         let mut circles: Vec<(Vec2, f64)> = view.scene.joints.iter().filter_map(touching).collect();
         let centre = self.centre(view, laid, body);
         match (&this.inertia, round(view, body, planar)) {
-            (Some(RotaryInertia::Shape(..)), round) if !planar.pinned || round.is_none() => circles.extend(round.map(|r| (centre, r))),
+            (Some(RotaryInertia::Shape(..)), round) if !planar.pinned || round.is_none() => {
+                circles.extend(round.map(|r| (centre, r)))
+            }
             (_, Some(round)) if circles.is_empty() => {
                 let round = (round * self.scale).max(END);
                 parts::round_link(board, (centre, round), &[from, to], role);

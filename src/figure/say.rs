@@ -5,8 +5,8 @@ use crate::figure::view::SceneView;
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::scene::{
-    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Place, Planar, Ray,
-    Rest, RotaryInertia, Shape, Side, Slope, Start, Tie,
+    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Place, RotaryInertia,
+    Shape, Side, Slope, Start, Tie,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -49,7 +49,7 @@ pub fn named(view: &SceneView, body: &Body) -> String {
     if let Some(planar) = &body.planar {
         let places = planar.points.iter().flat_map(|(_, place)| *place).chain([planar.centre]);
         let mut told = vec![body.rod()];
-        for (Place::At(n) | Place::HalfOf(n)) in places {
+        for Place::At(n) | Place::HalfOf(n) in places {
             if !told.contains(&Some(n)) {
                 told.push(Some(n));
                 tell(n, "m");
