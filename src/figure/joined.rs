@@ -259,12 +259,7 @@ impl PlaneLayout {
             }
             (_, Some(round)) if circles.is_empty() => {
                 let round = (round * self.scale).max(END);
-                parts::round_link(board, (centre, round), &[from, to], role);
-                // The line whose angle is told, over what is round about it.
-                if role == Role::Body && view.scene.lead() == Some(body) {
-                    board.line(origin, centre, Role::Ghost);
-                }
-                return;
+                return parts::round_link(board, (centre, round), &[from, to], role);
             }
             _ => {}
         }
@@ -751,6 +746,10 @@ fn angles(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
             continue;
         }
         let corner = axis.map_or(laid[lead].origin, |(_, axis)| axis);
+        // The line whose angle is told, over what is round about it.
+        if planar.pinned && round(view, lead, planar).is_some() {
+            board.line(corner, plane.centre(view, laid, lead), Role::Ghost);
+        }
         if let Some((at, axis)) = axis {
             board.line(axis, plane.spot(view, laid, at), Role::Ghost);
         }
@@ -844,12 +843,14 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
         far.map(|c| c.dot(&way) * plane.scale).fold(0.0, f64::max)
     };
     let centre = ("G".to_owned(), [planar.centre, Place::At(Num::Fixed(0.0))]);
-    for (name, place) in planar.points.iter().chain([&centre]) {
+    // Where no length of the body stands on the free side, the distance of its mass centre does.
+    let sides = planar.points.iter().map(|point| (point, -out));
+    for ((name, place), side) in sides.chain([(&centre, if this.rod().is_some() { -out } else { out })]) {
         let foot = origin + axis * (along(view, place[0]) * plane.scale);
         let point = foot + axis.left() * (along(view, place[1]) * plane.scale);
-        let clear = -out * reach(-out);
+        let clear = side * reach(side);
         for (n, from, to, aside) in
-            [(place[0], origin + clear, foot + clear, -out), (place[1], foot, point, axis)]
+            [(place[0], origin + clear, foot + clear, side), (place[1], foot, point, axis)]
         {
             if let (Place::At(n @ Num::Datum(_)), true) = (n, this.turns)
                 && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == n)
