@@ -223,6 +223,19 @@ impl Templates {
         }
     }
 
+    /// Templates of XML, which the program alone writes: name, text. Errors: one cannot be read.
+    pub fn of_xml(texts: &[(String, String)]) -> Result<Self, Findings> {
+        const END: &str = ".xml";
+        let mut engine = engine();
+        engine.autoescape_on([END]);
+        engine.set_escape_fn(escape_html);
+        for (name, text) in texts {
+            engine.add_raw_template(name, text).map_err(|e| finding(&e).in_file(name))?;
+        }
+        let (files, within, metered) = Default::default();
+        Ok(Self { engines: vec![(END, engine)], files, within, metered })
+    }
+
     /// The engine of a name; that of Markdown for names without an ending, which stand in a bank.
     fn engine(&self, name: &str) -> &Tera {
         let found = self.engines.iter().find(|(end, _)| name.ends_with(end));

@@ -255,6 +255,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "sheet::document",
             "set",
             "words",
+            "template",
             "finding",
         ],
     ),
