@@ -84,7 +84,7 @@ pub fn templates() -> Result<Templates, Findings> {
     let own = own.map(|(name, template)| (name.to_owned(), template.to_owned()));
     let all =
         own.into_iter().chain(version("qti21", str::to_owned)).chain(version("qti3", qti::in_version_3));
-    Templates::of_xml(&all.collect::<Vec<_>>())
+    Templates::of_program(&all.collect::<Vec<_>>())
 }
 
 /// A part, as the templates see it.

@@ -65,6 +65,7 @@ pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
         body_rules(body, slips, tell);
     }
     scene.ties.iter().for_each(|tie| tie_rules(tie, tell));
+    scene.formulas.below.iter().for_each(|(own, other)| tell(*own, Rule::NotAbove(*other)));
     scene.couples.iter().for_each(|c| tell(c.moment_n_m, NotNegative));
     joint_rules(scene, tell);
     scene.growths.iter().for_each(|g| tell(g.rate, NotNegative));
