@@ -296,6 +296,7 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "csv_field",
             "problem",
+            "policy",
             "bank",
             "scene",
             "sheet",
@@ -344,7 +345,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_layout", &["sheet::pdf"]),
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
-    ("jiff", &["policy", "simulate"]),
+    ("jiff", &["policy"]),
     ("strsim", &["units"]),
 ];
 
