@@ -194,6 +194,8 @@ const DOORS: &[(&str, &[&str])] = &[
             "misconception::catalogue",
             "sheet::terminal",
             "words",
+            "template",
+            "finding",
         ],
     ),
     (

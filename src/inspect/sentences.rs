@@ -608,4 +608,16 @@ mod tests {
         assert!(moves(3.0, 0.0).contains("nothing resists"));
         assert!(moves(3.0, 2.0).contains("the driving force is 1.5000 times the resistance"));
     }
+
+    /// A name that is put together is found out only where it is said.
+    #[test]
+    fn what_is_not_solved_has_its_sentence() {
+        let (_, all) =
+            include_str!("../solve/outcome.rs").split_once("pub enum Unsupported {").expect("it is there");
+        let (all, _) = all.split_once("\n}").expect("it ends");
+        let names = all.lines().map(str::trim).filter(|line| !line.starts_with("//") && !line.is_empty());
+        for name in names.map(|line| line.trim_end_matches(',')) {
+            assert!(!say(&format!("unsupported.{name}"), &[]).is_empty(), "{name}");
+        }
+    }
 }
