@@ -223,6 +223,18 @@ impl Templates {
         }
     }
 
+    /// Templates that the program alone writes: name, text. In those of XML texts are escaped. Errors: one cannot be read.
+    pub fn of_program(texts: &[(String, String)]) -> Result<Self, Findings> {
+        let mut engine = engine();
+        engine.autoescape_on([".xml"]);
+        engine.set_escape_fn(escape_html);
+        for (name, text) in texts {
+            engine.add_raw_template(name, text).map_err(|e| finding(&e).in_file(name))?;
+        }
+        let (files, within, metered) = Default::default();
+        Ok(Self { engines: vec![("", engine)], files, within, metered })
+    }
+
     /// The engine of a name; that of Markdown for names without an ending, which stand in a bank.
     fn engine(&self, name: &str) -> &Tera {
         let found = self.engines.iter().find(|(end, _)| name.ends_with(end));

@@ -194,6 +194,8 @@ const DOORS: &[(&str, &[&str])] = &[
             "misconception::catalogue",
             "sheet::terminal",
             "words",
+            "template",
+            "finding",
         ],
     ),
     (
@@ -255,6 +257,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "sheet::document",
             "set",
             "words",
+            "template",
             "finding",
         ],
     ),
@@ -295,6 +298,7 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "csv_field",
             "problem",
+            "policy",
             "bank",
             "scene",
             "sheet",
@@ -343,7 +347,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_layout", &["sheet::pdf"]),
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
-    ("jiff", &["policy", "simulate"]),
+    ("jiff", &["policy"]),
     ("strsim", &["units"]),
 ];
 

@@ -1,7 +1,7 @@
 //! The settings that bear on marks, as `grading:` in a bank or as a course file over it: text to [`Policy`].
 use crate::bank::decimal::Decimal;
 use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
-use crate::bank::yaml;
+use crate::bank::{measure, yaml};
 use crate::finding::Findings;
 use crate::policy::{
     Correction, Counts, DAY, For, HOUR, Hints, MINUTE, Per, Policy, PolicyPart, Rounding, RoundingWay,
@@ -226,39 +226,40 @@ fn moment(node: &Node, (zone, day_first): &Dates, faults: &Faults) -> Option<i64
 }
 
 fn duration(node: &Node, faults: &Faults) -> Option<i64> {
-    let text = node.text().unwrap_or("").trim();
-    let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
-    let (number, unit) = text.split_at(split);
+    let found = span(node.text().unwrap_or(""));
+    found.or_else(|| faults.expected(node, "a time span", "for example `10 min` or `2 h`"))
+}
+
+/// `10 min`, `2 h`, `3 days`, or 0, in microseconds.
+pub fn span(text: &str) -> Option<i64> {
+    let text = text.trim();
+    let (number, unit) = text.split_at(text.find(char::is_alphabetic).unwrap_or(text.len()));
     let unit = match unit.trim() {
-        "min" | "minute" | "minutes" => Some(MINUTE),
-        "h" | "hour" | "hours" => Some(HOUR),
-        "d" | "day" | "days" => Some(DAY),
-        _ => None,
+        "min" | "minute" | "minutes" => MINUTE,
+        "h" | "hour" | "hours" => HOUR,
+        "d" | "day" | "days" => DAY,
+        _ => return (text == "0").then_some(0),
     };
-    let found = number.trim().parse::<i64>().ok().filter(|n| (0..=100_000).contains(n)).zip(unit);
-    match found {
-        Some((n, unit)) => Some(n * unit),
-        None if text == "0" => Some(0),
-        None => faults.expected(node, "a time span", "for example `10 min` or `2 h`"),
-    }
+    number.trim().parse::<i64>().ok().filter(|n| (0..=100_000).contains(n)).map(|n| n * unit)
 }
 
 fn number(node: &Node) -> Option<f64> {
     Decimal::parse(node.text()?.trim()).map(|d| d.f64())
 }
 
-/// `25 %` or `0.25`: 0 to 1.
+/// `25 %` or `0.25` of the points.
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
+    share_of(node, "a share of the points", faults)
+}
+
+/// `25 %` or `0.25` of something: 0 to 1.
+pub fn share_of(node: &Node, what: &str, faults: &Faults) -> Option<f64> {
     let found = Decimal::share(node.text().unwrap_or("")).ok().filter(|x| (0.0..=1.0).contains(x));
-    found.or_else(|| faults.expected(node, "a share of the points", "from `0 %` to `100 %`"))
+    found.or_else(|| faults.expected(node, what, "from `0 %` to `100 %`"))
 }
 
 fn points(node: &Node, faults: &Faults) -> Option<f64> {
-    let found = number(node).filter(|x| (0.0..=MOST_POINTS).contains(x));
-    if found.is_none() {
-        faults.at(node, format!("expected points from 0 to {MOST_POINTS}, found {}", node.kind()));
-    }
-    found
+    measure::limit(node, ("points", 0.0, MOST_POINTS), faults)
 }
 
 #[cfg(test)]

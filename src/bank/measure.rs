@@ -2,7 +2,7 @@
 use crate::bank::Datum;
 use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Name};
-use crate::bank::node::shorten;
+use crate::bank::node::{Faults, Node, shorten};
 use crate::finding::told;
 use crate::scene::{Label, Owner, Scene};
 use crate::units::{Unit, parse_quantity};
@@ -114,4 +114,22 @@ pub fn si(powers: [i32; 3]) -> String {
     let short = ["N", "J", "W", "N/m", "m/s", "m/s^2", "Pa"];
     let found = short.into_iter().find(|unit| own_powers(unit) == quarters);
     found.map_or_else(|| powers_text(quarters), str::to_owned)
+}
+
+/// That something else was expected, or that there are too many digits.
+pub fn expected(what: &str, node: &Node, fault: Option<&String>) -> String {
+    match fault.filter(|why| why.contains("too many digits")) {
+        Some(why) => told!("expected {what}: {why}"),
+        None => told!("expected {what}, found {}", node.kind()),
+    }
+}
+
+/// A plain number from so much to so much.
+pub fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
+    let written = Decimal::read(node.text().unwrap_or("").trim());
+    let fine = written.as_ref().ok().map(|d| d.f64()).filter(|x| (least..=most).contains(x));
+    if fine.is_none() {
+        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written.as_ref().err()));
+    }
+    fine
 }

@@ -14,17 +14,22 @@ pub struct Need {
     pub example: &'static str,
 }
 
-/// Admissible values: whether one is among them, and the rule in words.
-type Range = (fn(f64) -> bool, &'static str);
+/// Admissible values: whether one is among them, the rule in words, and what is to be written instead.
+type Range = (fn(f64) -> bool, &'static str, &'static str);
 
-const ANY: Range = (f64::is_finite, "finite");
-const NOT_NEGATIVE: Range = (|x| x.is_finite() && x >= 0.0, "not negative");
-const SENSED: Range = (NOT_NEGATIVE.0, "not negative: `sense: back` turns the other way");
-const DIRECTED: Range = (NOT_NEGATIVE.0, "not negative: its direction says whither it acts");
-const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0");
-const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees");
-const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees");
-const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees");
+/// What a couple is written with that turns the other way.
+pub const TURNS_BACK: &str = ": `sense: back` turns the other way";
+/// What a force is written with that acts the other way.
+pub const ACTS_WHITHER: &str = ": its direction says whither it acts";
+
+const ANY: Range = (f64::is_finite, "finite", "");
+const NOT_NEGATIVE: Range = (|x| x.is_finite() && x >= 0.0, "not negative", "");
+const SENSED: Range = (NOT_NEGATIVE.0, NOT_NEGATIVE.1, TURNS_BACK);
+const DIRECTED: Range = (NOT_NEGATIVE.0, NOT_NEGATIVE.1, ACTS_WHITHER);
+const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0", "");
+const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees", "");
+const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees", "");
+const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees", "");
 
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
     Need { words, unit, range, example }
@@ -76,7 +81,7 @@ impl Need {
     }
     /// Does a value fit this use? Errors: the rule that it breaks, in words.
     pub fn admits(self, value: f64) -> Result<(), String> {
-        let (admits, rule) = self.range;
-        if admits(value) { Ok(()) } else { Err(told!("{} is {rule}", self.words)) }
+        let (admits, rule, instead) = self.range;
+        if admits(value) { Ok(()) } else { Err(told!("{} is {rule}{instead}", self.words)) }
     }
 }

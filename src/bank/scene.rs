@@ -235,6 +235,7 @@ impl SceneReader<'_> {
         {
             planar.start_deg.get_or_insert(Num::Fixed(0.0));
         }
+        let below = self.below(&ties);
         let mut scene = Scene {
             gravity_m_s2: Num::Datum(gravity),
             bodies,
@@ -249,7 +250,7 @@ impl SceneReader<'_> {
             end,
             heading,
             span: Span::default(),
-            formulas: Formulas { numbers: self.derived.take(), stays, ..Formulas::default() },
+            formulas: Formulas { numbers: self.derived.take(), stays, below, ..Formulas::default() },
         };
         scene.still_turns();
         if let Some(n) = next_node {
@@ -257,6 +258,15 @@ impl SceneReader<'_> {
             scene.formulas.others.push((AsIf::Next, next));
         }
         Some(scene)
+    }
+
+    /// Kinetic and static coefficients of contacts that may roll or slip, and roll here: their tie has no kinetic one.
+    fn below(&self, ties: &[Tie]) -> Vec<(Num, Num)> {
+        let rolls = |(tie, mu_k): &(usize, Num)| match ties.get(*tie) {
+            Some(Tie::Roll { mu_s: Some(mu_s), .. }) => Some((*mu_k, *mu_s)),
+            _ => None,
+        };
+        self.touches.borrow().iter().filter(|_| WHOLE).filter_map(rolls).collect()
     }
 
     /// Mass or weight of a body or of a part, if one of them is given.

@@ -65,8 +65,8 @@ struct BankWide {
 impl BankWide {
     /// The same with what a bank or a problem says otherwise.
     fn with(&self, fields: &mut Fields) -> Self {
-        let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
-        let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
+        let cond_limit = fields.read("cond limit", |n, f| measure::limit(n, COND_LIMITS, f));
+        let energy_limit = fields.read("input energy limit", |n, f| measure::limit(n, ENERGY_LIMITS, f));
         let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
         Self {
             gravity: self.gravity.clone(),
@@ -194,17 +194,9 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
     let read = Decimal::share(node.text().unwrap_or(""));
     if let Err(why) = &read {
-        faults.hint(node, expected("a share", node, Some(why)), "write `5 %` or `0.05`");
+        faults.hint(node, measure::expected("a share", node, Some(why)), "write `5 %` or `0.05`");
     }
     read.ok()
-}
-
-/// That something else was expected, or that there are too many digits.
-fn expected(what: &str, node: &Node, fault: Option<&String>) -> String {
-    match fault.filter(|why| why.contains("too many digits")) {
-        Some(why) => told!("expected {what}: {why}"),
-        None => told!("expected {what}, found {}", node.kind()),
-    }
 }
 
 /// Limits of condition numbers: what they are, and from where to where.
@@ -213,16 +205,6 @@ const COND_LIMITS: (&str, f64, f64) = ("a condition number", 1.0, 1000.0);
 const POINTS: (&str, f64, f64) = ("points", 0.0, 1000.0);
 /// Limits of input energies.
 const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0, 1000.0);
-
-/// A plain number, greatest value of something.
-fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
-    let written = Decimal::read(node.text().unwrap_or("").trim());
-    let fine = written.as_ref().ok().map(|d| d.f64()).filter(|x| (least..=most).contains(x));
-    if fine.is_none() {
-        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written.as_ref().err()));
-    }
-    fine
-}
 
 /// `1 %`, `widens with cond`, or `{least: 1 %, per cond: 0.3 %, most: 5 %}`.
 fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
@@ -879,7 +861,7 @@ fn question(
     fields.each(["value", "if", "motion"]);
     let [unit_node, tolerance_node, cond_node] = fields.each(["unit", "tolerance", "cond limit"]);
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
-    let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
+    let points = fields.get("points").map_or(Some(1.0), |n| measure::limit(n, POINTS, faults));
     let figures = fields
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
@@ -907,7 +889,7 @@ fn question(
     let unit = if is_word { Unit::one() } else { asked_unit(&name, unit_node, label.quantity, faults)? };
     let (relative, absolute) = tolerance_node.map_or((None, None), |n| tolerance(n, Some(&unit), faults));
     let relative = relative.unwrap_or(common.relative);
-    let cond_limit = cond_node.and_then(|n| limit(n, COND_LIMITS, faults)).or(common.cond_limit);
+    let cond_limit = cond_node.and_then(|n| measure::limit(n, COND_LIMITS, faults)).or(common.cond_limit);
     // A tolerance that widens serves as far as it does.
     let cond_limit = cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT);
     Some(Question {

@@ -13,148 +13,80 @@ use crate::sheet::texts::Texts;
 use crate::solution::draft::Detail;
 use crate::solve::method::Method;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use std::path::PathBuf;
 
 /// Homework in rigid-body dynamics: draws a problem set for each student, solves every variant twice, grades what comes
 /// back.
 #[derive(Debug, Parser)]
-#[command(
-    name = "slipstick",
-    version,
-    max_term_width = 100,
-    disable_help_subcommand = true,
-    after_help = at_the_end()
-)]
+#[command(name = "slipstick", version, max_term_width = 100, disable_help_subcommand = true)]
 pub struct Typed {
     /// What to do.
     #[command(subcommand)]
     pub verb: Verb,
 }
 
-/// What the help of the program ends with.
-fn at_the_end() -> String {
-    let topics = TOPICS.iter().map(|t| format!("  {:<10} {}\n", t.name, t.about));
-    format!(
-        "The manual, slipstick help TOPIC:\n{}  As one page: slipstick help --html manual.html\n\n{START}",
-        topics.collect::<String>()
-    )
-}
+/// What the help of each verb ends with, and at last that of the program: a line `=== VERB`, then the text.
+const ENDS: &str = include_str!("../../templates/manual/ends-of-help.txt");
 
-const START: &str = "Start here:\n  slipstick demo                          a whole class, from bank to marks, in ./slipstick-demo\n  slipstick practice wheels-on-inclines   problems for yourself\n\nExit codes: 0 fine, 1 answers not all right (check), 2 faulty input, 3 the regime fails (solve).";
+/// The command line, with what each help ends with.
+pub fn command() -> clap::Command {
+    let topics = TOPICS.iter().map(|t| format!("  {:<10} {}\n", t.name, t.about)).collect::<String>();
+    let ends = ENDS.split("=== ").filter_map(|section| section.split_once('\n'));
+    ends.fold(Typed::command(), |command, (verb, text)| match (verb, text.trim_end()) {
+        ("slipstick", text) => command.after_help(text.replace("{topics}", &topics)),
+        (verb, text) => command.mut_subcommand(verb, |of_verb| of_verb.after_help(text.to_owned())),
+    })
+}
 
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub enum Verb {
     /// Make a problem set: one sheet for each student of a roster, and the key
-    #[command(
-        after_help = "Examples:\n  slipstick generate wheels-on-inclines --roster roster.csv --seed 2026 --out week-5\n  slipstick generate my-bank.yaml --roster roster.csv --seed 7 --out week-6 --problems pulled-rolling,spring-released\n  slipstick generate wheels-on-inclines --roster roster.csv --out week-5 --add      late joiners only\n\nThe roster is a CSV file with a column `student` and, if you like, `name`. Only DIR/students is for students:\nDIR also holds the key. The same seed and name give the same variants, whoever else is in the\nroster."
-    )]
     Generate(GenerateArgs),
     /// Grade submissions against a set
-    #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega); or a folder or ZIP archive of the files that students saved\nfrom their sheets. Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason.\n\nOf a quiz that was made with `export`, SUBMISSIONS is the CSV file that the platform gives: in Moodle the report\n*Responses* with `question text` and `response` ticked, in Canvas *Student Analysis* of the quiz statistics. Each answer is\njudged by the variant whose code its question shows, and the mark goes to who answered:\n\n  slipstick grade pool-set responses.csv --out quiz-grades"
-    )]
     Grade(GradeArgs),
     /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
     Course,
     /// Report on grades: the class for the instructor, feedback for each student, gradebooks for Canvas and Moodle
-    #[command(
-        after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. index.html leads to all of it. report.html needs no network: who got what, the\nweakest parts, the class's favourite mistakes, distribution, success, difficulty and discrimination of each part,\nunreadable cells, attempts, fairness between variants, settings; its tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
-    )]
     Report(ReportArgs),
     /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
-    #[command(
-        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
-    )]
     Regrade(RegradeArgs),
     /// Say how many verdicts of a grading would change with other tolerances; changes nothing
-    #[command(
-        after_help = "Examples:\n  slipstick what-if week-5-grades\n  slipstick what-if week-5-grades --tolerance 1.5,3%\n\nRelative tolerances in per cent, the same for every part; absolute ones stay. The table counts answers that would become\nright (+) or no longer be right (-), students who gain and lose, and the known wrong methods that a looser tolerance would\nlet pass: those answers, and the keys with a wrong method within the tolerance."
-    )]
     WhatIf(WhatIfArgs),
     /// Find wrong answers that are the right ones of a classmate, with the chance that luck makes them so; for instructors
-    #[command(
-        after_help = "Example:\n  slipstick matches week-5-grades\n\nAn answer hits a classmate's key if it equals it within the rounding of the figures it was given with. The chance comes from\nhow densely the keys of the question lie; hits in several problems multiply, parts of one problem count once. `by luck` is\nhow many pairs as striking honest work would bring in the whole class; only below 0.01 a pair is marked `yes`. What a wrong\nmethod, a slip or another part explains is told and not marked. It writes GRADED/matches.csv; none of it is for students."
-    )]
     Matches(MatchesArgs),
     /// Tell everything about the marks of one student for one problem, in words
-    #[command(
-        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key both ways with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
-    )]
     Explain(ExplainArgs),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
-    #[command(
-        after_help = "Examples:\n  slipstick check sheet.json 1.omega=\"30.3 rad/s\" 1.friction=\"62.6 N up\"\n  slipstick check sheet.json 1.omega=\"25 rad/s\" --hint 2       the next hint\n\nWrong answers get a hint where the bank allows it: `hints` under `grading` in the bank.\n\nExit code 0 if all the answers given are right, 1 if not."
-    )]
     Check(CheckArgs),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
-    #[command(
-        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n  slipstick practice wheels-on-inclines --page practice.html     for a browser, without a network\n\nThe page shows one problem after another with its figure, checks answers, gives hints and, on request, the worked solution;\nwhat was missed comes again. In the terminal, while you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
-    )]
     Practice(PracticeArgs),
     /// Solve one problem with given data, by equations of motion and by work and energy, and say what really happens
-    #[command(
-        after_help = "Examples:\n  slipstick solve wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6\n  slipstick solve wheels-on-inclines spring-released --seed 5 --json\n  slipstick solve wheels-on-inclines spring-released --seed 5 --method rk4 --step 1/60s\n\nA plain number is SI (angles in degrees). Every datum but g must be given. Exit code 3 if the regime fails:\nthe numbers are then those of the motion that the problem declares (\"if it rolled\")."
-    )]
     Solve(SolveArgs),
     /// Measure what each method gives away for its speed, on one problem with given data
-    #[command(
-        after_help = "Examples:\n  slipstick accuracy wheels-on-inclines spring-released --seed 5\n  slipstick accuracy wheels-on-inclines spring-released --seed 5 --out trade.html --out trade.csv\n  slipstick accuracy wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6 --no-time\n\nEvery method that applies is run from coarse to fine against a reference in double-double (32 digits). `*` marks what no\nother row beats in cost and error at once, `auto` what `solve` takes by itself. `asked` is the tolerance of a step,\n`given/asked` how far the error of the result is from it."
-    )]
     Accuracy(AccuracyArgs),
     /// Begin a bank of one's own: a commented bank of one of a dozen scenes
-    #[command(
-        after_help = "Examples:\n  slipstick new                          the scenes\n  slipstick new yo-yo > my-bank.yaml\n  slipstick lint my-bank.yaml\n  slipstick gallery my-bank.yaml --out gallery.html --watch"
-    )]
     New(NewArgs),
     /// Tell which quantities may be asked of a problem: name, what it is, sign, unit
-    #[command(
-        after_help = "Examples:\n  slipstick quantities wheels-on-inclines pulled-rolling\n  slipstick quantities my-bank.yaml yo-yo --json\n\nUnits are SI; a question may ask for any other unit of the same kind. A quantity of another body or cord than the one that\na bare name means stands with its name, such as block.v."
-    )]
     Quantities(QuantitiesArgs),
     /// Find everything that is wrong in a bank, then try it over many seeds
-    #[command(
-        after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
-    )]
     Lint(LintArgs),
     /// Look through a bank: many variants of each problem side by side, with their answers, on one page
-    #[command(
-        after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n  slipstick gallery my-bank.yaml --out gallery.html --watch\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, draws that a rule refuses, with\nthe reason, and the tables of `lint`; it holds keys and is for instructors. With --watch the bank is linted and the page\nwritten anew whenever the file of the bank is saved; reload the page in the browser."
-    )]
     Gallery(GalleryArgs),
     /// Draw and solve a set again and prove its key: solved in two ways, and an enclosure of every answer
-    #[command(
-        after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
-    )]
     Verify(VerifyArgs),
     /// Write worked solutions of a set: solved in two ways, step by step, with figures; not for students yet
-    #[command(
-        after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets\nsolution.html and the like; booklet.html has them all."
-    )]
     Solutions(SolutionsArgs),
     /// Write the questions of a set, or a pool drawn from a bank, as one file that Moodle, Canvas or a QTI player imports
-    #[command(
-        after_help = "Examples:\n  slipstick export week-5 --format moodle --out week-5.xml\n  slipstick export week-5 --format canvas --out week-5-canvas.zip\n  slipstick export wheels-on-inclines --variants 200 --seed 7 --format moodle --out pool.xml\n\nFormats: moodle (Moodle XML), canvas (QTI 1.2), qti21 (TAO and others), qti3. With --variants a pool is drawn from a bank;\nbeside its file FILE a set is written into FILE-set, whose key grades the answers by the code that each question prints. The\nfile holds the key: it is for the platform and not for students. The manual says what to click: slipstick help platforms."
-    )]
     Export(ExportArgs),
     /// Write out the built-in templates and word lists, to change them
-    #[command(
-        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint, solutions or report. README.md in it says what each template receives."
-    )]
     Templates(TemplatesArgs),
     /// Let a made-up class with declared habits hand in, and write down what each answer really is
-    #[command(
-        after_help = "Examples:\n  slipstick simulate --example > habits.yaml\n  slipstick simulate week-5 --like habits.yaml --out submissions.csv --truth truth.csv --seed 1\n  slipstick grade week-5 submissions.csv --out grades\n\nThe habits are a YAML file: what becomes of an answer (right, rounded on the way, wrong methods, slips, blanks),\nfigures, units, attempts, who copies, when it is handed in. --example prints one with every field explained; it is\nwhat is taken without --like. The truth has a row for each row of the submissions: line, what was done, by which\nmethod or from whom, whether it should be marked right, and the verdict that the number as written should get.\nThe same seed gives the same bytes; a late joiner changes nobody else's answers, but for who copies from whom."
-    )]
     Simulate(SimulateArgs),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
-    #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(DemoArgs),
     /// Read the manual: `slipstick help TOPIC`, or what a verb does: `slipstick help VERB`
-    #[command(
-        after_help = "Examples:\n  slipstick help bank\n  slipstick help generate\n  slipstick help --html manual.html\n\nWhere a verb and a topic have one name (accuracy), the help of the verb comes first."
-    )]
     Help(HelpArgs),
 }
 

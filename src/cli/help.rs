@@ -1,18 +1,17 @@
 //! `slipstick help`: what a verb does, a topic of the manual, or the whole manual as one page.
-use crate::cli::args::{self, Typed};
+use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::files;
 use crate::manual;
 use crate::units::spell;
-use clap::CommandFactory as _;
 use std::path::Path;
 
 pub fn run(args: &args::HelpArgs, io: &mut Io) -> Result<Exit, Findings> {
     if let Some(path) = &args.html {
         return book(path, args.force, io);
     }
-    let mut command = Typed::command();
+    let mut command = args::command();
     command.build();
     let Some(asked) = &args.topic else {
         io.piece(&command.render_long_help().to_string());
@@ -42,7 +41,7 @@ pub fn run(args: &args::HelpArgs, io: &mut Io) -> Result<Exit, Findings> {
 /// Writes the manual as a page.
 fn book(path: &Path, force: bool, io: &mut Io) -> Result<Exit, Findings> {
     files::may_write_file(path, force)?;
-    let mut command = Typed::command();
+    let mut command = args::command();
     command.build();
     let verbs: Vec<(String, String)> = command
         .get_subcommands_mut()

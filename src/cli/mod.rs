@@ -2,7 +2,7 @@
 use crate::cli::args::{Typed, Verb};
 use crate::cli::tell::{Exit, Io, ResultStream};
 use crate::folder::files;
-use clap::Parser as _;
+use clap::FromArgMatches as _;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::ffi::OsString;
 use std::io::Write as _;
@@ -73,8 +73,9 @@ fn hint(error: &clap::Error) -> Option<&'static str> {
     }
 }
 
-fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
-    let typed = match Typed::try_parse_from(args) {
+fn verb(words: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
+    let typed = args::command().try_get_matches_from(words).and_then(|typed| Typed::from_arg_matches(&typed));
+    let typed = match typed {
         Ok(typed) => typed,
         Err(error) => {
             let text = error.render().to_string();

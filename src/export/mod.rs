@@ -1,7 +1,8 @@
 //! Variants as questions of a learning platform: one file that can be uploaded, with the key in it.
 //!
 //! A [`item::Item`] is one variant of one problem, in the words of its set; a format makes its text and files of it ([`Fragment`]),
-//! several at a time, and at the end one file of all. [`losses`] says what a format cannot carry.
+//! several at a time, and at the end one file of all, by the templates in `templates/export`. [`losses`] says what a format cannot
+//! carry.
 pub(crate) mod body;
 pub(crate) mod canvas;
 pub(crate) mod item;
@@ -9,14 +10,14 @@ pub(crate) mod losses;
 pub mod moodle;
 pub(crate) mod package;
 pub(crate) mod qti;
-pub(crate) mod qti21;
-pub(crate) mod qti3;
 pub(crate) mod units;
-pub(crate) mod xml;
 
 use crate::bank::Problem;
-use crate::export::item::Item;
-use crate::finding::Findings;
+use crate::export::item::{Item, ItemPart, Right};
+use crate::finding::{Finding, Findings};
+use crate::set::key_file::shortest;
+use crate::template::{Templates, View};
+use serde::Serialize;
 
 worded! {
     /// A platform's format.
@@ -59,6 +60,109 @@ pub struct Export<'e> {
     pub problems: Vec<&'e Problem>,
     /// What a pool of questions holds, in a sentence.
     pub about: String,
+    /// Templates of the formats, as [`templates`] makes them.
+    pub templates: Templates,
+}
+
+/// The templates of the formats. Errors: one cannot be read, which is a bug.
+pub fn templates() -> Result<Templates, Findings> {
+    macro_rules! texts {
+        ($($name:literal),*) => { [$(($name, include_str!(concat!("../../templates/export/", $name)))),*] };
+    }
+    let own = texts!(
+        "moodle-question.xml",
+        "moodle.xml",
+        "canvas-question.xml",
+        "canvas.xml",
+        "canvas-meta.xml",
+        "manifest.xml"
+    );
+    let of_both = texts!("qti-interaction.xml", "qti-item.xml", "qti-test.xml");
+    let version = |by: &str, text: fn(&str) -> String| {
+        of_both.map(|(name, template)| (name.replacen("qti", by, 1), text(template)))
+    };
+    let own = own.map(|(name, template)| (name.to_owned(), template.to_owned()));
+    let all =
+        own.into_iter().chain(version("qti21", str::to_owned)).chain(version("qti3", qti::in_version_3));
+    Templates::of_program(&all.collect::<Vec<_>>())
+}
+
+/// A part, as the templates see it.
+#[derive(Serialize)]
+pub(crate) struct PartView<'i> {
+    id: &'i str,
+    points: String,
+    is_number: bool,
+    /// The number or the word that is right; how far an answer may be from a number, and what that is at least and at most.
+    value: String,
+    tolerance: String,
+    low: String,
+    high: String,
+    /// The units in which a number may be typed, with the factors that make it one in the unit that is asked.
+    units: Vec<(String, String)>,
+    offered: &'i [(&'static str, String)],
+    spellings: &'i [String],
+}
+
+impl<'i> PartView<'i> {
+    fn new(part: &'i ItemPart) -> Self {
+        let (id, points) = (part.id.as_str(), shortest(part.points));
+        let none = String::new;
+        match &part.right {
+            Right::Number { value, tolerance, unit } => Self {
+                id,
+                points,
+                is_number: true,
+                value: shortest(*value),
+                tolerance: shortest(*tolerance),
+                low: shortest(value - tolerance),
+                high: shortest(value + tolerance),
+                units: units::units(unit).into_iter().map(|(name, by)| (name, shortest(by))).collect(),
+                offered: &[],
+                spellings: &[],
+            },
+            Right::Word { right, offered, spellings } => Self {
+                id,
+                points,
+                is_number: false,
+                value: (*right).to_owned(),
+                tolerance: none(),
+                low: none(),
+                high: none(),
+                units: Vec::new(),
+                offered,
+                spellings,
+            },
+        }
+    }
+}
+
+/// Questions of which a student gets one: the variants of a problem, or of one of its parts.
+#[derive(Serialize)]
+pub(crate) struct Pool<'f> {
+    /// Number of the problem in the sheet.
+    number: usize,
+    /// What the problem is called there.
+    name: String,
+    /// Id of the part; empty where a question holds all.
+    part: &'f str,
+    points: String,
+    /// Where Moodle keeps it.
+    path: String,
+    id: String,
+    questions: Vec<&'f str>,
+}
+
+/// An export as a whole, as the templates see it.
+#[derive(Serialize)]
+pub(crate) struct WholeExport<'f> {
+    id: &'f str,
+    set: &'f str,
+    about: &'f str,
+    points: String,
+    /// Attributes of QTI.
+    spaces: &'static str,
+    pools: Vec<Pool<'f>>,
 }
 
 /// What an item becomes in a format.
@@ -79,13 +183,45 @@ impl Export<'_> {
         format!("{}. {}", problem + 1, self.problems[problem].title)
     }
 
-    /// An item in the format.
-    pub fn fragment(&self, item: &Item) -> Fragment {
+    /// What a template makes of this, without the characters that XML cannot hold in any way. Errors: faults of the template.
+    pub(crate) fn made(&self, template: &str, data: &impl Serialize) -> Result<String, Finding> {
+        let mut view = View::new();
+        view.fields(data);
+        let made = String::from_utf8_lossy(&self.templates.made(template, &view)?).into_owned();
+        let may = |c: &char| !c.is_control() || matches!(c, '\t' | '\n' | '\r' | '\u{7f}'..='\u{9f}');
+        Ok(made.chars().filter(may).filter(|c| !matches!(c, '\u{fffe}' | '\u{ffff}')).collect())
+    }
+
+    /// All of it, with the questions of these fragments, which stand problem by problem.
+    pub(crate) fn whole<'f>(&'f self, id: &'f str, fragments: &'f [Fragment]) -> WholeExport<'f> {
+        let of_problem = |of: &'f [Fragment]| {
+            let at = of[0].problem;
+            let questions = &self.problems[at].questions;
+            let parts = match self.layout {
+                QuestionLayout::Whole => vec![("", 0.0)],
+                _ => questions.iter().map(|q| (q.id.as_str(), q.points)).collect(),
+            };
+            parts.into_iter().enumerate().map(move |(i, (part, points))| {
+                let (number, name, points) = (at + 1, self.name(at), shortest(points));
+                let of_part = of.iter().filter_map(|f| f.questions.get(i)).map(String::as_str);
+                let (path, id) = (String::new(), String::new());
+                let mut pool = Pool { number, name, part, points, path, id, questions: of_part.collect() };
+                (pool.path, pool.id) = moodle::category(self, &pool);
+                pool
+            })
+        };
+        let points: f64 = self.problems.iter().flat_map(|p| &p.questions).map(|q| q.points).sum();
+        let pools = fragments.chunk_by(|a, b| a.problem == b.problem).flat_map(of_problem).collect();
+        WholeExport { id, set: self.set, about: &self.about, points: shortest(points), spaces: "", pools }
+    }
+
+    /// An item in the format. Errors: faults of the templates.
+    pub fn fragment(&self, item: &Item) -> Result<Fragment, Finding> {
         match self.platform {
             ExportFormat::Moodle => moodle::fragment(self, item),
-            ExportFormat::Canvas => canvas::fragment(item),
-            ExportFormat::Qti21 => qti::fragment(&qti21::DIALECT, self, item),
-            ExportFormat::Qti3 => qti::fragment(&qti3::DIALECT, self, item),
+            ExportFormat::Canvas => canvas::fragment(self, item),
+            ExportFormat::Qti21 => qti::fragment(&qti::QTI21, self, item),
+            ExportFormat::Qti3 => qti::fragment(&qti::QTI3, self, item),
         }
     }
 
@@ -101,10 +237,10 @@ impl Export<'_> {
         let variants = fragments.len();
         let questions = fragments.iter().map(|f| f.questions.len()).sum();
         let bytes = match self.platform {
-            ExportFormat::Moodle => moodle::file(self, &fragments),
+            ExportFormat::Moodle => self.made("moodle.xml", &self.whole("", &fragments))?.into_bytes(),
             ExportFormat::Canvas => canvas::file(self, fragments)?,
-            ExportFormat::Qti21 => qti::file(&qti21::DIALECT, self, fragments)?,
-            ExportFormat::Qti3 => qti::file(&qti3::DIALECT, self, fragments)?,
+            ExportFormat::Qti21 => qti::file(&qti::QTI21, self, fragments)?,
+            ExportFormat::Qti3 => qti::file(&qti::QTI3, self, fragments)?,
         };
         Ok(ExportedFile { bytes, variants, questions })
     }

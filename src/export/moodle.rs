@@ -1,10 +1,10 @@
 //! Moodle XML: a category for each problem with a cloze question for each variant, or a category and a question for each part.
-use crate::export::item::{Item, ItemPart, Right};
-use crate::export::units::units;
-use crate::export::xml::Xml;
-use crate::export::{Export, Fragment, QuestionLayout};
+use crate::export::item::{Item, ItemPart, ItemPicture, Right};
+use crate::export::{Export, Fragment, PartView, Pool, QuestionLayout};
+use crate::finding::Finding;
 use crate::set::key_file::shortest;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use serde::Serialize;
 
 /// Longest name and longest id number that Moodle keeps.
 const LONGEST: (usize, usize) = (255, 100);
@@ -52,145 +52,79 @@ fn address(file: &str) -> String {
     format!("@@PLUGINFILE@@/{file}")
 }
 
-/// The questions of an item.
-pub fn fragment(export: &Export, item: &Item) -> Fragment {
-    let questions = match export.layout {
-        QuestionLayout::Whole => vec![cloze(item)],
-        QuestionLayout::Parts | QuestionLayout::PartsWithUnits => {
-            (0..item.parts.len()).map(|i| of_part(item, i)).collect()
-        }
-    };
-    Fragment { problem: item.problem, code: item.code.clone(), questions, files: Vec::new() }
+/// A text in a question: its element, XHTML as a section of character data, and the pictures that it shows.
+#[derive(Serialize)]
+struct QuestionText<'i> {
+    name: &'static str,
+    data: String,
+    files: Vec<PictureFile<'i>>,
 }
 
-/// A text in a question, with the pictures that it shows.
-fn text(x: &mut Xml, name: &str, item: &Item, xhtml: &str) {
-    x.element(name, &[("format", "html")], |x| {
-        x.data("text", &[], xhtml);
-        for picture in item.pictures.iter().filter(|p| xhtml.contains(&address(&p.file))) {
-            let bytes = BASE64_STANDARD.encode(picture.svg.as_bytes());
-            x.text("file", &[("name", &picture.file), ("path", "/"), ("encoding", "base64")], &bytes);
-        }
-    });
+#[derive(Serialize)]
+struct PictureFile<'i> {
+    name: &'i str,
+    bytes: String,
 }
 
-/// What all kinds of questions begin with.
-fn head(x: &mut Xml, item: &Item, name: &str, xhtml: &str, points: Option<f64>) {
-    x.element("name", &[], |x| x.text("text", &[], name));
-    text(x, "questiontext", item, xhtml);
-    text(x, "generalfeedback", item, &without_fields(&item.solution(&address).unwrap_or_default()));
-    if let Some(points) = points {
-        x.text("defaultgrade", &[], &shortest(points));
+/// A question: all parts, or one of them.
+#[derive(Serialize)]
+struct Question<'i> {
+    kind: &'static str,
+    name: String,
+    texts: [QuestionText<'i>; 2],
+    part: Option<PartView<'i>>,
+}
+
+impl<'i> QuestionText<'i> {
+    fn new(item: &'i Item, name: &'static str, xhtml: &str) -> Self {
+        let shown = item.pictures.iter().filter(|p| xhtml.contains(&address(&p.file)));
+        let file = |p: &'i ItemPicture| PictureFile { name: &p.file, bytes: BASE64_STANDARD.encode(&p.svg) };
+        Self { name, data: xhtml.replace("]]>", "]]]]><![CDATA[>"), files: shown.map(file).collect() }
     }
-    x.text("penalty", &[], "0");
-    x.text("hidden", &[], "0");
-    x.text("idnumber", &[], name);
 }
 
-/// All parts in one question.
+/// The questions of an item. Errors: faults of the template.
+pub fn fragment(export: &Export, item: &Item) -> Result<Fragment, Finding> {
+    let solution = without_fields(&item.solution(&address).unwrap_or_default());
+    let made = |kind: &'static str, name: String, xhtml: String, part: Option<PartView>| {
+        let texts = [("questiontext", &xhtml), ("generalfeedback", &solution)];
+        let texts = texts.map(|(name, xhtml)| QuestionText::new(item, name, xhtml));
+        export.made("moodle-question.xml", &Question { kind, name, texts, part })
+    };
+    let of_part = |(i, part): (usize, &ItemPart)| {
+        let view = PartView::new(part);
+        let kind = if view.is_number { "numerical" } else { "shortanswer" };
+        let xhtml = item.text(Some(i), &mut |_| String::new(), &address);
+        made(kind, format!("{} {}", item.code, part.id), xhtml, Some(view))
+    };
+    let questions = match export.layout {
+        QuestionLayout::Whole => vec![made("cloze", item.code.clone(), cloze(item), None)?],
+        _ => item.parts.iter().enumerate().map(of_part).collect::<Result<_, _>>()?,
+    };
+    Ok(Fragment { problem: item.problem, code: item.code.clone(), questions, files: Vec::new() })
+}
+
+/// The text of all parts, with a field for each.
 fn cloze(item: &Item) -> String {
     let weights = weights(&item.parts.iter().map(|p| p.points).collect::<Vec<_>>());
     // A mark that no text holds, so that the fields alone keep their braces.
     let place = |i: usize| format!("\u{0}{i}\u{0}");
-    let whole = item.text(None, &mut |i| place(i), &address);
-    let mut xhtml = without_fields(&whole);
+    let mut xhtml = without_fields(&item.text(None, &mut |i| place(i), &address));
     for (i, (part, weight)) in item.parts.iter().zip(weights).enumerate() {
         xhtml = xhtml.replace(&place(i), &field(part, weight));
     }
-    let mut x = Xml::piece();
-    x.element("question", &[("type", "cloze")], |x| head(x, item, &item.code, &xhtml, None));
-    x.line();
-    x.done()
+    xhtml
 }
 
-/// One part in a question of its own.
-fn of_part(item: &Item, i: usize) -> String {
-    let part = &item.parts[i];
-    let name = format!("{} {}", item.code, part.id);
-    let xhtml = item.text(Some(i), &mut |_| String::new(), &address);
-    let mut x = Xml::piece();
-    let kind = match part.right {
-        Right::Number { .. } => "numerical",
-        Right::Word { .. } => "shortanswer",
-    };
-    x.element("question", &[("type", kind)], |x| {
-        head(x, item, &name, &xhtml, Some(part.points));
-        let answer = |x: &mut Xml, text: &str, tolerance: Option<f64>| {
-            x.element("answer", &[("fraction", "100"), ("format", "moodle_auto_format")], |x| {
-                x.text("text", &[], text);
-                if let Some(tolerance) = tolerance {
-                    x.text("tolerance", &[], &shortest(tolerance));
-                }
-            });
-        };
-        match &part.right {
-            Right::Number { value, tolerance, unit } => {
-                answer(x, &shortest(*value), Some(*tolerance));
-                let units = units(unit);
-                x.text("unitgradingtype", &[], "0");
-                x.text("unitpenalty", &[], "0");
-                // 0: a unit may be typed, 3: there is none.
-                x.text("showunits", &[], if units.is_empty() { "3" } else { "0" });
-                x.text("unitsleft", &[], "0");
-                if !units.is_empty() {
-                    x.element("units", &[], |x| {
-                        for (name, multiplier) in &units {
-                            x.element("unit", &[], |x| {
-                                x.text("multiplier", &[], &shortest(*multiplier));
-                                x.text("unit_name", &[], name);
-                            });
-                        }
-                    });
-                }
-            }
-            Right::Word { spellings, .. } => {
-                x.text("usecase", &[], "0");
-                spellings.iter().for_each(|word| answer(x, word, None));
-            }
-        }
-    });
-    x.line();
-    x.done()
-}
-
-/// A text cut to so many characters.
-fn cut(text: &str, most: usize) -> String {
-    text.chars().take(most).collect()
-}
-
-/// A category. In its path a slash is written twice.
-fn category(x: &mut Xml, path: &[&str], about: &str, id_number: &str) {
-    let names = path.iter().map(|name| cut(name, LONGEST.0).replace('/', "//"));
+/// Path and id number of the category of a pool. In a path a slash is written twice.
+pub(crate) fn category(export: &Export, pool: &Pool) -> (String, String) {
+    let cut = |text: &str, most: usize| text.chars().take(most).collect::<String>();
+    let names = [export.set, &pool.name, pool.part].into_iter().filter(|name| !name.is_empty());
+    let names = names.map(|name| cut(name, LONGEST.0).replace('/', "//"));
     let path = std::iter::once("$course$/top".to_owned()).chain(names).collect::<Vec<_>>().join("/");
-    x.element("question", &[("type", "category")], |x| {
-        x.element("category", &[], |x| x.text("text", &[], &path));
-        x.element("info", &[("format", "plain_text")], |x| x.text("text", &[], about));
-        x.text("idnumber", &[], &cut(id_number, LONGEST.1));
-    });
-    x.line();
-}
-
-/// The file.
-pub fn file(export: &Export, fragments: &[Fragment]) -> Vec<u8> {
-    let mut x = Xml::file();
-    x.element("quiz", &[], |x| {
-        x.line();
-        for of_problem in fragments.chunk_by(|a, b| a.problem == b.problem) {
-            let at = of_problem[0].problem;
-            let (problem, about, name) = (export.problems[at], &export.about, export.name(at));
-            let id = format!("{}-{}", export.id, problem.id);
-            if export.layout == QuestionLayout::Whole {
-                category(x, &[export.set, &name], about, &id);
-                of_problem.iter().flat_map(|f| &f.questions).for_each(|question| x.raw(question));
-                continue;
-            }
-            for (i, question) in problem.questions.iter().enumerate() {
-                let id = format!("{id}-{}", question.id);
-                category(x, &[export.set, &name, &question.id], about, &id);
-                of_problem.iter().filter_map(|f| f.questions.get(i)).for_each(|question| x.raw(question));
-            }
-        }
-    });
-    x.line();
-    x.done().into_bytes()
+    let mut id = format!("{}-{}", export.id, export.problems[pool.number - 1].id);
+    if !pool.part.is_empty() {
+        id = format!("{id}-{}", pool.part);
+    }
+    (path, cut(&id, LONGEST.1))
 }

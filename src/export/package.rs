@@ -1,16 +1,18 @@
 //! A ZIP archive that a platform takes: files and a manifest that lists them. No file has a time, so that the same set gives the
 //! same bytes.
-use crate::export::xml::Xml;
+use crate::export::Export;
 use crate::finding::Finding;
+use serde::Serialize;
 use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// A resource of a manifest.
+#[derive(Serialize)]
 pub struct Resource {
     /// Its identifier.
     pub id: String,
-    pub kind: String,
+    pub kind: &'static str,
     /// Its files, the main one first.
     pub files: Vec<String>,
     /// Identifiers of resources that it needs.
@@ -20,6 +22,7 @@ pub struct Resource {
 }
 
 /// The manifest of an archive.
+#[derive(Serialize)]
 pub struct Manifest<'m> {
     /// Its identifier.
     pub id: &'m str,
@@ -28,46 +31,18 @@ pub struct Manifest<'m> {
     /// Schema and its version.
     pub schema: (&'m str, &'m str),
     /// What is listed.
-    pub resources: &'m [Resource],
+    pub resources: Vec<Resource>,
 }
 
 impl Manifest<'_> {
-    /// The file.
-    fn text(&self) -> String {
-        let mut x = Xml::file();
-        x.element("manifest", &[("xmlns", self.namespace), ("identifier", self.id)], |x| {
-            x.element("metadata", &[], |x| {
-                x.text("schema", &[], self.schema.0);
-                x.text("schemaversion", &[], self.schema.1);
-            });
-            x.empty("organizations", &[]);
-            x.element("resources", &[], |x| {
-                x.line();
-                for resource in self.resources {
-                    let mut attributes = vec![("identifier", resource.id.as_str()), ("type", &resource.kind)];
-                    if let Some(file) = resource.files.first().filter(|_| resource.named) {
-                        attributes.push(("href", file));
-                    }
-                    x.element("resource", &attributes, |x| {
-                        resource.files.iter().for_each(|file| x.empty("file", &[("href", file)]));
-                        resource.needs.iter().for_each(|id| x.empty("dependency", &[("identifierref", id)]));
-                    });
-                    x.line();
-                }
-            });
-        });
-        x.line();
-        x.done()
-    }
-
     /// The archive: the manifest, then the files in this order. Errors: it would be larger than an archive can be.
-    pub fn archive(&self, files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>, Finding> {
+    pub fn archive(&self, export: &Export, files: Vec<(String, Vec<u8>)>) -> Result<Vec<u8>, Finding> {
         let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Deflated)
             .last_modified_time(DateTime::default())
             .unix_permissions(0o644);
-        let manifest = ("imsmanifest.xml".to_owned(), self.text().into_bytes());
+        let manifest = ("imsmanifest.xml".to_owned(), export.made("manifest.xml", self)?.into_bytes());
         let fault = |e: zip::result::ZipError| Finding::new("", format!("the archive cannot be made: {e}"));
         for (name, bytes) in std::iter::once(manifest).chain(files) {
             zip.start_file(name, options).map_err(fault)?;

@@ -65,7 +65,7 @@ pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) 
         changes: &changes(&graded, &student.student, &number)?,
         total: total(&graded, &student.student)?,
     };
-    Ok(marks.text(part))
+    marks.text(part)
 }
 
 /// What a regrading changed for a problem.

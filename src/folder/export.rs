@@ -1,6 +1,6 @@
 //! A stored set as one file for a learning platform, and a set that is made to be one.
 use crate::export::item::{ItemMaker, ItemScratch};
-use crate::export::{Export, ExportFormat, QuestionLayout, canvas, losses};
+use crate::export::{self, Export, ExportFormat, QuestionLayout, canvas, losses};
 use crate::finding::{Finding, Findings};
 use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{Progress, banks, deal, files, set};
@@ -116,13 +116,14 @@ pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
         language,
         problems: problems.iter().filter_map(|p| bank.problems.get(*p)).collect(),
         about,
+        templates: export::templates()?,
     };
     let made = replay::each(&bank, &set, &|i, _, dealt| {
         let mut scratch = ItemScratch::default();
         let key = replayed.keys.get(i).unwrap_or(&dealt.key);
         let fragments = chosen.iter().map(|at| {
             let item = maker.item(*at, &dealt.variants[*at], &key.problems[*at], &mut scratch)?;
-            Ok(export.fragment(&item))
+            export.fragment(&item)
         });
         let fragments: Result<Vec<_>, Finding> = fragments.collect();
         job.progress.advance("questions", 1, set.students.len() as u64);

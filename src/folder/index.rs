@@ -3,20 +3,24 @@ use crate::finding::Finding;
 use crate::folder::deal::Plan;
 use crate::folder::names;
 use crate::sheet::document::Head;
+use crate::sheet::output::Format;
 use crate::sheet::texts::Texts;
-use crate::template::{self, Value, View};
+use crate::template::{Value, View};
+use serde::Serialize;
 
 /// Something to look at: its address from the page, and what it is.
+#[derive(Serialize)]
 struct IndexLink {
     href: String,
     what: String,
 }
 
-/// A student, with the pages of their own: address and name of each.
+/// A student, with the pages of their own.
+#[derive(Serialize)]
 struct Person<'p> {
     id: &'p str,
     name: &'p str,
-    pages: Vec<(String, String)>,
+    pages: Vec<IndexLink>,
 }
 
 /// An address of a file in a folder whose name may hold anything.
@@ -40,7 +44,6 @@ pub fn of_set<'s>(
     students: impl Iterator<Item = (&'s Head, String)>,
     made: &[&str],
 ) -> Result<Vec<u8>, Finding> {
-    let words = &plan.texts.words;
     let known = [
         ("booklet", &names::BOOKLETS[..]),
         ("key_table", &names::KEY_TABLES[..]),
@@ -49,30 +52,17 @@ pub fn of_set<'s>(
         ("bank", &[names::BANK]),
     ];
     let always = [names::KEY, names::FORM, names::BANK];
-    let mut entries = Vec::new();
-    for (what, files) in known {
-        for file in files.iter().filter(|f| made.contains(f) || always.contains(f)) {
-            entries.push(IndexLink {
-                href: (*file).to_owned(),
-                what: words.get(&format!("index.set.{what}")).to_owned(),
-            });
-        }
-    }
-    let people = students.map(|(head, folder)| Person {
-        id: &head.student,
-        name: &head.name,
-        pages: plan
-            .formats
-            .iter()
-            .rev()
-            .map(|format| {
-                let file = format!("sheet.{}", format.as_str());
-                (address(names::STUDENTS, &format!("{folder}/{file}")), file)
-            })
-            .collect(),
+    let files = known.iter().flat_map(|(what, files)| files.iter().map(|file| (*what, *file)));
+    let files = files.filter(|(_, file)| made.contains(file) || always.contains(file));
+    let people = students.map(|(head, folder)| {
+        let page = |format: &Format| {
+            let what = format!("sheet.{}", format.as_str());
+            IndexLink { href: address(names::STUDENTS, &format!("{folder}/{what}")), what }
+        };
+        Person { id: &head.student, name: &head.name, pages: plan.formats.iter().rev().map(page).collect() }
     });
-    let about = if plan.has_program() { "index.set.site" } else { "index.set.about" };
-    page(plan.texts, ("set", about), plan.name, &entries, people)
+    let about = if plan.has_program() { "site" } else { "about" };
+    page(plan.texts, ("set", about), plan.name, files, people)
 }
 
 /// The page of the reports: students with the names of their files; beside it lie the grades, or not. Errors: faults of the
@@ -91,57 +81,39 @@ pub fn of_grades<'s>(
         ("answers", names::ANSWERS),
         ("matches", names::MATCHES),
     ];
-    let here = files.iter().filter(|(_, file)| beside || names::OF_REPORT.contains(file));
-    let entries: Vec<IndexLink> = here
-        .map(|(what, file)| IndexLink {
-            href: (*file).to_owned(),
-            what: texts.words.get(&format!("index.grades.{what}")).to_owned(),
-        })
-        .collect();
-    let people = students.map(|(id, name, folder)| Person {
-        id,
-        name,
-        pages: vec![(
-            address(names::FEEDBACK, &format!("{folder}.html")),
-            texts.words.get("index.grades.feedback").to_owned(),
-        )],
+    let here = files.into_iter().filter(|(_, file)| beside || names::OF_REPORT.contains(file));
+    let what = texts.words.get("index.grades.feedback");
+    let people = students.map(|(id, name, folder)| {
+        let href = address(names::FEEDBACK, &format!("{folder}.html"));
+        Person { id, name, pages: vec![IndexLink { href, what: what.to_owned() }] }
     });
-    page(texts, ("grades", "index.grades.about"), set, &entries, people)
+    page(texts, ("grades", "about"), set, here, people)
 }
 
+/// The page of a kind, with files, each with the phrase that tells of it.
 fn page<'p>(
     texts: &Texts,
     (kind, about): (&str, &str),
     set: &str,
-    entries: &[IndexLink],
+    files: impl Iterator<Item = (&'p str, &'p str)>,
     people: impl Iterator<Item = Person<'p>>,
 ) -> Result<Vec<u8>, Finding> {
     let words = &texts.words;
-    let link = |href: &str, what: &str| {
-        template::map([("href", template::finished(href)), ("what", Value::from(what))])
-    };
-    let people = people.map(|person| {
-        let pages = person.pages.iter().map(|(href, what)| link(href, what));
-        template::map([
-            ("id", Value::from(person.id)),
-            ("name", Value::from(person.name)),
-            ("pages", template::list(pages.collect())),
-        ])
-    });
+    let told = |text: &str| words.get(&format!("index.{kind}.{text}"));
+    let link = |(what, file): (&str, &str)| IndexLink { href: file.to_owned(), what: told(what).to_owned() };
     let mut view = View::new();
     view.text("language", words.language());
     view.foreign("title", &words.say(&format!("index.{kind}.title"), &[("set", set)]));
-    view.text("about", words.get(about));
-    for text in ["first", "students"] {
-        view.text(text, words.get(&format!("index.{kind}.{text}")));
-    }
+    view.text("about", told(about));
     // Only a set is looked through; where nothing is told, there is nothing.
-    let gallery = format!("index.{kind}.gallery");
-    view.text("gallery", if words.has(&gallery) { words.get(&gallery) } else { "" });
+    view.text("gallery", if words.has(&format!("index.{kind}.gallery")) { told("gallery") } else { "" });
+    for text in ["first", "students"] {
+        view.text(text, told(text));
+    }
     for text in ["student", "name"] {
         view.text(text, words.get(&format!("index.{text}")));
     }
-    view.value("entries", template::list(entries.iter().map(|e| link(&e.href, &e.what)).collect()));
-    view.value("people", template::list(people.collect()));
+    view.value("entries", Value::from_serializable(&files.map(link).collect::<Vec<_>>()));
+    view.value("people", Value::from_serializable(&people.collect::<Vec<_>>()));
     texts.templates.made("index.html", &view)
 }

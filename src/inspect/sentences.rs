@@ -12,7 +12,7 @@ use crate::scene::{
 };
 use crate::solve::ladder::{self, Force, Taken};
 use crate::solve::method::{Method, Rung};
-use crate::solve::outcome::{Check, CheckKind, Refusal, Regime, Unsupported};
+use crate::solve::outcome::{Check, CheckKind, Refusal, Regime};
 use crate::words::Words;
 
 /// Five significant figures, for people.
@@ -35,219 +35,150 @@ fn of_tie(scene: &Scene, index: usize) -> String {
     }
 }
 
+/// A sentence of `templates/sentences.yaml` with its places filled in.
+fn say(name: &str, pieces: &[(&str, &str)]) -> String {
+    Words::sentences().say(&format!("sentences.{name}"), pieces)
+}
+
 /// How far a condition looks, where the forces change on the way.
-fn looks(scene: &Scene, all: &[Check]) -> &'static str {
+fn looks(scene: &Scene, all: &[Check]) -> String {
     // Where it never turns there is no turning point to speak of.
     let endless = all.iter().any(|c| c.kind == CheckKind::Reaches && c.available.is_infinite());
     match (scene.is_sprung(), scene.span) {
-        (false, _) => "",
-        (true, Span::ToEnd) => " up to the end that is asked",
-        (true, Span::ToTurningPoint) if endless => " over the whole motion",
-        (true, Span::ToTurningPoint) => " up to the turning point",
+        (false, _) => String::new(),
+        (true, Span::ToEnd) => say("looks.to_end", &[]),
+        (true, Span::ToTurningPoint) if endless => say("looks.whole", &[]),
+        (true, Span::ToTurningPoint) => say("looks.to_turning_point", &[]),
     }
 }
 
-/// Does it set itself going as declared?
-fn moves(scene: &Scene, c: &Check) -> String {
-    let body = body(scene, c.of);
-    let ratio = || figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
+/// Does it set itself going as declared? The name of the sentence that says so.
+fn moves(scene: &Scene, c: &Check) -> &'static str {
+    let rubs = || scene.joints.iter().any(|j| j.kind.rubs().is_some());
     match c.ok {
         // What moves already needs no drive to set it going; a start speed may be 0.
-        true if scene.is_struck() => format!("the {body} moves as declared: it is struck"),
-        true if !scene.start.is_empty() && c.available <= c.required => {
-            format!("the {body} moves as declared: it starts with a speed of its own")
-        }
+        true if scene.is_struck() => "struck",
+        true if !scene.start.is_empty() && c.available <= c.required => "by_itself",
         // Drive and resistance are given by their ratio, which needs a resistance.
-        true if c.required == 0.0 => format!("the {body} moves as declared: nothing resists"),
-        true => {
-            format!("the {body} moves as declared: the driving force is {} times the resistance", ratio())
-        }
-        false if scene.heading.is_some() && !scene.starts_from_rest() => format!(
-            "the {body} does not move as declared: it starts the other way; what comes after a turning point is a motion of its own, `next`"
-        ),
-        false
-            if c.available == 0.0
-                && c.required == 0.0
-                && scene.joints.iter().any(|j| j.kind.rubs().is_some()) =>
-        {
-            format!(
-                "the {body} does not move as declared: friction holds it at rest; for the forces that hold it write `pins:` in place of \
-                 the rough guide"
-            )
-        }
-        false => format!(
-            "the {body} does not move as declared: the driving force is {} times the resistance, required more than 1",
-            ratio()
-        ),
-    }
-}
-
-/// Is a cord taut at the end?
-fn slack(scene: &Scene, c: &Check) -> String {
-    let (required, available) = (figures(c.required), figures(c.available));
-    let unit = c.kind.unit(scene);
-    let when = if c.required < c.available { "is still taut" } else { "is slack" };
-    format!(
-        "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
-        of_tie(scene, c.of)
-    )
-}
-
-/// Does a spring that only pushes or pulls act before the end?
-fn met(scene: &Scene, c: &Check) -> String {
-    let name = scene.struts.get(c.of).map_or("?", |s| s.name.as_str());
-    let (required, available) = (figures(c.required), figures(c.available));
-    if c.required <= 0.0 {
-        format!("`{name}` acts from the start")
-    } else if c.required.is_infinite() {
-        format!("`{name}` is never met: the motion ends after {available} rad without it")
-    } else {
-        let not = if c.ok { "" } else { "not " };
-        format!(
-            "`{name}` is {not}met before the end: after {required} rad, the motion ends after {available} rad"
-        )
+        true if c.required == 0.0 => "free",
+        true => "driven",
+        false if scene.heading.is_some() && !scene.starts_from_rest() => "other_way",
+        false if c.available == 0.0 && c.required == 0.0 && rubs() => "held",
+        false => "not_driven",
     }
 }
 
 /// One condition of `all` in words with its numbers.
-#[rustfmt::skip] // a table
 pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
-    let (required, available) = (figures(c.required), figures(c.available));
-    // A condition is about a tie or about a body; what is not meant is not told.
-    let (tie, body, looks) = (of_tie(scene, c.of), body(scene, c.of), looks(scene, all));
     // Of joined bodies it is about a joint.
-    let joint =
-        scene.joints.get(c.of).map(|j| (j.name.as_str(), j.kind.spots().next().map_or(0, |s| s.body)));
-    let unknown = |what: String| {
-        format!("whether {what} holds is not known: several ties share its force, and statics does not say how")
-    };
-    match c.kind {
+    let joint = scene.joints.get(c.of);
+    let only_pushes = joint.is_some_and(|j| j.kind.only_pushes());
+    let ok = |yes, no| if c.ok { yes } else { no };
+    let how = match c.kind {
+        CheckKind::Reaches => return reaches(scene, c),
         CheckKind::Moves => moves(scene, c),
-        CheckKind::NoSlip if c.available.is_nan() => unknown(format!("the contact of the {tie}")),
-        CheckKind::Taut if c.available.is_nan() => unknown(tie),
+        CheckKind::NoSlip | CheckKind::Taut if c.available.is_nan() => "open",
         CheckKind::NoSlip if matches!(scene.ties.get(c.of), Some(Tie::Slide { .. })) => {
-            let [not, then] = if c.ok { ["", ""] } else { ["not", ", and it slips on"] };
-            format!(
-                "static friction can{not} hold the {tie} where its slip ends{then}: that needs {required} N, mu_s N = {available} N"
-            )
+            ok("stays", "slips_on")
         }
-        CheckKind::NoSlip if c.ok => format!("the {tie} holds without slipping{looks}: needs {required} N of friction, mu_s N = {available} N"),
-        CheckKind::NoSlip => format!("the {tie} slips: rolling{looks} needs {required} N of friction, mu_s N = {available} N is available"),
-        CheckKind::MustSlip if c.ok => format!("the {tie} slips: rolling would need {available} N of friction, more than mu_s N = {required} N"),
-        CheckKind::MustSlip => format!("the {tie} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N"),
-        CheckKind::Pressed | CheckKind::Taut if joint.is_some() => {
-            let (name, of) = joint.unwrap_or(("?", 0));
-            let what = match (c.kind, c.ok) {
-                (CheckKind::Pressed, true) => "is pressed on",
-                (CheckKind::Pressed, false) => "is not pressed on",
-                (_, true) => "pulls at the cord",
-                (_, false) => "does not pull at the cord",
-            };
-            format!("the {} {what} `{name}`: {available} N, required more than 0 N", self::body(scene, of))
-        }
-        CheckKind::HoldsBlow => {
-            let (name, of) = joint.unwrap_or(("?", 0));
-            let what = if scene.joints.get(c.of).is_some_and(|j| j.kind.only_pushes()) {
-                "pressed on"
-            } else {
-                "held by"
-            };
-            let not = if c.ok { "" } else { "not " };
-            format!("at the blow the {} is {not}{what} `{name}`: {available} N*s, required more than 0 N*s", self::body(scene, of))
-        }
-        CheckKind::Met => met(scene, c),
-        CheckKind::Next if c.ok => "the motion that follows goes as it is said to".to_owned(),
-        CheckKind::Next => {
-            let what = match CheckKind::ALL.get(c.of) {
-                Some(CheckKind::Moves) => "nothing sets it moving that way",
-                Some(CheckKind::Reaches) => "it does not get to its end",
-                Some(CheckKind::NoSlip) => "what is to roll slips",
-                Some(CheckKind::Taut) => "a cord does not pull",
-                Some(CheckKind::Pressed) => "a body is not pressed on its surface",
-                _ => "a condition does not hold",
-            };
-            format!("the motion that follows does not go as it is said to: {what}")
-        }
-        CheckKind::Pressed if c.ok => format!("the {body} is pressed on its surface with {available} N"),
-        CheckKind::Pressed => format!("the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"),
-        CheckKind::Taut if c.ok => format!("{tie} is taut{looks} with {available} N"),
-        CheckKind::Taut => format!("{tie} is not taut: tension {available} N, required more than {required} N"),
-        CheckKind::SlipDirection if c.ok => format!("the slip of the {tie} goes against the friction"),
-        CheckKind::SlipDirection => format!("the slip of the {tie} does not go against the friction: {available} m/s^2, required more than {required} m/s^2"),
-        CheckKind::StartsSlipping if c.ok => format!("the {tie} starts with slip: its contact moves at {available} m/s"),
-        CheckKind::StartsSlipping => format!("the {tie} does not slip at the start: its contact is at rest"),
-        CheckKind::Closes if c.ok && c.required <= 0.0 => format!("friction ends the slip of the {tie}: mu_k N = {available} N, nothing keeps it up"),
-        CheckKind::Closes if c.ok => format!("friction ends the slip of the {tie}: mu_k N = {available} N, {required} N keep it up"),
-        CheckKind::Closes => format!("friction does not end the slip of the {tie}: {required} N keep it up, mu_k N = {available} N"),
-        CheckKind::Slack => slack(scene, c),
-        CheckKind::SlipEnds if c.available.is_infinite() => format!("the {tie} slips at the end, after {required} s: its slip does not end"),
-        CheckKind::SlipEnds => {
-            let when = if c.required < c.available { "still slips" } else { "rolls" };
-            format!("the {tie} {when} at the end, after {required} s: its slip ends after {available} s")
-        }
-        CheckKind::UnderWay => format!("the {tie} is on its way at the end: it moves at {available} m/s"),
-        CheckKind::StaticLimit => {
-            let can = if c.required <= c.available { "could" } else { "could not" };
-            format!("static friction {can} hold the {tie} rolling: that needs {required} N, mu_s N = {available} N")
-        }
-        CheckKind::Reaches => reaches(scene, c),
-    }
+        CheckKind::Pressed | CheckKind::Taut if joint.is_some() => ok("of_joint", "not_of_joint"),
+        CheckKind::HoldsBlow if only_pushes => ok("pressed", "not_pressed"),
+        CheckKind::HoldsBlow => ok("held", "not_held"),
+        CheckKind::Met if c.required <= 0.0 => "at_start",
+        CheckKind::Met if c.required.is_infinite() => "never",
+        CheckKind::Next if !c.ok => match CheckKind::ALL.get(c.of) {
+            Some(
+                kind @ (CheckKind::Moves
+                | CheckKind::Reaches
+                | CheckKind::NoSlip
+                | CheckKind::Taut
+                | CheckKind::Pressed),
+            ) => kind.name(),
+            _ => "fails",
+        },
+        CheckKind::Closes if c.ok && c.required <= 0.0 => "by_itself",
+        CheckKind::Slack if c.required < c.available => "taut",
+        CheckKind::Slack => "slack",
+        CheckKind::SlipEnds if c.available.is_infinite() => "never",
+        CheckKind::SlipEnds if c.required < c.available => "slips",
+        CheckKind::SlipEnds => "rolls",
+        CheckKind::UnderWay => "is",
+        CheckKind::StaticLimit if c.required <= c.available => "could",
+        CheckKind::StaticLimit => "could_not",
+        _ => ok("holds", "fails"),
+    };
+    let ratio = if c.available == 0.0 { 0.0 } else { c.available / c.required };
+    let held = joint.and_then(|j| j.kind.spots().next()).map_or(0, |spot| spot.body);
+    // A condition is about a tie or about a body; what is not meant is not told.
+    let pieces = [
+        ("tie", of_tie(scene, c.of)),
+        ("body", body(scene, c.of)),
+        ("of", body(scene, held)),
+        ("name", joint.map_or("?", |j| j.name.as_str()).to_owned()),
+        ("strut", scene.struts.get(c.of).map_or("?", |s| s.name.as_str()).to_owned()),
+        ("looks", looks(scene, all)),
+        ("required", figures(c.required)),
+        ("available", figures(c.available)),
+        ("ratio", figures(ratio)),
+        ("unit", c.kind.unit(scene).to_owned()),
+    ];
+    let pieces = pieces.each_ref().map(|(name, text)| (*name, text.as_str()));
+    say(&format!("check.{}.{how}", c.kind.name()), &pieces)
 }
 
 /// Is the end reached, and how far does the motion go?
-#[rustfmt::skip] // a table
 fn reaches(scene: &Scene, c: &Check) -> String {
-    let unit = scene.measure();
-    let (required, available) = (figures(c.required), figures(c.available));
     let (pinned, endless) = (scene.lead().is_some(), c.available.is_infinite());
-    if scene.end == End::Equilibrium {
-        return "the end is not reached: there is no stable equilibrium in the way in which it sets off"
-            .to_owned();
-    }
-    if let End::Leaves(joint) = scene.end {
-        let name = &scene.joints[joint].name;
-        return if c.ok {
-            format!("the end is reached: `{name}` is left")
-        } else {
-            format!("the end is not reached: `{name}` is not left before it comes to rest or leaves another")
-        };
-    }
-    let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
-    let then = if scene.growths.is_empty() {
-        format!("what comes after a turning point is a motion of its own: write `end: {{turning point: {name}}}` and `next: {{end: ...}}`")
-    } else {
-        "of forces that grow what comes then is told with time, and without other couples: a couple that stays may be a brake".to_owned()
-    };
-    match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
+    let started = !scene.starts_from_rest() && scene.ends_at_a_place();
+    let at_start = !c.ok && c.required.total_cmp(&c.available).is_eq();
+    let how = match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
+        _ if scene.end == End::Equilibrium => "no_equilibrium",
+        (true, _) if matches!(scene.end, End::Leaves(_)) => "left",
+        (false, _) if matches!(scene.end, End::Leaves(_)) => "not_left",
         // It is reached, and by a motion of no length.
-        (false, _) if c.required.total_cmp(&c.available).is_eq() => {
-            let started = !scene.starts_from_rest() && scene.ends_at_a_place();
-            let then = if started { then } else { "write an end that comes after the start".to_owned() };
-            format!("the end lies where the motion starts, and it leaves there; {then}")
-        }
+        _ if at_start => "at_start",
         (false, false) if matches!(scene.end, End::Time(..)) && !pinned => {
-            let at = if endless { String::new() } else { format!(" at {available} {unit}") };
-            format!("the end is not reached: {required} {unit} lie after the turning point{at}, up to which a motion is followed; {then}")
+            if endless {
+                "after_turning_endless"
+            } else {
+                "after_turning"
+            }
         }
-        (true, true) if !endless || pinned => format!("the end is reached: it comes to rest after {available} {unit}"),
-        (false, true) if pinned => {
-            "the end is not reached: it does not come to rest in two turns, or not before a contact is lost"
-                .to_owned()
+        (true, true) if !endless || pinned => "comes_to_rest",
+        (false, true) if pinned => "not_in_two_turns",
+        (false, true) if endless => "never_at_rest",
+        (true, _) if endless && pinned => "well_beyond",
+        (true, _) if endless => "without_end",
+        (true, _) => "as_far_as",
+        (false, _) if endless && pinned && c.required >= 0.0 => "two_turns",
+        (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => {
+            "turns_before"
         }
-        (false, true) if endless => "the end is not reached: it never comes to rest".to_owned(),
-        (true, _) if endless && pinned => format!("the end is reached: {required} {unit} asked, the motion goes on well beyond"),
-        (true, _) if endless => format!("the end is reached: {required} {unit} asked, the motion goes on without end"),
-        (true, _) => format!("the end is reached: {required} {unit} asked, the motion goes as far as {available} {unit}"),
-        (false, _) if endless && pinned && c.required >= 0.0 => format!("the end is not reached: {required} {unit} asked; a motion is followed up to its turning point or the loss of a contact, for two turns at most"),
-        (false, _) if !scene.growths.is_empty() && scene.heading.is_none() && c.required >= 0.0 => format!("the end is not reached: {required} {unit} asked, the motion turns before"),
-        (false, _) if c.required < 0.0 => {
-            let way = figures(-c.required);
-            let on = if endless || pinned { String::new() } else { format!(" and turns after {available} {unit}; {then}") };
-            format!("the end is not reached: it lies {way} {unit} from the start, and the motion goes the other way{on}")
-        }
-        (false, _) if endless || c.required < c.available => format!("the end is not reached: {required} {unit} asked, the motion goes the other way"),
-        (false, _) => format!("the end is not reached: {required} {unit} asked, the motion goes only as far as {available} {unit}"),
-    }
+        (false, _) if c.required < 0.0 && (endless || pinned) => "behind",
+        (false, _) if c.required < 0.0 => "behind_and_turns",
+        (false, _) if endless || c.required < c.available => "other_way",
+        (false, _) => "not_so_far",
+    };
+    let joint = match scene.end {
+        End::Leaves(joint) => scene.joints[joint].name.as_str(),
+        _ => "",
+    };
+    let then = match scene.growths.is_empty() {
+        _ if at_start && !started => "then.later",
+        true => "then.next",
+        false => "then.grows",
+    };
+    let name = scene.bodies.get(c.of).map_or("?", |b| b.name.as_str());
+    let (required, available) = (figures(c.required), figures(c.available));
+    let pieces = [
+        ("joint", joint),
+        ("required", &required),
+        ("available", &available),
+        ("way", &figures(-c.required)),
+        ("unit", scene.measure()),
+        ("then", &say(then, &[("name", name)])),
+    ];
+    say(&format!("reaches.{how}"), &pieces)
 }
 
 /// What really happens, in a sentence.
@@ -356,30 +287,6 @@ fn trouble(trouble: &Trouble) -> String {
 fn velocity(scene: &Scene, of: Coordinate) -> String {
     let what = if of.degree == Degree::Along { "speed" } else { "spin" };
     format!("the {what} of `{}`", scene.bodies.get(of.body).map_or("?", |b| b.name.as_str()))
-}
-
-/// What the program does not solve.
-#[rustfmt::skip] // a table
-const fn unsupported(what: Unsupported) -> &'static str {
-    match what {
-        Unsupported::SpringWithTwoFreedoms => "a spring where two coordinates are free is not solved",
-        Unsupported::SpeedWithTwoFreedoms => "a start with a speed where two coordinates are free is not solved",
-        Unsupported::StartHeld => "the start gives a speed to what the ties hold at rest; take it away, or one of the ties",
-        Unsupported::SpringWithSlip => "a spring where something slips is not solved",
-        Unsupported::SpeedWithSlip => "a body that slips starts from rest, or is thrown alone with its speed and its spin both given",
-        Unsupported::SlipShared => "a contact is said to slip where other ties hold it, too: what friction it would need is open",
-        Unsupported::EqualByChance => "two data are equal, and only so the ties leave another number of freedoms: such data are not solved",
-        Unsupported::SlidesInTurn => "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved",
-        Unsupported::SlackBetween => "the cord of the spring is slack where the motion ends, and the one that follows draws it tight; end the motion before the cord goes slack, or leave the spring out under `next`",
-        Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
-        Unsupported::ThrownEnd => "a body thrown with slip on a surface ends where it begins to roll, or after a time",
-        Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
-        Unsupported::MovingLamina => "of a body of particles only what holds at the instant can be asked; write `end: at once`",
-        Unsupported::JoinedInCompany => "what is pinned or moves in the plane is held by joints, without ties, and so is what is beside it; it ends at an angle, a time, a speed or a turning point",
-        Unsupported::Overwound => "a torsion spring may be wound by less than half a turn, from the start to the end",
-        Unsupported::InLine => "two hinged rods come to lie in one line on the way, or a rod lies across its guide: from there the linkage can go on in two ways, and it is not followed; let the motion end before",
-        Unsupported::FrictionTurns => "a point that rubs stands still or turns back in its guide, or it is open on which side of the guide it presses",
-    }
 }
 
 /// A place of the plane.
@@ -541,7 +448,7 @@ fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> String {
                 rounded(*follows, 5)
             )
         }
-        Refusal::Unsupported(what) => unsupported(*what).to_owned(),
+        Refusal::Unsupported(what) => say(&format!("unsupported.{what:?}"), &[]),
         Refusal::Trouble { method, trouble: why } => format!("{}: {}", method.name(), trouble(why)),
         Refusal::Unsteady { method, label, value, finer } => format!(
             "{} does not settle on {}: {value:e}, and {finer:e} when set finer; take a smaller step or tolerance",
@@ -700,5 +607,17 @@ mod tests {
         assert!(moves(0.0, 0.0).contains("a speed of its own"));
         assert!(moves(3.0, 0.0).contains("nothing resists"));
         assert!(moves(3.0, 2.0).contains("the driving force is 1.5000 times the resistance"));
+    }
+
+    /// A name that is put together is found out only where it is said.
+    #[test]
+    fn what_is_not_solved_has_its_sentence() {
+        let (_, all) =
+            include_str!("../solve/outcome.rs").split_once("pub enum Unsupported {").expect("it is there");
+        let (all, _) = all.split_once("\n}").expect("it ends");
+        let names = all.lines().map(str::trim).filter(|line| !line.starts_with("//") && !line.is_empty());
+        for name in names.map(|line| line.trim_end_matches(',')) {
+            assert!(!say(&format!("unsupported.{name}"), &[]).is_empty(), "{name}");
+        }
     }
 }

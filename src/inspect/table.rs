@@ -71,69 +71,59 @@ fn string(text: &str) -> String {
     serde_json::to_string(text).unwrap_or_default()
 }
 
+/// A list or an object of JSON, a line for each of its entries.
+fn lines([open, close]: [char; 2], entries: impl Iterator<Item = String>) -> String {
+    match entries.collect::<Vec<_>>().join(",\n    ") {
+        none if none.is_empty() => format!("{open}{close}"),
+        all => format!("{open}\n    {all}\n  {close}"),
+    }
+}
+
 /// The same as JSON.
 pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> String {
     let scene = &problem.cases[case].scene;
-    let mut out = String::new();
-    let _ = write!(
-        out,
-        "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"method\": {},\n  \"checks\": [",
-        string(&problem.id),
-        string(&solved.regime.word()),
-        method_json(taken)
-    );
-    for (i, check) in solved.checks.iter().enumerate() {
-        let comma = if i == 0 { "" } else { "," };
+    let checks = solved.checks.iter().map(|check| {
+        let (name, ok) = (check.kind.name(), check.ok);
         let detail = string(&sentences::check(scene, &solved.checks, check));
-        let _ = write!(
-            out,
-            "{comma}\n    {{\"name\": \"{}\", \"ok\": {}, \"detail\": {detail}}}",
-            check.kind.name(),
-            check.ok
-        );
-    }
-    out.push_str(if solved.checks.is_empty() { "],\n" } else { "\n  ],\n" });
-    out.push_str("  \"quantities\": {");
-    let mut first = true;
-    for row in rows(problem, case, solved, taken) {
-        let comma = if first { "" } else { "," };
-        first = false;
-        let (name, unit) = (string(&row.name), string(row.unit));
+        format!("{{\"name\": \"{name}\", \"ok\": {ok}, \"detail\": {detail}}}")
+    });
+    let quantities = rows(problem, case, solved, taken).into_iter().map(|row| {
         let value = row.word.map_or_else(|| number(row.value), string);
-        let _ = write!(
-            out,
-            "{comma}\n    {name}: {{\"value\": {value}, \"unit\": {unit}, \"eom\": {}, \"energy\": {}, \"gap\": {}, \"cond\": {}{}}}",
+        let (last, error) =
+            if taken.errors.is_empty() { ("bound", row.bound) } else { ("error", row.error) };
+        format!(
+            "{}: {{\"value\": {value}, \"unit\": {}, \"eom\": {}, \"energy\": {}, \"gap\": {}, \"cond\": {}, \"{last}\": {}}}",
+            string(&row.name),
+            string(row.unit),
             number(row.eom),
             number(row.energy),
             number(row.gap),
             number(row.cond),
-            if taken.errors.is_empty() {
-                format!(", \"bound\": {}", number(row.bound))
-            } else {
-                format!(", \"error\": {}", number(row.error))
-            }
-        );
-    }
-    out.push_str(if first { "}" } else { "\n  }" });
-    let beyond: Vec<String> = solved.beyond.iter().map(|l| string(&scene.name_of(*l))).collect();
-    let open: Vec<String> = solved.open.iter().map(|l| string(&scene.name_of(*l))).collect();
-    out.push_str(",\n  \"questions\": {");
-    for (i, question) in problem.questions.iter().enumerate() {
-        let comma = if i == 0 { "" } else { "," };
+            number(error)
+        )
+    });
+    let questions = problem.questions.iter().map(|question| {
         let value = match solved.word(question.label) {
             Some(word) => string(word.as_str()),
             None => number(solved.get(question.label).map(|e| question.unit.from_si(e.value()))),
         };
         let (id, quantity) = (string(&question.id), string(&scene.name_of(question.label)));
         let unit = string(if question.label.quantity.is_word() { "" } else { question.unit.ascii() });
-        let _ = write!(
-            out,
-            "{comma}\n    {id}: {{\"quantity\": {quantity}, \"value\": {value}, \"unit\": {unit}}}"
-        );
-    }
-    out.push_str(if problem.questions.is_empty() { "}" } else { "\n  }" });
-    let _ = write!(out, ",\n  \"beyond\": [{}],\n  \"open\": [{}]\n}}\n", beyond.join(", "), open.join(", "));
-    out
+        format!("{id}: {{\"quantity\": {quantity}, \"value\": {value}, \"unit\": {unit}}}")
+    });
+    let names =
+        |labels: &[Label]| labels.iter().map(|l| string(&scene.name_of(*l))).collect::<Vec<_>>().join(", ");
+    format!(
+        "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"method\": {},\n  \"checks\": {},\n  \"quantities\": {},\n  \"questions\": {},\n  \"beyond\": [{}],\n  \"open\": [{}]\n}}\n",
+        string(&problem.id),
+        string(&solved.regime.word()),
+        method_json(taken),
+        lines(['[', ']'], checks),
+        lines(['{', '}'], quantities),
+        lines(['{', '}'], questions),
+        names(&solved.beyond),
+        names(&solved.open)
+    )
 }
 
 #[derive(Default)]
@@ -273,13 +263,14 @@ pub fn table(
     if scene.formulas.numbers.iter().any(|n| n.any) {
         out.push_str("What is `any` is taken as 1 kg or 1 m; what depends on it is not shown.\n");
     }
-    if !solved.open.is_empty() {
-        let names: Vec<String> = solved.open.iter().map(|l| scene.name_of(*l)).collect();
-        let _ = writeln!(out, "Left open by statics, for several ties share one force: {}", names.join(", "));
-    }
-    if !solved.beyond.is_empty() {
-        let names: Vec<String> = solved.beyond.iter().map(|l| scene.name_of(*l)).collect();
-        let _ = writeln!(out, "Not shown, for no double holds them to 16 digits: {}", names.join(", "));
+    for (told, labels) in [
+        ("Left open by statics, for several ties share one force", &solved.open),
+        ("Not shown, for no double holds them to 16 digits", &solved.beyond),
+    ] {
+        if !labels.is_empty() {
+            let names: Vec<String> = labels.iter().map(|l| scene.name_of(*l)).collect();
+            let _ = writeln!(out, "{told}: {}", names.join(", "));
+        }
     }
     out
 }

@@ -1,5 +1,5 @@
 //! The rules of a draw, how often each refused and what came out instead, in words.
-use crate::bank::{Bound, Problem, measure};
+use crate::bank::{Bound, Problem, measure, need};
 use crate::num::shown;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::{End, Num, Scene, Tie, admissible};
@@ -354,9 +354,9 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
         R::Positive => format!("{told}: must be above 0"),
         R::NotNegative => {
             let way = if scene.couples.iter().any(|c| c.moment_n_m == fault.datum) {
-                ": `sense: back` turns the other way"
+                need::TURNS_BACK
             } else if scene.pushes.iter().any(|p| p.force_n == fault.datum) {
-                ": its direction says whither it acts"
+                need::ACTS_WHITHER
             } else {
                 ""
             };
@@ -375,7 +375,7 @@ pub fn inadmissible(problem: &Problem, scene: &Scene, fault: &Inadmissible) -> S
                 Tie::Slip { mu_s, mu_k, .. } => (mu_k, Some(mu_s)) == (fault.datum, Some(other)),
                 Tie::Slide { mu_s, mu_k, .. } => (mu_k, mu_s) == (fault.datum, Some(other)),
                 Tie::Roll { .. } | Tie::Cord(_) => false,
-            });
+            }) || scene.formulas.below.contains(&(fault.datum, other));
             let [own, its] = if frictions { ["mu_k, ", "mu_s, "] } else { [""; 2] };
             format!("{own}{told}: must not be above {its}{}", symbol(problem, scene, other))
         }

@@ -56,6 +56,7 @@ pub struct Inadmissible {
 /// Every number of the scene with each rule that it keeps, in the order of the scene.
 pub fn rules(scene: &Scene, tell: &mut dyn FnMut(Num, Rule)) {
     given::read::all(scene, &mut |number, (_, rules)| rules.iter().for_each(|rule| tell(*number, *rule)));
+    scene.formulas.below.iter().for_each(|(own, other)| tell(*own, Rule::NotAbove(*other)));
 }
 
 /// Is the spring of the pinned body at the start at least as long as it is stretched there?

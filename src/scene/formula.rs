@@ -131,6 +131,8 @@ pub struct Formulas {
     pub found: Option<Found>,
     /// Does the end say that what slides stays where it comes to rest?
     pub stays: bool,
+    /// Numbers that are not above others beside them, which no tie says.
+    pub below: Vec<(Num, Num)>,
 }
 
 impl Formulas {

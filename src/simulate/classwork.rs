@@ -1,12 +1,13 @@
 //! A whole made-up class: what each student hands in, who copies from whom, when, and the two files of it, submissions and truth.
 use crate::csv_field::{push_field, push_line};
 use crate::key::SheetKey;
+use crate::policy::{MINUTE, Zone};
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
 use crate::simulate::student::SimulatedAnswer;
 use crate::simulate::truth::{HEADER, TrueKind, Truth};
+use crate::simulate::written;
 use crate::simulate::written::WrittenCell;
-use crate::simulate::{moment, written};
 use crate::words::Words;
 
 /// One student's work.
@@ -141,6 +142,7 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
     if habits.times.is_some() {
         rows.sort_by_key(|r| r.minute);
     }
+    let shown = |minute: i64| Zone::default().shown(minute * MINUTE);
     let mut submissions = Vec::new();
     let mut truth = Vec::new();
     push_line(&mut truth, HEADER);
@@ -151,8 +153,8 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
         let odd = row.handed.problem + row.handed.part + usize::try_from(row.handed.attempt).unwrap_or(0);
         let answer = text(&row.handed.cell, row.comma, odd, words);
         let time = row.minute.map(|m| match habits.times.as_ref().map_or("", |t| t.zone.as_str()) {
-            "" => moment::text(m),
-            zone => format!("{}:00{zone}", moment::text(m).replace(' ', "T")),
+            "" => shown(m),
+            zone => format!("{}:00{zone}", shown(m).replace(' ', "T")),
         });
         let problem = (row.handed.problem + 1).to_string();
         let mut fields = vec![row.student, problem.as_str(), row.part, answer.as_str()];

@@ -1,9 +1,9 @@
 //! Habits of a class, as a YAML file declares them: what becomes of an answer, how numbers are written, who copies, when it is
 //! handed in.
-use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
-use crate::bank::yaml;
+use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, whole};
+use crate::bank::{course, yaml};
 use crate::finding::Findings;
-use crate::simulate::moment;
+use crate::policy::{MINUTE, Zone, time};
 use crate::simulate::truth::TrueKind;
 use crate::units::spell;
 
@@ -120,6 +120,8 @@ pub struct Habits {
 const UNITS: [(&str, UnitHabit); 3] =
     [("asked", UnitHabit::Asked), ("other", UnitHabit::Other), ("none", UnitHabit::Without)];
 
+const YES_OR_NO: [(&str, bool); 4] = [("yes", true), ("no", false), ("true", true), ("false", false)];
+
 /// Most figures that can be asked for.
 const MOST_FIGURES: u32 = 15;
 /// Most attempts at a part.
@@ -208,7 +210,7 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     });
     let words = fields.read("direction by word", part).unwrap_or(0.0);
     let commas = fields.read("decimal commas", part).unwrap_or(0.0);
-    let spreadsheet = fields.get("spreadsheet").is_some_and(|n| yes(n, faults));
+    let spreadsheet = fields.read("spreadsheet", |n, f| choice(n, &YES_OR_NO, f)).unwrap_or(false);
     let times = fields.get("handed in").and_then(|n| times(n, faults));
     // A field that is there and cannot be read is a finding already.
     Some(Habits {
@@ -231,21 +233,9 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     })
 }
 
-/// `5 %` or `0.05`.
+/// `5 %` or `0.05`; 0 where it is none.
 fn share(node: &Node, faults: &Faults) -> f64 {
-    let text = node.text().unwrap_or("").trim();
-    let read = match text.strip_suffix('%') {
-        Some(number) => number.trim().parse::<f64>().map(|p| p / 100.0),
-        None => text.parse(),
-    };
-    match read {
-        Ok(share) if (0.0..=1.0).contains(&share) => share,
-        Ok(_) => {
-            let hint = "a share is from 0 to 1, or from 0 % to 100 %";
-            faults.refuse_with(node, format!("{text} is no share"), hint).unwrap_or(0.0)
-        }
-        Err(_) => faults.expected(node, "a share", "`5 %` or `0.05`").unwrap_or(0.0),
-    }
+    course::share_of(node, "a share", faults).unwrap_or(0.0)
 }
 
 /// A number >= 0 that is held against those beside it; a `%` behind it is no fault.
@@ -318,15 +308,11 @@ fn methods(node: &Node, faults: &Faults) -> (f64, Vec<(String, f64)>) {
 
 fn copying(node: &Node, faults: &Faults) -> Option<Copying> {
     let mut fields = Fields::open(node, "who copies (groups, size, share, disguise)", faults)?;
-    let whole = |node: Option<&Node>, least: usize, otherwise: usize| {
-        let Some(node) = node else { return otherwise };
-        let found = node.text().and_then(|t| t.trim().parse().ok());
-        let found = found.filter(|n| (least..=1_000_000).contains(n));
-        let told = || faults.expected(node, "a whole number", format!("from {least} on"));
-        found.or_else(told).unwrap_or(otherwise)
+    let count = |node: Option<&Node>, least: u32| {
+        node.and_then(|n| whole(n, least, 1_000_000, faults)).map_or(least as usize, |n| n as usize)
     };
-    let groups = whole(fields.need("groups", "2"), 0, 0);
-    let size = whole(fields.get("size"), 2, 2);
+    let groups = count(fields.need("groups", "2"), 0);
+    let size = count(fields.get("size"), 2);
     let part = fields.need("share", "60 %").map_or(0.0, |n| share(n, faults));
     let disguise = fields.get("disguise").map_or(0.0, |n| share(n, faults));
     Some(Copying { groups, size, share: part, disguise })
@@ -336,7 +322,8 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
     let mut fields = Fields::open(node, "times (opens, due, late, by at most, zone)", faults)?;
     let minute = |node: Option<&Node>| {
         let node = node?;
-        let found = moment::minute(node.text().unwrap_or(""));
+        let found = time::parse(node.text().unwrap_or("")).filter(|m| !(m.whole_day || m.zoned));
+        let found = found.filter(|m| m.uncertain.is_none()).map(|m| m.micros[0].div_euclid(MINUTE));
         found.or_else(|| faults.expected(node, "a time", "such as 2026-03-06 18:00"))
     };
     let opens = minute(fields.need("opens", "2026-03-02 08:00"));
@@ -344,12 +331,14 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
     let due = minute(due_node);
     let late = fields.get("late").map_or(0.0, |n| share(n, faults));
     let by = fields.get("by at most").map_or(24 * 60, |n| {
-        let found = moment::span(n.text().unwrap_or("")).filter(|minutes| *minutes > 0);
+        let found = course::span(n.text().unwrap_or("")).map(|micros| micros / MINUTE);
+        let found = found.filter(|minutes| *minutes > 0);
         found.or_else(|| faults.expected(n, "a time span", "such as `36 h` or `2 d`")).unwrap_or(1)
     });
     let zone = fields.get("zone").map_or_else(String::new, |n| {
         let text = n.text().unwrap_or("").trim();
-        if !moment::is_zone(text) {
+        let signed = text.starts_with(['+', '-']) && Zone::named(text).is_some();
+        if text != "Z" && !signed {
             faults.hint(n, format!("`{}` is no offset from UTC", shorten(text)), "`+01:00` or `Z`");
         }
         text.to_owned()
@@ -361,14 +350,6 @@ fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
         faults.at(node, "it is due before it opens");
     }
     Some(HandInTimes { opens, due, late, by, zone })
-}
-
-fn yes(node: &Node, faults: &Faults) -> bool {
-    match node.text().map(str::trim) {
-        Some("yes" | "true") => true,
-        Some("no" | "false") => false,
-        _ => faults.expected(node, "yes or no", "`spreadsheet: yes`").unwrap_or(false),
-    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@ pub mod chance;
 pub(crate) mod class;
 pub mod classwork;
 pub mod habits;
-mod moment;
 pub mod student;
 pub mod truth;
 pub mod written;

@@ -65,6 +65,19 @@ impl Words {
         READ.iter().find(|words| words.language == language)
     }
 
+    /// What solving says to instructors, in English alone: phrases of the topic `sentences`.
+    pub fn sentences() -> &'static Self {
+        static READ: LazyLock<Words> = LazyLock::new(|| {
+            let (language, text) = (Cow::Borrowed("en"), include_str!("../../templates/sentences.yaml"));
+            let mut words = Words { language, decimal: '.', phrases: FxHashMap::default() };
+            if let Err(faults) = words.read("sentences", text, false) {
+                panic!("the built-in sentences cannot be read: {faults:?}");
+            }
+            words
+        });
+        &READ
+    }
+
     /// The word lists of a language: topic, text.
     pub fn lists(language: &str) -> Option<Lists> {
         LANGUAGES.iter().find(|(code, ..)| *code == language).map(|(_, _, _, lists)| *lists)

@@ -183,18 +183,18 @@ lateness: 3
     let (exit, out, err) = room.simulate(Some(habits), "h", &[]);
     assert_eq!((exit, out.as_str()), (Exit::Faulty, ""));
     for (line, part) in [
-        (1, "140 % is no share"),
+        (1, "expected a share, found `140 %`"),
         (2, "`wrong methd` is none of the kinds of answers"),
         (2, "did you mean `wrong method`?"),
         (2, "expected how often, found `often`"),
         (3, "no wrong method is ever met"),
         (4, "`40` is none of the numbers of figures"),
-        (5, "expected a whole number, found `two`"),
+        (5, "expected a whole number from 0 to 1000000, found `two`"),
         (6, "`feet` is none of the ways of writing units"),
         (7, "expected a time, found `2026-02-30 08:00`"),
         (7, "expected a time span, found `soon`"),
         (7, "`CET` is no offset from UTC"),
-        (8, "expected yes or no, found `maybe`"),
+        (8, "expected `yes` or `no` or `true` or `false`, found `maybe`"),
         (9, "unknown field `lateness`"),
     ] {
         assert!(err.contains(part), "{part}\n{err}");

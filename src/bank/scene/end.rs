@@ -8,7 +8,7 @@ use crate::scene::{Attach, Body, Coordinate, Cord, Degree, End, Far, Heading, Jo
 /// How an end is written.
 enum EndForm {
     /// A body and a value: the field of the value, an example of it, what it is along a line and in turning, what is made of it.
-    Value(&'static str, &'static str, Need, Need, fn(Coordinate, Num) -> End),
+    Value(&'static str, &'static str, &'static Need, &'static Need, fn(Coordinate, Num) -> End),
     /// The name of a body, and what is made of it: by whether it turns, and whether it moves along a line.
     Body(fn(&Body, usize) -> End),
     /// A height: is it gained?
@@ -36,11 +36,11 @@ fn in_plane(body: &Body) -> String {
 
 #[rustfmt::skip] // a table
 const ENDS: [(&str, EndForm); 13] = [
-    ("travel", EndForm::Value("by", "d", Need::LENGTH, Need::TURN, End::Travel)),
-    ("turn", EndForm::Value("by", "phi", Need::TURN, Need::TURN, End::Travel)),
-    ("position", EndForm::Value("at", "s", Need::PLACE, Need::PLACE, End::Position)),
-    ("time", EndForm::Value("is", "t1", Need::TIME, Need::TIME, End::Time)),
-    ("speed", EndForm::Value("reaches", "v1", Need::SPEED_REACHED, Need::SPIN_REACHED, End::Speed)),
+    ("travel", EndForm::Value("by", "d", &Need::LENGTH, &Need::TURN, End::Travel)),
+    ("turn", EndForm::Value("by", "phi", &Need::TURN, &Need::TURN, End::Travel)),
+    ("position", EndForm::Value("at", "s", &Need::PLACE, &Need::PLACE, End::Position)),
+    ("time", EndForm::Value("is", "t1", &Need::TIME, &Need::TIME, End::Time)),
+    ("speed", EndForm::Value("reaches", "v1", &Need::SPEED_REACHED, &Need::SPIN_REACHED, End::Speed)),
     ("turning point", EndForm::Body(|b, body| {
         End::TurningPoint(Coordinate { body, degree: if b.line.is_some() { Degree::Along } else { Degree::Turn } })
     })),
@@ -49,7 +49,7 @@ const ENDS: [(&str, EndForm); 13] = [
         true => End::Rolling(along(body)),
         false => End::TurningPoint(along(body)),
     })),
-    ("angle", EndForm::Value("reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle)),
+    ("angle", EndForm::Value("reaches", "phi1", &Need::ANGLE, &Need::ANGLE, End::Angle)),
     ("rise", EndForm::Height(true)),
     ("descent", EndForm::Height(false)),
     ("unwinds", EndForm::Unwinds),
@@ -181,7 +181,7 @@ impl SceneReader<'_> {
         let line = body.and_then(|b| bodies[b].line);
         let turning = word == "turn" || (body.is_some() && line.is_none());
         let degree = if turning { Degree::Turn } else { Degree::Along };
-        let need = if turning { in_turning } else { along };
+        let need = *if turning { in_turning } else { along };
         let number = self.need_number(&mut fields, by, example, need);
         let heading_node = fields.get("heading");
         let heading = heading_node.map_or(Some(None), |n| {

@@ -155,12 +155,6 @@ impl SceneReader<'_> {
         let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::FRICTION);
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
         if word == "touches" {
-            if let (Some(Num::Fixed(mu_s)), Some(Num::Fixed(mu_k))) = (mu_s, mu_k)
-                && WHOLE
-                && mu_k > mu_s
-            {
-                f.at(node, told!("`mu_k` is {mu_k}, above `mu_s`, which is {mu_s}"));
-            }
             let mut touches = self.touches.borrow_mut();
             touches.push((tie, mu_k?));
             if !self.touching.slips(touches.len() - 1) {
