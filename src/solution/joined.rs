@@ -1,8 +1,8 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, RotaryInertia};
+use crate::scene::{Acts, End, JointKind, Label, Mass, Owner, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
-use crate::solution::draft::{DerivedAnswer, is_rate};
+use crate::solution::draft::{DerivedAnswer, Detail, is_rate};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
 };
@@ -83,7 +83,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         } else if self.instant() {
             self.motion("short", "one_motion")?;
             self.begin_as("why", "which");
-            self.say(if self.moves { "joined.why_instant" } else { "joined.why_at_rest" }, &[]);
+            let (driver, asked) = (self.driver, self.asks(Quantity::Drive));
+            match driver.filter(|_| asked && self.moves) {
+                Some(couple) => self.say("joined.why_driven", &[("couple", &self.names(&[couple]))]),
+                None if self.moves => self.say("joined.why_instant", &[]),
+                None => self.say("joined.why_at_rest", &[]),
+            }
         } else if self.rubs() {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
@@ -137,7 +142,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             values.insert(0, alpha);
         }
         let known = told.or(own);
-        let room = MOST.saturating_sub(self.lines());
+        let full = self.detail == Detail::Full;
+        let room = if full { usize::MAX } else { MOST.saturating_sub(self.lines()) };
         if !self.tell_in_order(known, &values, room) {
             self.tell_together(&values, room);
         }
@@ -383,6 +389,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 let is = speeds[b].by(self.rate);
                 self.stated(self.bodies[b].v, &is)
             })
+            .chain(self.own_spin())
             .collect();
         let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         let name = match (self.single(), self.scene.drifts()) {
@@ -413,6 +420,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
     }
 
+    /// The spin of a single body whose leading angle is not its own, as that of a wheel on a circle.
+    fn own_spin(&self) -> Option<String> {
+        let omega = self.bodies[self.lead].omega.filter(|omega| self.single() && *omega != self.rate)?;
+        Some(self.stated(omega, &self.positive(&self.spin(self.lead)).by(self.rate)))
+    }
+
     fn j(&self) -> Expr {
         self.j.map_or_else(|| self.moving.expr(), Expr::from)
     }
@@ -436,7 +449,11 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ("joined.sinking", !self.single()),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);
-            let notes: Vec<String> = notes.map(|(note, _)| self.phrase(note, &[])).collect();
+            let tag = if self.scene.struts.len() > 1 { ",1" } else { "" };
+            let given = self.scene.struts.iter().any(|s| matches!(s.rest, Rest::Stretch(_)));
+            let [s, x] = self.letters(tag, given);
+            let notes: Vec<String> =
+                notes.map(|(note, _)| self.phrase(note, &[("s", s), ("x", x)])).collect();
             let notes = if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) };
             self.say("joined.ways", &[("notes", &notes)]);
             // A stretch comes after the lengths that it takes.
@@ -698,11 +715,24 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all: Vec<_> = (0..self.bodies.len()).map(each).collect();
         self.rows(&all);
         let demands = if self.scene.end == End::Equilibrium { Vec::new() } else { self.demands() };
-        if demands.len() > FEW {
-            self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
-        } else if !demands.is_empty() {
-            self.say(if self.points() { "joined.point_demands" } else { "joined.demands" }, &[]);
-            self.page.equations(&demands);
+        let rolls: IsKind = |k| matches!(k, JointKind::Contact { rolls: true, teeth: false, .. });
+        let all_roll = self.scene.joints.iter().all(|j| rolls(&j.kind));
+        let many = demands.len() > FEW;
+        let arc: IsKind = |k| matches!(k, JointKind::Contact { surface: Surface::Arc { .. }, .. });
+        let name = if self.joint(arc) { "joined.demands_on_arc" } else { "joined.demands_rolling" };
+        let told = [
+            (self.joint(rolls) && !many, name),
+            (many, "joined.demands_many"),
+            (!many && self.points(), "joined.point_demands"),
+            (!many && !self.points() && !all_roll, "joined.demands"),
+        ];
+        if !demands.is_empty() {
+            for (_, name) in told.into_iter().filter(|(is, _)| *is) {
+                self.say(name, &[("n", &demands.len().to_string())]);
+            }
+            if !many || self.detail == Detail::Full {
+                self.page.equations(&demands);
+            }
         }
         if let Some(joint) = self.leaves() {
             self.where_it_leaves(joint);
@@ -801,7 +831,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         } else {
             self.phrase("joined.forces_of_joints", &[])
         };
-        let ties = if self.single() { "joined.ties_one" } else { "joined.ties" };
+        let ties = if self.single() && self.own_spin().is_none() { "joined.ties_one" } else { "joined.ties" };
         self.compare(what, [&newton, &energy], &[ties], Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);

@@ -433,6 +433,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Motion, End::Time(..)) => "idea.time",
             (Short::Motion, _) => "idea.time_asked",
             (Short::Energy, _) if self.placed() && spring => "idea.spring",
+            (Short::Energy, _) if self.placed() && !self.straight() => "idea.angle",
             (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
@@ -526,9 +527,16 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let _ = self.get(of_body(Quantity::Friction, *body));
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
-        if sprung {
+        if !rolling.is_empty() {
+            let normals = self.normals();
+            self.forget(normals);
+        }
+        // Where no place is given the swing has told them.
+        let placed = self.placed();
+        let told = self.steps.iter().all(|s| self.is_told(s.symbol));
+        if sprung && (self.placed() || !told) {
             let at_end = self.spring.iter().chain(&self.springs).map(|s| s.tension).chain([self.rate()]);
-            let at_end: Vec<SymbolId> = at_end.collect();
+            let at_end: Vec<SymbolId> = at_end.filter(|_| placed).collect();
             self.forget(at_end);
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
@@ -539,10 +547,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
             let by = self.stated(a, &in_sense(by, self.sense));
             self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
-        }
-        if !rolling.is_empty() {
-            let normals = self.normals();
-            self.forget(normals);
         }
         self.tell_new();
         for (t, body) in rolling {
@@ -642,6 +646,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             && self.scene.formulas.found.is_none();
         let weighed = self.scene.bodies.iter().all(|b| b.massless() || !matches!(b.mass, Mass::OfParts));
         match () {
+            () if self.rests() => "onward.other",
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
@@ -668,6 +673,10 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Is the place given at which it ends?
     fn placed(&self) -> bool {
         matches!(self.scene.end, End::Travel(..) | End::Position(..))
+    }
+    /// Is nothing set in motion?
+    fn rests(&self) -> bool {
+        self.stays() || self.starts() && self.symbols.value(self.rate()) == 0.0
     }
     fn slips(&self) -> bool {
         self.m.parts.iter().any(|p| p.slips)
@@ -786,7 +795,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
-            let name = if directed { "energy.counted" } else { "energy.against" };
+            let name = match self.straight() {
+                _ if directed => "energy.counted",
+                true => "energy.against",
+                false => "energy.against_turn",
+            };
             self.say_of(name, lead.body, &[("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
@@ -796,9 +809,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
             let kept = self.steps.split_off(at.unwrap_or(0));
-            self.say("energy.stretch", &[]);
             let normals = self.normals();
             self.tell_as_known(normals);
+            if self.steps.iter().any(|step| !self.is_told(step.symbol)) {
+                self.say("energy.stretch", &[]);
+            }
             self.tell_new();
             self.steps.extend(kept);
         }
@@ -817,6 +832,11 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.say(start, &[]);
         self.formula(self.balance(&self.distance()));
+        if let Some(spring) = spring.as_ref().filter(|s| !s.rigid && self.last == ZERO) {
+            let (far, all) =
+                (spring.stretch.over(&spring.gamma), stored(&spring.stiffness, &spring.stretch, &ZERO));
+            self.say("energy.slack", &[("far", &self.inline(&far)), ("stored", &self.inline(&all))]);
+        }
         self.tell_frictions();
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
@@ -881,9 +901,10 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => self.formula(line),
             }
             let ahead = self.value(&self.m.point(&action).per(&action.along).expr()) > 0.0;
-            if !ahead && !spring {
+            let level = self.value(&action.along.expr()).abs() == 1.0;
+            if !ahead && level && !spring {
                 self.say("energy.ratio_against", &[]);
-            } else if self.symbols.value(gamma) > 1.0 && !spring {
+            } else if ahead && self.symbols.value(gamma) > 1.0 && !spring {
                 self.say("energy.ratio_check", &[("gamma", &self.names(&[gamma]))]);
             }
         }
@@ -948,14 +969,11 @@ impl<'d, 'a> Account<'d, 'a> {
             let from = self.from(f);
             let normals: Vec<SymbolId> =
                 self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
+            let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
+            self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &self.chained(f))]);
             if self.detail == Detail::Full {
-                for symbol in normals.into_iter().chain([f]) {
-                    let from = self.from(symbol);
-                    self.display(symbol, &from, "");
-                }
-            } else {
-                let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
-                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &self.chained(f))]);
+                let rows: Vec<String> = normals.into_iter().chain([f]).map(|s| self.step_of(s)).collect();
+                self.formulas(rows);
             }
         }
     }
@@ -1024,8 +1042,7 @@ impl<'d, 'a> Account<'d, 'a> {
             (_, Short::Instant) => "motion",
             ("long", _) if self.alike() => "other_motion",
             ("long", _) => "long_motion",
-            (_, Short::Neither | Short::Together | Short::Rates) => "one_motion",
-            _ => "short_motion",
+            _ => "one_motion",
         };
         self.begin_as(id, title);
         let first = self.short == Short::Instant
@@ -1088,7 +1105,10 @@ impl<'d, 'a> Account<'d, 'a> {
         let drive = self.share_sum(&DRIVING);
         let line = self.equation(&drive, &self.effective.by(a));
         if self.spring.is_some() {
-            self.formula(line);
+            // Where nothing is eliminated it stands there already.
+            if !from.is_empty() {
+                self.formula(line);
+            }
         } else if from.is_empty() {
             let row = self.chain(a, &drive.over(&self.effective));
             self.formulas_or_one(vec![row]);
@@ -1140,7 +1160,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let normals = [self.normals(), self.kinetic_frictions()].concat();
         self.tell_as_known(normals);
         self.tell_new();
-        self.begin("why");
+        self.begin_as("why", "which");
         let time = matches!(self.scene.end, End::Time(..));
         self.say(if time { "why.swing_time" } else { "why.swing" }, &[]);
         Ok(())
@@ -1245,7 +1265,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             End::AtOnce => {}
             _ => {
-                if let Some(spring) = self.spring.clone() {
+                if let Some(spring) = self.spring.clone().filter(|_| again) {
                     let pull = positive_first(self.springs.iter().map(|s| s.gamma.by(s.tension)));
                     let several = matches!(pull, Expr::Sum(_));
                     let pull = self.tex(&pull);
@@ -1633,7 +1653,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn why_not_energy(&mut self) {
-        self.begin("why");
+        self.begin_as("why", "which");
         let v = self.speed();
         self.say("why.not_energy", &[("v", &self.names(&[v])), ("s", &self.inline(&self.s.clone()))]);
         self.say("why.ask", &[]);
@@ -1862,7 +1882,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        if !self.placed() || !self.straight() {
+        if !self.placed() || !self.straight() || self.stays() {
             return Ok(());
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;
