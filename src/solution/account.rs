@@ -47,6 +47,11 @@ pub struct GrownForce {
     pub mean: Option<SymbolId>,
 }
 
+/// The angular frequency of a swing on a spring.
+pub const OMEGA_SWING: &str = r"\omega_{\mathrm{s}}";
+/// The time after which its cord goes slack.
+pub const TIME_SLACK: &str = r"t_{\mathrm{s}}";
+
 /// Names and units of a speed and a spin of the start.
 pub const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
 
@@ -1011,7 +1016,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(spring.gamma.squared());
         let frequency = root(per.over(&self.effective));
-        self.page.find_once(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
+        self.page.find_once(&[OMEGA_SWING, r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
     /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
@@ -1150,7 +1155,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(None);
         }
         let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
-        let time = self.page.find_once(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
+        let time = self.page.find_once(&[TIME_SLACK], "s", (end - begin) / &frequency);
         let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
         let speed =
@@ -1580,7 +1585,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
-            number(2) * positive_first([pull.expr(), self.drive.clone()]) / kappa
+            (number(2) * positive_first([pull.expr(), self.drive.clone()])).over(&kappa)
         } else {
             let [_, rest, amplitude] = self.swing(&spring)?;
             let last = rest + in_sense(amplitude, self.stretching(&spring));

@@ -218,12 +218,17 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn onward(&self) -> &'static str {
         match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
+            End::AtOnce if self.blow.is_some() && self.pivot.is_some() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
             End::AtOnce if !self.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.carried_on() => "onward.other",
             _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.springs.is_empty() && !self.instant() => "joined.onward_spring",
+            // Beside other forces a stiffer spring may stop it.
+            _ if !self.springs.is_empty() && !self.instant() => match self.works.len() > self.springs.len() {
+                true => "joined.onward_spring",
+                false => "onward.spring",
+            },
             _ if self.pivot.is_some() => "pinned.onward",
             _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",
@@ -597,8 +602,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         self.say(name, &[("pin", pin)]);
         self.page.equations(&blow.rows);
-        if !blow.demands.is_empty() && blow.demands.len() <= FEW {
-            self.say("joined.blow_demands", &[]);
+        let many = blow.demands.len() > FEW;
+        if !blow.demands.is_empty() {
+            let name = if many { "joined.blow_demands_many" } else { "joined.blow_demands" };
+            self.say(name, &[("n", &blow.demands.len().to_string())]);
+        }
+        if !many || self.detail == Detail::Full {
             self.page.equations(&blow.demands);
         }
         let follows = |s: &SymbolId| blow.steps.iter().find(|step| step.symbol == *s);
@@ -960,7 +969,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let frequency = self.get(of_body(Quantity::OmegaSmall, self.lead))?;
         self.answers(&|q| matches!(q, Quantity::OmegaSmall | Quantity::PeriodSmall))?;
-        self.say("pinned.small", &[]);
+        self.say("pinned.small", &[("omega", &self.names(&[frequency]))]);
         self.tell_new();
         if whole {
             self.period(pivot, frequency);
@@ -980,7 +989,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => t.positive(&sine(&half)),
         };
         let over = t.value(&amplitude) > 1.0;
-        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
         let (names, pi) = ([r"\kappa_c", r"\lambda_c"], Expr::from(t.draft.pi()));
         let (mut a, rest, turns) = if over {
             let kappa = t.find(&[r"\kappa", r"\lambda"], "1", amplitude);
@@ -990,6 +998,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             (1.0, rest, number(2) * pi)
         };
         let rest = t.find(&names, "1", rest);
+        let shown = t.names(&[rest]);
+        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[("rest", &shown)]);
         let mut b = t.symbols.value(rest);
         t.tell_new();
         let (mut pairs, mut alike) = (Vec::new(), false);

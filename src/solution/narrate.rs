@@ -6,7 +6,8 @@ use crate::scene::{
     RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
 use crate::solution::account::{
-    Account, CordSpring, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored,
+    Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, marked, of_body, of_scene, of_tie, speed_of,
+    stored,
 };
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
@@ -326,7 +327,7 @@ pub fn as_if(
     let links = n.links(true, |n, c| n.m.of(c).a);
     // Of one row nothing is left to eliminate.
     if n.m.one && !links.is_empty() {
-        n.say("motion.links", &[("links", &links.join(", "))]);
+        n.say_links(&links);
         let right = n.effective.by(a);
         let line = n.equation(&n.share_sum(&DRIVING), &right);
         n.say("asked.together", &[]);
@@ -437,7 +438,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
-        self.say(name, &[]);
+        let mu = self.kinetic_letter();
+        self.say(name, &[("mu", &mu)]);
         let carrier = self.m.carrier.clone();
         self.page.say_carried(carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
@@ -527,10 +529,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let _ = self.get(of_body(Quantity::Friction, *body));
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
-        if !rolling.is_empty() {
-            let normals = self.normals();
-            self.forget(normals);
-        }
         // Where no place is given the swing has told them.
         let placed = self.placed();
         let told = self.steps.iter().all(|s| self.is_told(s.symbol));
@@ -547,6 +545,10 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let by = square(self.speed()) / (Expr::Number(2, 1) * self.distance());
             let by = self.stated(a, &in_sense(by, self.sense));
             self.say(if back { "forces.back" } else { "forces.rows" }, &[("a", &by)]);
+        }
+        if !rolling.is_empty() {
+            let normals = self.normals();
+            self.forget(normals);
         }
         self.tell_new();
         for (t, body) in rolling {
@@ -568,6 +570,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
             self.say("forces.mean", &[]);
+        }
+        if label.quantity == Quantity::T
+            && self.spring.is_some()
+            && self.symbols.named(&[OMEGA_SWING]).is_none()
+        {
+            self.say("motion.letters", &[]);
         }
     }
     fn holds(&mut self) -> Result<(), DerivationStop> {
@@ -591,11 +599,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let mut taut: Vec<String> = Vec::new();
         for tie in 0..self.scene.ties.len() {
             match self.scene.ties[tie].clone() {
-                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
-                    self.grips(body, mu_s)?;
-                }
-                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
-                Tie::Slip { body, .. } => self.slides_against(body)?,
                 Tie::Cord(c) if c.made == Made::Cord => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
                     Far::Spring { rigid: false, .. } => {
@@ -610,12 +613,24 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
             self.say(name, &[("t", &taut.join(", "))]);
         }
-        self.reaches()
+        self.reaches()?;
+        for tie in self.scene.ties.clone() {
+            match tie {
+                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
+                    self.grips(body, mu_s)?;
+                }
+                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
+                Tie::Slip { body, .. } => self.slides_against(body)?,
+                _ => {}
+            }
+        }
+        Ok(())
     }
     fn limits(&mut self) -> Result<(), DerivationStop> {
         if self.slip.is_some() {
             let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
-            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
+            let mu = self.kinetic_letter();
+            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[("mu", &mu)]);
             return Ok(());
         }
         if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty() {
@@ -642,24 +657,20 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1
-            && self.scene.formulas.found.is_none();
+        let shares = self.shares(&[ForceKind::Given]);
+        let weights = shares.iter().all(|(action, _)| matches!(action.source, ForceSource::Weight(_)));
+        let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1;
         let weighed = self.scene.bodies.iter().all(|b| b.massless() || !matches!(b.mass, Mass::OfParts));
         match () {
+            () if self.scene.formulas.found.is_some() => "onward.measured",
             () if self.rests() => "onward.other",
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
-            () if self.spring.is_some() && !self.scene.is_still() => {
-                if self.rolling().is_empty() {
-                    "onward.spring"
-                } else {
-                    "onward.spring_and_wheel"
-                }
-            }
+            () if self.spring.is_some() && !self.scene.is_still() => "onward.spring",
             () if wheel && pulled && self.level() => "onward.pulled_level",
             () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
-            () if wheel && !pulled => "onward.wheel",
+            () if wheel && weights => "onward.wheel",
             () if pulley && weighed && self.cords().iter().any(|t| self.made(*t) == Made::Cord) => {
                 "onward.pulley"
             }
@@ -732,15 +743,24 @@ impl<'d, 'a> Account<'d, 'a> {
             _ => None,
         })
     }
-    /// Is neither way shorter, as no reaction has to be eliminated and no force changes with the place?
+    /// Is neither way shorter, as no reaction has to be eliminated?
     fn alike(&self) -> bool {
-        self.hidden().is_empty() && self.spring.is_none()
+        self.hidden().is_empty()
     }
     fn hidden(&self) -> Vec<SymbolId> {
         self.m.reactions().into_iter().map(|(_, f)| f).collect()
     }
     fn normals(&self) -> Vec<SymbolId> {
         self.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
+    }
+    /// The letter of the coefficient of kinetic friction.
+    fn kinetic_letter(&mut self) -> String {
+        let mu = self.scene.ties.iter().find_map(|tie| match tie {
+            Tie::Slip { mu_k, .. } | Tie::Slide { mu_k, .. } => Some(*mu_k),
+            _ => None,
+        });
+        let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
+        self.tex(&mu)
     }
     fn kinetic_frictions(&self) -> Vec<SymbolId> {
         let kinetic = self.m.actions.iter().filter(|a| a.kind == ForceKind::Kinetic);
@@ -870,7 +890,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// `s = m_e (v^2 - v0^2)/(2 F)`
     fn way_by_energy(&self) -> Expr {
         let squares = square(&self.v) - square(&self.v0);
-        &self.effective * squares / (Expr::Number(2, 1) * &self.drive)
+        (&self.effective * squares).over(&(Expr::Number(2, 1) * &self.drive))
     }
 
     /// The named ratios of displacements, from the distances to the point of contact.
@@ -910,7 +930,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if !self.together_as.is_empty() {
             let names: Vec<SymbolId> = self.together_as.iter().map(|(symbol, _)| *symbol).collect();
-            self.say("energy.springs", &[("one", &self.names(&names))]);
+            let (lead, one) = (self.lead().body, self.names(&names));
+            self.say_of("energy.springs", lead, &[("one", &one)]);
             for (symbol, is) in self.together_as.clone() {
                 self.display(symbol, &is, "");
             }
@@ -1079,9 +1100,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let s_now = self.names(&[s_now]);
             self.say("motion.spring", &[("law", &laws.join(", ")), ("s", &s_now)]);
         }
-        if !links.is_empty() {
-            self.say("motion.links", &[("links", &links.join(", "))]);
-        }
+        self.say_links(&links);
         if self.short == Short::Neither || self.short == Short::Rates && self.slips() && self.m.one {
             return match (self.scene.thrown(), self.slip) {
                 (Some(thrown), Some(slip)) => self.legs(&thrown, slip),
@@ -1157,6 +1176,11 @@ impl<'d, 'a> Account<'d, 'a> {
     fn swings(&mut self) -> Result<(), DerivationStop> {
         self.motion("short")?;
         self.say("motion.swing", &[]);
+        for (symbol, name) in [(OMEGA_SWING, "motion.letters"), (TIME_SLACK, "motion.letters_slack")] {
+            if self.symbols.named(&[symbol]).is_some() {
+                self.say(name, &[]);
+            }
+        }
         let normals = [self.normals(), self.kinetic_frictions()].concat();
         self.tell_as_known(normals);
         self.tell_new();
@@ -1205,6 +1229,13 @@ impl<'d, 'a> Account<'d, 'a> {
         let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
         if slopes && !self.rolling().is_empty() && self.short != Short::Neither {
             self.say("motion.other_sign", &[]);
+        }
+    }
+
+    fn say_links(&mut self, links: &[String]) {
+        let name = if links.len() == 1 { "motion.link" } else { "motion.links" };
+        if !links.is_empty() {
+            self.say(name, &[("links", &links.join(", "))]);
         }
     }
 
@@ -1286,7 +1317,8 @@ impl<'d, 'a> Account<'d, 'a> {
                 }
             }
         }
-        let magnitudes = self.short == Short::Energy && self.sense < 0.0 && self.placed();
+        let opposite = self.coordinates().into_iter().any(|c| self.value(&self.m.of(c).ratio.expr()) < 0.0);
+        let magnitudes = self.short == Short::Energy && self.placed() && (self.sense < 0.0 || opposite);
         if again && magnitudes {
             self.say("motion.signed", &[]);
         }
@@ -1514,8 +1546,8 @@ impl<'d, 'a> Account<'d, 'a> {
             // The speed at which rolling begins, and the heat, without the friction.
             let whole = mass.expr();
             let per_mass = own.per(&whole);
-            let speed =
-                (v0 + per_mass.by(w0).over(c)).over(&(Expr::Number(1, 1) + per_mass.per(square(c)).expr()));
+            let whole_mass = Factors::one().plus(&per_mass.per(square(c)));
+            let speed = (v0 + per_mass.by(w0).over(c)).over(&whole_mass);
             let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
             let lost = mass.times(&own).times(square(slip)).over(&whole);
             self.say(if warm { "thrown.by_momentum" } else { "thrown.by_speed" }, &[]);
@@ -1689,8 +1721,8 @@ impl<'d, 'a> Account<'d, 'a> {
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
             let mu = self.number(mu, r"\mu_s", "1");
             let n = self.get(of_body(Quantity::Normal, body))?;
-            let most = self.valued(&(mu * n), "N");
-            self.say("friction.not_mu", &[("f", &self.names(&[f])), ("most", &most)]);
+            let (letter, most) = (self.tex(&mu), self.valued(&(mu * n), "N"));
+            self.say("friction.not_mu", &[("mu", &letter), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {
             self.skip_new();
@@ -1837,6 +1869,10 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(());
         }
         let (slides, force) = (self.way(body, value), self.way(body, friction));
+        if !self.is_told(alpha) {
+            let line = self.chained(alpha);
+            self.add(format!("{line}."));
+        }
         let contact = self.valued(&contact, "m/s^2");
         self.say("holds.slides", &[("a", &contact), ("slides", &slides), ("force", &force)]);
         self.word(of_body(Quantity::Rolls, body), Word::No);
