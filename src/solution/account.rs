@@ -818,7 +818,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
         let tex = self.free(&names);
         let mut mark = String::new();
-        if self.symbols.named(&[&tex]).is_some() {
+        if self.symbols.named(&[&marked(&tex, mark_of(&self.page, self.rolled))]).is_some() {
             // Another body or cord bears it already.
             mark = match label.of {
                 Owner::Body(b) => self.m.parts[b].tag.clone(),

@@ -254,7 +254,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
     /// The joint whose contact ends the motion.
-    fn leaves(&self) -> Option<usize> {
+    pub fn leaves(&self) -> Option<usize> {
         if let End::Leaves(joint) = self.scene.end { Some(joint) } else { None }
     }
     fn rubs(&self) -> bool {
@@ -589,6 +589,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn struck(&mut self) {
         let Some(blow) = self.blow.clone() else { return };
         self.begin("blow");
+        if self.instant() {
+            self.tell_places();
+        }
         let pivot = self.pivot.clone();
         if let Some(pivot) = &pivot {
             self.about_the_pin(pivot);

@@ -1846,7 +1846,10 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("holds.extremes", &pieces);
         }
         let value = self.symbols.value(largest).abs();
-        let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
+        let share = match self.draft.found_for(of_body(Quantity::MuRequired, body)) {
+            Some(DerivedAnswer::Value(least)) => self.shown(least),
+            _ => self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1"),
+        };
         let mu = self.valued(&mu, "1");
         self.say_of("holds.rolls", body, &[("n", &normal), ("share", &share), ("mu", &mu)]);
         if value <= most {
