@@ -921,7 +921,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => self.formula(line),
             }
             let ahead = self.value(&self.m.point(&action).per(&action.along).expr()) > 0.0;
-            let level = self.value(&action.along.expr()).abs() == 1.0;
+            let level = self.magnitude(&action.along).is_one();
             if !ahead && level && !spring {
                 self.say("energy.ratio_against", &[]);
             } else if ahead && self.symbols.value(gamma) > 1.0 && !spring {
