@@ -78,7 +78,9 @@ pub fn the_body(words: &Words, scene: &Scene, index: usize) -> String {
 
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
 pub fn free(problem: &Problem, candidates: &[String]) -> String {
-    let taken = |tex: &String| problem.data.iter().any(|d| d.tex == **tex);
+    // x_1 and x_{1} look alike.
+    let plain = |tex: &str| tex.replace(['{', '}'], "");
+    let taken = |tex: &String| problem.data.iter().any(|d| plain(&d.tex) == plain(tex));
     match candidates.iter().find(|c| !taken(c)) {
         Some(tex) => tex.clone(),
         None => candidates.last().map_or_else(String::new, |tex| format!("{tex}^{{*}}")),

@@ -46,6 +46,11 @@ pub struct GrownForce {
     pub mean: Option<SymbolId>,
 }
 
+/// The angular frequency of a swing on a spring.
+pub const OMEGA_SWING: &str = r"\omega_{\mathrm{s}}";
+/// The time after which its cord goes slack.
+pub const TIME_SLACK: &str = r"t_{\mathrm{s}}";
+
 /// Names and units of a speed and a spin of the start.
 pub const START_NAMES: [(&str, &str); 2] = [("v_0", "m/s"), (r"\omega_0", "rad/s")];
 
@@ -783,7 +788,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
         let tex = self.free(&names);
         let mut mark = String::new();
-        if self.symbols.named(&[&tex]).is_some() {
+        if self.symbols.named(&[&marked(&tex, mark_of(&self.page, self.rolled))]).is_some() {
             // Another body or cord bears it already.
             mark = match label.of {
                 Owner::Body(b) => self.m.parts[b].tag.clone(),
@@ -971,7 +976,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(spring.gamma.squared());
         let frequency = root(per.over(&self.effective));
-        self.page.find_once(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
+        self.page.find_once(&[OMEGA_SWING, r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
     /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
@@ -1108,7 +1113,7 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(None);
         }
         let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
-        let time = self.page.find_once(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
+        let time = self.page.find_once(&[TIME_SLACK], "s", (end - begin) / &frequency);
         let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
         let speed =

@@ -119,11 +119,14 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             let from = expression(&mut page, &asked.formula, &|draft, term| named(draft, term, &others))?;
             let what = (!question.ask.contains("{{")).then(|| capital(&question.ask));
             let known = page.constant_as(&from, &asked.unit);
-            let symbol = match (from, known) {
+            let symbol = match (from.clone(), known) {
                 (Expr::Symbol(symbol), _) => symbol,
                 (_, Some(known)) => {
                     if let Some(what) = what {
-                        page.say("asked.known", &[("what", &what), ("symbol", &page.shown(known))]);
+                        page.say("asked.told", &[("what", &what)]);
+                        let line = page.chain(known, &from);
+                        page.formulas_or_one(vec![line]);
+                        page.untell(known);
                     }
                     known
                 }

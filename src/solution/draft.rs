@@ -299,6 +299,12 @@ impl<'a> Draft<'a> {
         &self.told
     }
 
+    /// Takes a quantity that is derived on the page out of the data.
+    pub fn untell(&mut self, symbol: SymbolId) {
+        let start = format!("{} =", self.symbols.tex(symbol));
+        self.told.retain(|told| !told.starts_with(&start));
+    }
+
     /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
     pub fn whole(&self) -> Vec<(String, String)> {
         let drawn = |i: usize| self.variant.values.get(i).copied().flatten();

@@ -1,8 +1,8 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, RotaryInertia};
+use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
-use crate::solution::draft::is_rate;
+use crate::solution::draft::{Detail, is_rate};
 use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, number, positive_first, ratio, root, sine, square, sum,
 };
@@ -80,7 +80,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
         } else if self.instant() {
             self.motion("short", "one_motion")?;
             self.begin_as("why", "which");
-            self.say(if self.moves { "joined.why_instant" } else { "joined.why_at_rest" }, &[]);
+            let (driver, asked) = (self.driver, self.asks(Quantity::Drive));
+            match driver.filter(|_| asked && self.moves) {
+                Some(couple) => self.say("joined.why_driven", &[("couple", &self.names(&[couple]))]),
+                None if self.moves => self.say("joined.why_instant", &[]),
+                None => self.say("joined.why_at_rest", &[]),
+            }
         } else if self.rubs() {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
@@ -131,7 +136,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             values.insert(0, alpha);
         }
         let known = told.or(own);
-        let room = MOST.saturating_sub(self.lines());
+        let full = self.detail == Detail::Full;
+        let room = if full { usize::MAX } else { MOST.saturating_sub(self.lines()) };
         if !self.tell_in_order(known, &values, room) {
             self.tell_together(&values, room);
         }
@@ -205,12 +211,17 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
     fn onward(&self) -> &'static str {
         match self.scene.end {
             End::Equilibrium => "joined.onward_rest",
+            End::AtOnce if self.blow.is_some() && self.pivot.is_some() => "pinned.onward_struck",
             End::AtOnce if self.blow.is_some() => "joined.onward_struck",
             End::AtOnce if !self.moves => "joined.onward_instant",
             End::Leaves(_) => "joined.onward_leaves",
             _ if self.carried_on() => "onward.other",
             _ if self.rubs() => "joined.onward_rubs",
-            _ if !self.springs.is_empty() && !self.instant() => "joined.onward_spring",
+            // Beside other forces a stiffer spring may stop it.
+            _ if !self.springs.is_empty() && !self.instant() => match self.works.len() > self.springs.len() {
+                true => "joined.onward_spring",
+                false => "onward.spring",
+            },
             _ if self.pivot.is_some() => "pinned.onward",
             _ if self.single() && self.scene.pushes.iter().any(|p| !p.blow) => "joined.onward_pushed",
             _ if self.single() && self.on_the_floor() => "joined.onward_floor",
@@ -236,7 +247,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         })
     }
     /// The joint whose contact ends the motion.
-    fn leaves(&self) -> Option<usize> {
+    pub fn leaves(&self) -> Option<usize> {
         if let End::Leaves(joint) = self.scene.end { Some(joint) } else { None }
     }
     fn rubs(&self) -> bool {
@@ -368,7 +379,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.moving = self.inertia(END, &speeds);
         let moving = (0..speeds.len()).filter(|b| speeds[*b] != ZERO);
         let moving = moving.map(|b| self.stated(self.bodies[b].v, &speeds[b].by(self.rate)));
-        let moving: Vec<String> = moving.collect();
+        let mut moving: Vec<String> = moving.collect();
+        moving.extend(self.own_spin());
         let named: Vec<SymbolId> = self.steps[before..].iter().map(|s| s.symbol).collect();
         let name = match (self.single(), self.scene.drifts()) {
             (true, Some(_)) => "joined.speed_drifts",
@@ -397,6 +409,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
     }
 
+    /// The spin of a single body whose leading angle is not its own, as that of a wheel on a circle.
+    fn own_spin(&self) -> Option<String> {
+        let omega = self.bodies[self.lead].omega.filter(|omega| self.single() && *omega != self.rate)?;
+        Some(self.stated(omega, &self.positive(&self.spin(self.lead)).by(self.rate)))
+    }
+
     fn j(&self) -> Expr {
         self.j.map_or_else(|| self.moving.expr(), Expr::from)
     }
@@ -419,7 +437,11 @@ impl<'d, 'a> Plane<'d, 'a> {
                 ("joined.sinking", !self.single()),
             ];
             let notes = notes.into_iter().filter(|(_, there)| *there);
-            let notes: Vec<String> = notes.map(|(note, _)| self.phrase(note, &[])).collect();
+            let tag = if self.scene.struts.len() > 1 { ",1" } else { "" };
+            let given = self.scene.struts.iter().any(|s| matches!(s.rest, Rest::Stretch(_)));
+            let [s, x] = self.letters(tag, given);
+            let notes: Vec<String> =
+                notes.map(|(note, _)| self.phrase(note, &[("s", &s), ("x", &x)])).collect();
             let notes = if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) };
             self.say("joined.ways", &[("notes", &notes)]);
             // A stretch comes after the lengths that it takes.
@@ -548,6 +570,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn struck(&mut self) {
         let Some(blow) = self.blow.clone() else { return };
         self.begin("blow");
+        if self.instant() {
+            self.tell_places();
+        }
         let pivot = self.pivot.clone();
         if let Some(pivot) = &pivot {
             self.about_the_pin(pivot);
@@ -560,8 +585,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         self.say(name, &[("pin", &pivot.map_or_else(String::new, |p| p.name))]);
         self.page.equations(&blow.rows);
-        if !blow.demands.is_empty() && blow.demands.len() <= FEW {
-            self.say("joined.blow_demands", &[]);
+        let many = blow.demands.len() > FEW;
+        if !blow.demands.is_empty() {
+            let name = if many { "joined.blow_demands_many" } else { "joined.blow_demands" };
+            self.say(name, &[("n", &blow.demands.len().to_string())]);
+        }
+        if !many || self.detail == Detail::Full {
             self.page.equations(&blow.demands);
         }
         // What was solved for together comes before what follows from it.
@@ -677,11 +706,24 @@ impl<'d, 'a> Plane<'d, 'a> {
         let all: Vec<_> = (0..self.bodies.len()).map(each).collect();
         self.rows(&all);
         let demands = self.demands();
-        if demands.len() > FEW {
-            self.say("joined.demands_many", &[("n", &demands.len().to_string())]);
-        } else if !demands.is_empty() {
-            self.say(if self.points() { "joined.point_demands" } else { "joined.demands" }, &[]);
-            self.page.equations(&demands);
+        let rolls: IsKind = |k| matches!(k, JointKind::Contact { rolls: true, teeth: false, .. });
+        let all_roll = self.scene.joints.iter().all(|j| rolls(&j.kind));
+        let many = demands.len() > FEW;
+        let arc: IsKind = |k| matches!(k, JointKind::Contact { surface: Surface::Arc { .. }, .. });
+        let name = if self.joint(arc) { "joined.demands_on_arc" } else { "joined.demands_rolling" };
+        let told = [
+            (self.joint(rolls) && !many, name),
+            (many, "joined.demands_many"),
+            (!many && self.points(), "joined.point_demands"),
+            (!many && !self.points() && !all_roll, "joined.demands"),
+        ];
+        if !demands.is_empty() {
+            for (_, name) in told.into_iter().filter(|(is, _)| *is) {
+                self.say(name, &[("n", &demands.len().to_string())]);
+            }
+            if !many || self.detail == Detail::Full {
+                self.page.equations(&demands);
+            }
         }
         if let Some(joint) = self.leaves() {
             self.where_it_leaves(joint);
@@ -774,7 +816,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         } else {
             self.phrase("joined.forces_of_joints", &[])
         };
-        let ties = if self.single() { "joined.ties_one" } else { "joined.ties" };
+        let ties = if self.single() && self.own_spin().is_none() { "joined.ties_one" } else { "joined.ties" };
         self.compare(what, [&newton, &energy], &[ties], Some(&forces));
         self.say("why.price", &[("forces", &forces)]);
         self.say("why.ask", &[]);
@@ -902,7 +944,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         let frequency = self.get(of_body(Quantity::OmegaSmall, self.lead))?;
         self.answers(&|q| matches!(q, Quantity::OmegaSmall | Quantity::PeriodSmall))?;
-        self.say("pinned.small", &[]);
+        self.say("pinned.small", &[("omega", &self.names(&[frequency]))]);
         self.tell_new();
         if whole {
             self.period(pivot, frequency);
@@ -922,7 +964,6 @@ impl<'d, 'a> Plane<'d, 'a> {
             false => t.positive(&sine(&half)),
         };
         let over = t.value(&amplitude) > 1.0;
-        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[]);
         let (names, pi) = ([r"\kappa_c", r"\lambda_c"], Expr::from(t.draft.pi()));
         let (mut a, rest, turns) = if over {
             let kappa = t.find(&[r"\kappa", r"\lambda"], "1", amplitude);
@@ -932,6 +973,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             (1.0, rest, number(2) * pi)
         };
         let rest = t.find(&names, "1", rest);
+        let shown = t.names(&[rest]);
+        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[("rest", &shown)]);
         let mut b = t.symbols.value(rest);
         t.tell_new();
         let (mut pairs, mut alike) = (Vec::new(), false);

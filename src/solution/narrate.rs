@@ -6,7 +6,8 @@ use crate::scene::{
     RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
 use crate::solution::account::{
-    Account, CordSpring, half_squares, marked, of_body, of_scene, of_tie, speed_of, stored,
+    Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, marked, of_body, of_scene, of_tie, speed_of,
+    stored,
 };
 use crate::solution::draft::{Detail, Draft, is_rate, tex_of};
 use crate::solution::expr::{
@@ -323,7 +324,7 @@ pub fn as_if(
     let links = n.links(true, |n, c| n.m.of(c).a);
     // Of one row nothing is left to eliminate.
     if n.m.one && !links.is_empty() {
-        n.say("motion.links", &[("links", &links.join(", "))]);
+        n.say_links(&links);
         let right = n.effective.by(a);
         let line = n.equation(&n.share_sum(&DRIVING), &right);
         n.say("asked.together", &[]);
@@ -427,10 +428,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             (Short::Motion, End::Time(..)) => "idea.time",
             (Short::Motion, _) => "idea.time_asked",
             (Short::Energy, _) if self.placed() && spring => "idea.spring",
+            (Short::Energy, _) if self.placed() && !self.straight() => "idea.angle",
             (Short::Energy, _) if self.placed() => "idea.place",
             (Short::Energy, _) => "idea.speed",
         };
-        self.say(name, &[]);
+        let mu = self.kinetic_letter();
+        self.say(name, &[("mu", &mu)]);
         self.page.say_carried(self.m.carrier.as_ref());
         if matches!(self.short, Short::Energy | Short::Motion | Short::Rates) {
             let cords = self.cords();
@@ -520,9 +523,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let _ = self.get(of_body(Friction, *body));
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
-        if sprung {
+        // Where no place is given the swing has told them.
+        let placed = self.placed();
+        let told = self.steps.iter().all(|s| self.is_told(s.symbol));
+        if sprung && (self.placed() || !told) {
             let at_end = self.spring.iter().chain(&self.springs).map(|s| s.tension).chain([self.rate()]);
-            let at_end: Vec<SymbolId> = at_end.collect();
+            let at_end: Vec<SymbolId> = at_end.filter(|_| placed).collect();
             self.forget(at_end);
             self.say("forces.spring", &[]);
         } else if self.steps.iter().any(|s| !self.is_told(s.symbol)) {
@@ -559,6 +565,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if label.quantity == Quantity::T && place && even {
             self.say("forces.mean", &[]);
         }
+        if label.quantity == Quantity::T
+            && self.spring.is_some()
+            && self.symbols.named(&[OMEGA_SWING]).is_none()
+        {
+            self.say("motion.letters", &[]);
+        }
     }
     fn holds(&mut self) -> Result<(), DerivationStop> {
         if !self.forced() {
@@ -581,11 +593,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let mut taut: Vec<String> = Vec::new();
         for tie in 0..self.scene.ties.len() {
             match self.scene.ties[tie].clone() {
-                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
-                    self.grips(body, mu_s)?;
-                }
-                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
-                Tie::Slip { body, .. } => self.slides_against(body)?,
                 Tie::Cord(c) if c.made == Made::Cord => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
                     Far::Spring { rigid: false, .. } => {
@@ -600,12 +607,24 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
             self.say(name, &[("t", &taut.join(", "))]);
         }
-        self.reaches()
+        self.reaches()?;
+        for tie in self.scene.ties.clone() {
+            match tie {
+                Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
+                    self.grips(body, mu_s)?;
+                }
+                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
+                Tie::Slip { body, .. } => self.slides_against(body)?,
+                _ => {}
+            }
+        }
+        Ok(())
     }
     fn limits(&mut self) -> Result<(), DerivationStop> {
         if self.slip.is_some() {
             let level = self.share_sum(&[ForceKind::Given]) == ZERO && !self.still_slips;
-            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
+            let mu = self.kinetic_letter();
+            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[("mu", &mu)]);
             return Ok(());
         }
         if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty() {
@@ -632,20 +651,20 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         let pulled =
             self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
         let wheel = !self.rolling().is_empty() && self.m.parts.len() == 1;
-        let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1
-            && self.scene.formulas.found.is_none();
+        let shares = self.shares(&[ForceKind::Given]);
+        let weights = shares.iter().all(|(action, _)| matches!(action.source, ForceSource::Weight(_)));
+        let pulley = self.m.parts.iter().filter(|p| p.line.a.is_none() && p.spin.a.is_some()).count() == 1;
         let weighed = self.scene.bodies.iter().all(|b| b.massless() || !matches!(b.mass, Mass::OfParts));
         match () {
+            () if self.scene.formulas.found.is_some() => "onward.measured",
+            () if self.rests() => "onward.other",
             () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
             () if self.slip.is_some() => "thrown.onward",
             () if self.slips() && self.m.parts.len() == 1 => "onward.slips",
-            () if self.spring.is_some() && !self.scene.is_still() => match self.rolling()[..] {
-                [] => "onward.spring",
-                _ => "onward.spring_and_wheel",
-            },
+            () if self.spring.is_some() && !self.scene.is_still() => "onward.spring",
             () if wheel && pulled && self.level() => "onward.pulled_level",
             () if wheel && pulled && self.balancing_pull().is_some() => "onward.pulled",
-            () if wheel && !pulled => "onward.wheel",
+            () if wheel && weights => "onward.wheel",
             () if pulley && weighed && self.cords().iter().any(|t| self.made(*t) == Made::Cord) => {
                 "onward.pulley"
             }
@@ -659,6 +678,10 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Is the place given at which it ends?
     fn placed(&self) -> bool {
         matches!(self.scene.end, End::Travel(..) | End::Position(..))
+    }
+    /// Is nothing set in motion?
+    fn rests(&self) -> bool {
+        self.stays() || self.starts() && self.symbols.value(self.rate()) == 0.0
     }
     fn slips(&self) -> bool {
         self.m.parts.iter().any(|p| p.slips)
@@ -712,15 +735,24 @@ impl<'d, 'a> Account<'d, 'a> {
             _ => None,
         })
     }
-    /// Is neither way shorter, as no reaction has to be eliminated and no force changes with the place?
+    /// Is neither way shorter, as no reaction has to be eliminated?
     fn alike(&self) -> bool {
-        self.hidden().is_empty() && self.spring.is_none()
+        self.hidden().is_empty()
     }
     fn hidden(&self) -> Vec<SymbolId> {
         self.m.reactions().into_iter().map(|(_, f)| f).collect()
     }
     fn normals(&self) -> Vec<SymbolId> {
         self.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
+    }
+    /// The letter of the coefficient of kinetic friction.
+    fn kinetic_letter(&mut self) -> String {
+        let mu = self.scene.ties.iter().find_map(|tie| match tie {
+            Tie::Slip { mu_k, .. } | Tie::Slide { mu_k, .. } => Some(*mu_k),
+            _ => None,
+        });
+        let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
+        self.tex(&mu)
     }
     fn kinetic_frictions(&self) -> Vec<SymbolId> {
         let tie = |a: &Action| if let ForceSource::Tie(t) = a.source { Some(t) } else { None };
@@ -770,8 +802,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let lead = self.lead();
         if place && self.value(&self.s) < 0.0 {
             let sense = self.way(lead.body, -f64::from(self.m.parts[lead.body].up));
-            let directed = self.asks(Quantity::Direction);
-            let name = if directed { "energy.counted" } else { "energy.against" };
+            let name = match self.straight() {
+                _ if self.asks(Quantity::Direction) => "energy.counted",
+                true => "energy.against",
+                false => "energy.against_turn",
+            };
             self.say_of(name, lead.body, &[("way", &sense)]);
         }
         // The stretch at the end comes before the balance.
@@ -781,9 +816,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let at = self.steps.iter().position(|s| Some(s.symbol) == v);
         if spring.is_some() {
             let kept = self.steps.split_off(at.unwrap_or(0));
-            self.say("energy.stretch", &[]);
             let normals = self.normals();
             self.tell_as_known(normals);
+            if self.steps.iter().any(|step| !self.is_told(step.symbol)) {
+                self.say("energy.stretch", &[]);
+            }
             self.tell_new();
             self.steps.extend(kept);
         }
@@ -802,6 +839,11 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.say(start, &[]);
         self.formula(self.balance(&self.distance()));
+        if let Some(spring) = spring.as_ref().filter(|s| !s.rigid && self.last == ZERO) {
+            let (far, all) =
+                (spring.stretch.over(&spring.gamma), stored(&spring.stiffness, &spring.stretch, &ZERO));
+            self.say("energy.slack", &[("far", &self.inline(&far)), ("stored", &self.inline(&all))]);
+        }
         self.tell_frictions();
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
@@ -858,16 +900,17 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => self.formula(line),
             }
             let ahead = self.value(&self.m.point(&action).per(&action.along).expr()) > 0.0;
-            if !ahead && !spring {
+            let level = self.magnitude(&action.along).is_one();
+            if !ahead && level && !spring {
                 self.say("energy.ratio_against", &[]);
-            } else if self.symbols.value(gamma) > 1.0 && !spring {
+            } else if ahead && self.symbols.value(gamma) > 1.0 && !spring {
                 self.say("energy.ratio_check", &[("gamma", &gamma)]);
             }
         }
         if !self.together_as.is_empty() {
             let all = self.together_as.clone();
             let names: Vec<SymbolId> = all.iter().map(|(symbol, _)| *symbol).collect();
-            self.say("energy.springs", &[("one", &names)]);
+            self.say_of("energy.springs", self.lead().body, &[("one", &names)]);
             for (symbol, is) in all {
                 self.display(symbol, &is, "");
             }
@@ -925,13 +968,12 @@ impl<'d, 'a> Account<'d, 'a> {
             let from = self.from(f);
             let normals: Vec<SymbolId> =
                 self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
+            let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
+            self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &self.chained(f))]);
             if self.detail == Detail::Full {
                 for symbol in normals.into_iter().chain([f]) {
                     self.display_step(symbol);
                 }
-            } else {
-                let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
-                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &self.chained(f))]);
             }
         }
     }
@@ -999,8 +1041,7 @@ impl<'d, 'a> Account<'d, 'a> {
             (_, Short::Instant) => "motion",
             ("long", _) if self.alike() => "other_motion",
             ("long", _) => "long_motion",
-            (_, Short::Neither | Short::Together | Short::Rates) => "one_motion",
-            _ => "short_motion",
+            _ => "one_motion",
         };
         self.begin_as(id, title);
         let first = self.short == Short::Instant
@@ -1036,9 +1077,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let laws: Vec<String> = self.springs.iter().map(law).collect();
             self.say("motion.spring", &[("law", &laws.join(", ")), ("s", &s_now)]);
         }
-        if !links.is_empty() {
-            self.say("motion.links", &[("links", &links.join(", "))]);
-        }
+        self.say_links(&links);
         if self.short == Short::Neither || self.short == Short::Rates && self.slips() && self.m.one {
             return match (self.scene.thrown(), self.slip) {
                 (Some(thrown), Some(slip)) => self.legs(&thrown, slip),
@@ -1104,10 +1143,15 @@ impl<'d, 'a> Account<'d, 'a> {
     fn swings(&mut self) -> Result<(), DerivationStop> {
         self.motion("short")?;
         self.say("motion.swing", &[]);
+        for (symbol, name) in [(OMEGA_SWING, "motion.letters"), (TIME_SLACK, "motion.letters_slack")] {
+            if self.symbols.named(&[symbol]).is_some() {
+                self.say(name, &[]);
+            }
+        }
         let normals = [self.normals(), self.kinetic_frictions()].concat();
         self.tell_as_known(normals);
         self.tell_new();
-        self.begin("why");
+        self.begin_as("why", "which");
         let time = matches!(self.scene.end, End::Time(..));
         self.say(if time { "why.swing_time" } else { "why.swing" }, &[]);
         Ok(())
@@ -1152,6 +1196,13 @@ impl<'d, 'a> Account<'d, 'a> {
         let slopes = self.scene.bodies.iter().any(|b| b.turns && b.line.is_some());
         if slopes && !self.rolling().is_empty() && self.short != Short::Neither {
             self.say("motion.other_sign", &[]);
+        }
+    }
+
+    fn say_links(&mut self, links: &[String]) {
+        let name = if links.len() == 1 { "motion.link" } else { "motion.links" };
+        if !links.is_empty() {
+            self.say(name, &[("links", &links.join(", "))]);
         }
     }
 
@@ -1211,7 +1262,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             End::AtOnce => {}
             _ => {
-                if let Some(spring) = self.spring.clone() {
+                if let Some(spring) = self.spring.clone().filter(|_| again) {
                     let pull = positive_first(self.springs.iter().map(|s| s.gamma.by(s.tension)));
                     let several = matches!(pull, Expr::Sum(_));
                     let pull = self.tex(&pull);
@@ -1233,7 +1284,8 @@ impl<'d, 'a> Account<'d, 'a> {
                 }
             }
         }
-        let magnitudes = self.short == Short::Energy && self.sense < 0.0 && self.placed();
+        let opposite = self.coordinates().into_iter().any(|c| self.value(&self.m.of(c).ratio.expr()) < 0.0);
+        let magnitudes = self.short == Short::Energy && self.placed() && (self.sense < 0.0 || opposite);
         if again && magnitudes {
             self.say("motion.signed", &[]);
         }
@@ -1461,8 +1513,8 @@ impl<'d, 'a> Account<'d, 'a> {
             // The speed at which rolling begins, and the heat, without the friction.
             let whole = mass.expr();
             let per_mass = own.per(&whole);
-            let speed =
-                (v0 + per_mass.by(w0).over(c)).over(&(Expr::Number(1, 1) + per_mass.per(square(c)).expr()));
+            let whole_mass = Factors::one().plus(&per_mass.per(square(c)));
+            let speed = (v0 + per_mass.by(w0).over(c)).over(&whole_mass);
             let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
             let lost = mass.times(&own).times(square(slip)).over(&whole);
             self.say(if warm { "thrown.by_momentum" } else { "thrown.by_speed" }, &[]);
@@ -1623,8 +1675,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
             let grip = self.grip(body, mu)?;
-            let most = self.valued(&grip, "N");
-            self.say("friction.not_mu", &[("f", &f), ("most", &most)]);
+            let (letter, most) = (self.number(mu, r"\mu_s", "1"), self.valued(&grip, "N"));
+            self.say("friction.not_mu", &[("mu", &letter), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {
             self.skip_new();
@@ -1751,7 +1803,10 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("holds.extremes", &[("first", &first), ("one", &one), ("last", &last), ("two", &other)]);
         }
         let value = self.symbols.value(largest).abs();
-        let share = self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1");
+        let share = match self.draft.value_for(of_body(Quantity::MuRequired, body)) {
+            Some(least) => self.shown(least),
+            None => self.relation(&(magnitude(largest) / n), value / self.symbols.value(n), "1"),
+        };
         let mu = self.valued(&mu, "1");
         self.say_of("holds.rolls", body, &[("n", &normal), ("share", &share), ("mu", &mu)]);
         if value <= most {
@@ -1774,6 +1829,10 @@ impl<'d, 'a> Account<'d, 'a> {
             return Ok(());
         }
         let (slides, force) = (self.way(body, value), self.way(body, friction));
+        if !self.is_told(alpha) {
+            let line = self.chained(alpha);
+            self.add(format!("{line}."));
+        }
         let contact = self.valued(&contact, "m/s^2");
         self.say("holds.slides", &[("a", &contact), ("slides", &slides), ("force", &force)]);
         self.word(of_body(Quantity::Rolls, body), Word::No);
@@ -1819,7 +1878,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The end lies before the turning point.
     fn reaches(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
-        if !self.placed() || !self.straight() {
+        if !self.placed() || !self.straight() || self.stays() {
             return Ok(());
         }
         let turns = self.spring.is_some() || self.value(&self.drive) * self.sense < 0.0;

@@ -1,6 +1,6 @@
 //! In which order equations give what is unknown in them: each from one in which nothing else is, or two from two together. So a
 //! lecture goes through the forces of a linkage, with moments about a joint where its force is not wanted.
-use crate::scene::End;
+use crate::scene::{End, Quantity};
 use crate::solution::expr::{Expr, SymbolId, ZERO, positive_first, sum};
 use crate::solution::factors::{Cancel, Factors, Sum};
 use crate::solution::page::{Page, packed};
@@ -172,7 +172,9 @@ impl Plane<'_, '_> {
         let accelerations = self.accelerations();
         let mut rows = self.rows_in_order(true);
         let mut open = [accelerations.clone(), self.reactions()].concat();
-        open.retain(|s| Some(*s) != known && !self.symbols.value(*s).is_nan());
+        // Where a contact ends its force is known to be 0.
+        let gone = self.leaves().and_then(|joint| self.of_joint(Quantity::Normal, joint));
+        open.retain(|s| Some(*s) != known && Some(*s) != gone && !self.symbols.value(*s).is_nan());
         let mut all = Vec::new();
         if self.bodies.len() > 1 && (known.is_some() || self.driver.is_some()) {
             // The joints give all accelerations by that of the leading body.

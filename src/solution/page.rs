@@ -210,7 +210,11 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn display(&mut self, symbol: SymbolId, from: &Expr, behind: &str) {
         let line = self.chain(symbol, from);
         self.told.push(symbol);
-        self.formula(if line.contains('&') { line } else { format!("{line}{behind}") });
+        // Of several rows it stands behind the first, the formula in symbols.
+        self.formula(match line.split_once(r" \\") {
+            Some((first, rest)) => format!(r"{first}{behind} \\{rest}"),
+            None => format!("{line}{behind}"),
+        });
     }
     /// The same of a quantity as it was found.
     pub fn display_step(&mut self, symbol: SymbolId) {

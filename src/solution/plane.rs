@@ -1437,13 +1437,14 @@ impl<'d, 'a> Plane<'d, 'a> {
             Rest::Length(l) => (self.number(l, "l_0", "m"), false),
             Rest::Stretch(x) => (self.number(x, "x_0", "m"), true),
         };
+        let [s, x] = self.letters(&tag, given);
         let (mut lengths, mut stretch): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
         let mut last = Vector::default();
         for which in self.looked_at() {
             last = self.places(&apart, which);
             let is = self.size(&last);
-            let length: Expr = self.named_by(["s", "d"], &format!("{which}{tag}"), "m", is);
-            let named = |this: &mut Self, is| this.named_by(["x", "e"], &format!("{which}{tag}"), "m", is);
+            let length: Expr = self.named_by([s; 2], &format!("{which}{tag}"), "m", is);
+            let named = |this: &mut Self, is| this.named_by([x; 2], &format!("{which}{tag}"), "m", is);
             stretch.push(match (given, lengths.first()) {
                 (false, _) => named(self, &length - &rest),
                 (true, Some(first)) => named(self, &rest + &length - first),
@@ -1470,6 +1471,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         Ok(())
     }
 
+    /// The letters of a spring's length and of its stretch, which no datum bears with the index of a place.
+    pub fn letters(&self, tag: &str, given: bool) -> [&'static str; 2] {
+        let free = |letter: &str, first: usize| {
+            let names = self.looked_at().skip(first).map(|which| tagged(letter, &format!("{which}{tag}")));
+            names.into_iter().all(|name| self.free(&[&name]) == name)
+        };
+        let pick = |[one, other]: [&'static str; 2], first| if free(one, first) { one } else { other };
+        [pick(["s", "d"], 0), pick(["x", "e"], usize::from(given))]
+    }
     /// The places that a spring is looked at: the start and the end, of an instant this alone.
     fn looked_at(&self) -> std::ops::RangeInclusive<usize> {
         if self.scene.end == End::AtOnce { END..=END } else { START..=END }
@@ -1989,7 +1999,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// Share of the rotation about the mass centre of a body in [`Self::inertia`].
     fn turning(&self, body: usize, which: usize) -> Sum {
-        let spin = square(self.spin_at(body, which));
+        let spin = square(self.positive(&self.spin_at(body, which)));
         self.bodies[body].inertia.iter().map(|i| i.times(&spin)).collect()
     }
     /// Share of the rotation about the mass centres in the kinetic energy.

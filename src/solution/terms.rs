@@ -447,7 +447,7 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let moves = body.line.is_some();
         let freedom = |a, v, inertia| Freedom { a, v, ratio: Factors::zero(), inertia };
         let a = named(draft, moves, &along, ["a", "a_G"], "m/s^2");
-        let v = named(draft, moves, &along, ["v", "v_2"], "m/s");
+        let v = named(draft, moves, &along, ["v", "V"], "m/s");
         let line = freedom(a, v, vec![mass.clone()]);
         let alpha = named(draft, body.turns, &about, [r"\alpha", r"\dot{\omega}"], "rad/s^2");
         let omega = named(draft, body.turns, &about, [r"\omega", r"\omega_2"], "rad/s");

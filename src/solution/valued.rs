@@ -5,6 +5,8 @@ use crate::solution::symbols::Symbols;
 
 /// Degrees in a radian, and radians in a degree.
 const DEGREES: (Expr, f64) = (Expr::Number(5_729_577_951_308, 100_000_000_000), std::f64::consts::PI / 180.0);
+/// Below this share of its terms a sum is what rounding leaves of 0.
+const NOTHING: f64 = 1e-15;
 
 impl Symbols<'_> {
     /// Gives an unknown the value of an expression.
@@ -22,7 +24,11 @@ impl Expr {
             Self::Number(over, under) => *over as f64 / *under as f64,
             Self::Symbol(s) => symbols.value(*s),
             Self::Minus(inner) => -inner.value(symbols),
-            Self::Sum(terms) => terms.iter().map(|t| t.value(symbols)).sum(),
+            Self::Sum(terms) => {
+                let terms = terms.iter().map(|t| t.value(symbols));
+                let (all, sizes) = terms.fold((0.0, 0.0), |(all, sizes), t| (all + t, sizes + t.abs()));
+                if all.abs() <= NOTHING * sizes { 0.0 } else { all }
+            }
             Self::Product(factors) => factors.iter().map(|f| f.value(symbols)).product(),
             Self::Quotient(over, under) => over.value(symbols) / under.value(symbols),
             Self::Power(base, n) => {

@@ -813,7 +813,8 @@ fn what_is_asked_at_the_start_has_no_time() {
         seen[usize::from(rolls)] = true;
         for language in &languages() {
             let text = solution(&problem, &variant, language);
-            assert!(text.contains(language.0.get("solution.idea.which")), "{text}");
+            let idea = language.0.say("solution.idea.which", &[("mu", r"\mu_k")]);
+            assert!(text.contains(&idea), "{text}");
             for name in ["title.slip_energy", "title.instant", "motion.spin_of_slip"] {
                 assert!(!text.contains(language.0.get(&format!("solution.{name}"))), "{name}: {text}");
             }

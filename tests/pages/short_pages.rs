@@ -312,7 +312,7 @@ fn a_drum_without_a_mass_gets_none() {
     all_of(&room, &[one("drum", lines)]);
     let text = room.read("out/1/solution.md");
     let words = Words::english();
-    assert!(text.contains(words.get("solution.title.short_motion")), "{text}");
+    assert!(text.contains(words.get("solution.title.one_motion")), "{text}");
     let data = text.lines().find(|l| l.starts_with("**Data.")).unwrap();
     assert!(!data.contains("m_") && !data.contains("m =") && !data.contains("g ="), "{data}");
     let figure = text.lines().find(|l| l.contains("-forces-drum.svg")).unwrap();
