@@ -23,14 +23,14 @@ use crate::solve::eom::travel;
 use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
 use smallvec::SmallVec;
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
 /// Angle after which a panel ends at the latest, radians.
 const STRIDE: f64 = 1.0;
 
-/// Panels of a motion at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
+/// Panels of a way at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
 /// is rough by its rounding.
 const PANELS: u32 = 1200;
 const ROUGH: u32 = 10;
@@ -73,8 +73,6 @@ struct Motion<'m, 'a, T: Real> {
     rubs: SmallVec<[f64; 4]>,
     /// Springs that are met or let go of, and the leading angles at which, from the start of the scene.
     meets: SmallVec<[(usize, T); 4]>,
-    /// Panels that may still be made.
-    panels: Cell<u32>,
     /// What has a closed form.
     pendulum: Option<Pendulum<T>>,
     /// How fine its panels are.
@@ -232,7 +230,6 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         slides,
         rubs,
         meets: mechanism.meets(sense, (horizon(), look())),
-        panels: Cell::new(PANELS),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, false),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
@@ -453,7 +450,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         visit: &mut Visit<T>,
     ) -> Result<Option<Gain<T>>, Refusal> {
         let mut width = end - at;
-        let least = width.size() * SHORTEST;
+        let (least, mut panels) = (width.size() * SHORTEST, PANELS);
         while at.below(end) {
             let far = self.variable(self.way(at).0 + T::of(STRIDE));
             let ahead = self.meets.iter().map(|(_, angle)| (*angle - self.start).signed(self.sense));
@@ -468,8 +465,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let fit = 0.9 * trig::power(rough, -1.0 / (DEGREE * self.fine.rule.nodes.len() as f64));
             width = next - at;
             let cost = if rough <= 1.0 { 1 } else { ROUGH };
-            let left = self.panels.get().checked_sub(cost);
-            self.panels.set(left.unwrap_or(0));
+            let left = panels.checked_sub(cost);
+            panels = left.unwrap_or(0);
             if rough <= 1.0 && left.is_some() {
                 if visit(&panel, from)? {
                     return Ok(None);
@@ -717,11 +714,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if rest {
             // The last half is the way back from the turning point.
             let half = way.scale2(-1);
-            let from = Gain { half_square: T::zero(), factor: T::of(1.0) };
-            let (start, near) = (self.angle(way), T::zero());
-            let back = Motion { start, sense: -self.sense, from, near, ..self.clone() };
-            let back = back.set_off(&self.mechanism.state(start, true)?)?;
-            return Ok(self.time(half, false)? + back.time(half, false)?);
+            return Ok(self.time(half, false)? + self.back_from(way)?.time(half, false)?);
         }
         let mut time = T::zero();
         let mut visit = |panel: &Panel<T>, _: Gain<T>| {
@@ -730,6 +723,41 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         self.over((T::zero(), self.variable(way)), self.from, true, &mut visit)?;
         Ok(plant!("eom: time of joined bodies", time))
+    }
+
+    /// The way back from rest after a way.
+    fn back_from(&self, way: T) -> Result<Self, Refusal> {
+        let from = Gain { half_square: T::zero(), factor: T::of(1.0) };
+        let (start, near) = (self.angle(way), T::zero());
+        let back = Motion { start, sense: -self.sense, from, near, ..self.clone() };
+        back.set_off(&self.mechanism.state(start, true)?)
+    }
+
+    /// The way that takes this time, of one that takes longer: in the panel where the time runs out, by the rate at its end.
+    fn after(&self, t: T, far: T) -> Result<T, Refusal> {
+        if let Some(pendulum) = &self.pendulum {
+            return root::between_values(T::zero(), far, true, &|way| Ok(pendulum.time(way, false) - t));
+        }
+        let rule = self.fine.rule;
+        let (mut left, mut found) = (t, far);
+        let mut visit = |panel: &Panel<T>, from: Gain<T>| {
+            let lasts = |panel: &Panel<T>| plant!("eom: time of joined bodies", rule.mean(&panel.times));
+            let all = lasts(panel);
+            if all.below(left) {
+                left = left - all;
+                return Ok(false);
+            }
+            let (a, b) = panel.ends;
+            let x = root::between(a, b, true, |x| {
+                let part = self.panel((a, x), from)?;
+                let slowness = self.way(x).1 / part.last.half_square.scale2(1).root();
+                Ok::<_, Refusal>((lasts(&part) - left, slowness))
+            })?;
+            found = self.way(x).0;
+            Ok(true)
+        };
+        self.over((T::zero(), self.variable(far)), self.from, true, &mut visit)?;
+        Ok(found)
     }
 
     /// What is asked of the end and where the motion starts in its measure, how far at most it is looked for, and half the square of
@@ -829,9 +857,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             if t.side(until) == 0.0 {
                 (stop.why, stop.time) = (Why::Far, most);
             } else if t.below(until) {
-                let way = root::between_values(T::zero(), stop.way, true, &|way| {
-                    Ok::<_, Refusal>(self.time(way, false)? - t)
-                })?;
+                // Beside the turning point the time is counted from there.
+                let way = match (stop.why, &self.pendulum) {
+                    (Why::Rest, None) if until.below(t.scale2(1)) => {
+                        stop.way - self.back_from(stop.way)?.after(until - t, stop.way)?
+                    }
+                    _ => self.after(t, stop.way)?,
+                };
                 // What pushes is watched up to there alone.
                 least = nothing;
                 stop = Stop { why: Why::Far, time: Some(t), ..self.stop(way, None, false, &mut least)? };

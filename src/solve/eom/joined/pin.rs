@@ -6,12 +6,11 @@ use crate::num::{Dd, Real};
 use crate::scene::{End, Owner, Quantity, Ray, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
-use crate::solve::eom::joined::{Fine, Gain, Motion, PANELS, Panel, Stop, Teller, Why, horizon};
+use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Stop, Teller, Why, horizon};
 use crate::solve::eom::pendulum::Pendulum;
 use crate::solve::eom::planar::{Mechanism, Response, State};
 use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
-use std::cell::Cell;
 
 /// How often a bracket about a peak is cut by a third.
 const PEAK: u32 = 80;
@@ -72,7 +71,6 @@ impl<T: Real> Motion<'_, '_, T> {
                 slides: self.slides.clone(),
                 rubs: self.rubs.clone(),
                 meets: SmallVec::new(),
-                panels: Cell::new(PANELS),
                 pendulum: None,
                 fine: Fine::of::<f64>(scene, true),
                 timed: false,
