@@ -131,6 +131,24 @@ struct Panel<T> {
     uneven: f64,
 }
 
+impl<T: Real> Panel<T> {
+    /// What turns about where this stops a motion, between the nodes: the normal force of a joint, half the square of the rate less a
+    /// level, or all of it.
+    fn value(&self, rule: &Rule, why: Why, level: Option<(T, bool)>, x: T) -> T {
+        let share = (x - self.ends.0) / (self.ends.1 - self.ends.0);
+        match (why, level) {
+            (Why::Leaves(joint), _) => {
+                let forces = self.pushes.iter().find(|p| p.0 == joint);
+                forces.map_or_else(T::zero, |(_, forces)| rule.at(forces, share))
+            }
+            (Why::Speed, Some((level, _))) => rule.at(&self.squares, share) - level,
+            _ => rule.at(&self.squares, share),
+        }
+    }
+}
+
+/// What may stop a motion, with its last values at the nodes.
+type Looked<T> = (Why, SmallVec<[(T, T); 3]>);
 /// Something of each joint that can only push or rubs, at the nodes of a panel.
 type Watched<T> = SmallVec<[(usize, PerNode<T>); 2]>;
 /// Sees a panel and what the rate has come to at its start; true ends the march.
@@ -545,33 +563,52 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     ) -> Result<Option<Stop<T>>, Refusal> {
         let ((a, b), rule) = (panel.ends, self.fine.rule);
         let nodes = rule.nodes.iter().map(|s| a + (b - a) * T::constant(*s));
-        let rising = level.map(|l| from.below(l));
+        let level = level.map(|l| (l, from.below(l)));
+        let mut watched: SmallVec<[Looked<T>; 3]> = SmallVec::new();
+        watched.push((Why::Rest, SmallVec::new()));
+        watched.extend(level.map(|_| (Why::Speed, SmallVec::new())));
+        watched.extend(panel.pushes.iter().map(|(joint, _)| (Why::Leaves(*joint), SmallVec::new())));
+        let mut note = |joint: usize, force: T| {
+            if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
+                let now = T::leading(|| force.f64());
+                (least.1, least.2) = (f64::min(least.1, now), f64::max(least.2, force.size()));
+            }
+        };
         let mut before = a;
         let squares = panel.squares.iter().copied();
         for (i, (x, square)) in nodes.zip(squares).chain([(b, panel.last.half_square)]).enumerate() {
-            let mut events: SmallVec<[Why; 2]> = SmallVec::new();
-            if square.sign() < 0.0 {
-                events.push(Why::Rest);
-            }
-            if let (Some(level), Some(rising)) = (level, rising)
-                && (square.reaches(level) == rising)
-            {
-                events.push(Why::Speed);
-            }
             let force = |forces: &PerNode<T>| match forces.get(i) {
                 Some(force) => *force,
                 None => rule.at(forces, T::of(1.0)),
             };
             let now = panel.pushes.iter().map(|(joint, forces)| (*joint, force(forces)));
             let now: SmallVec<[(usize, T); 2]> = now.collect();
-            let off = now.iter().filter(|(joint, force)| !self.presses_on(*joint, *force));
-            events.extend(off.map(|(joint, _)| Why::Leaves(*joint)));
-            // Of what has happened since the last node, the first stops it.
+            // Of what has happened since the last node, or between the last ones, the first stops it.
             let mut first: Option<(T, Why)> = None;
-            for why in events {
-                let at = self.happens(panel, why, (before, x), level.zip(rising))?;
-                if first.is_none_or(|(first, _)| at.below(first)) {
-                    first = Some((at, why));
+            for (why, seen) in &mut watched {
+                let (value, gone) = match (*why, level) {
+                    (Why::Leaves(joint), _) => {
+                        let force = now.iter().find(|(j, _)| *j == joint).map_or(T::zero(), |(_, f)| *f);
+                        (force, !self.presses_on(joint, force))
+                    }
+                    (Why::Speed, Some((level, rising))) => (square - level, square.reaches(level) == rising),
+                    _ => (square, square.sign() < 0.0),
+                };
+                seen.push((x, value));
+                let dip = |x| Ok::<_, Refusal>(panel.value(rule, *why, level, x));
+                let within = if gone {
+                    Some((before, x))
+                } else {
+                    root::dipped(seen, &dip)?.map(|[left, at, _]| (left, at))
+                };
+                if seen.len() == 3 {
+                    seen.remove(0);
+                }
+                if let Some(within) = within {
+                    let at = self.happens(panel, *why, within, level)?;
+                    if first.is_none_or(|(first, _)| at.below(first)) {
+                        first = Some((at, *why));
+                    }
                 }
             }
             let turned = match first {
@@ -588,14 +625,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 let fine = timed && rule.rough(&panel.times, self.fine.rate, 0.0) <= 1.0;
                 let half_square = if why == Why::Rest { T::zero() } else { rule.at(&panel.squares, share) };
                 let time = fine.then(|| rule.until(&panel.times, share));
+                panel.pushes.iter().for_each(|(joint, forces)| note(*joint, rule.at(forces, share)));
                 return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
             }
-            for (joint, force) in now {
-                if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
-                    let now = T::leading(|| force.f64());
-                    (least.1, least.2) = (f64::min(least.1, now), f64::max(least.2, force.size()));
-                }
-            }
+            now.into_iter().for_each(|(joint, force)| note(joint, force));
             before = x;
         }
         Ok(None)
@@ -610,27 +643,21 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         (before, after): (T, T),
         level: Option<(T, bool)>,
     ) -> Result<T, Refusal> {
-        let ((a, b), rule) = (panel.ends, self.fine.rule);
-        let share = |x: T| (x - a) / (b - a);
-        let square = |x: T| rule.at(&panel.squares, share(x));
-        match (why, level) {
-            (Why::Speed, Some((level, rising))) => {
-                root::between_values(before, after, rising, &|x| Ok(square(x) - level))
-            }
-            (Why::Leaves(joint), _) => {
-                let forces = panel.pushes.iter().find(|p| p.0 == joint).map(|p| &p.1);
-                let force = |x: T| forces.map_or_else(T::zero, |forces| rule.at(forces, share(x)));
-                let x = root::between_values(before, after, force(after).sign() > 0.0, &|x| {
-                    Ok::<_, Refusal>(force(x))
-                })?;
-                // What the interpolation leaves of the force is taken off by one step.
-                let step = (x - before).scale2(-20);
-                let slope = (force(x) - force(x - step)) / step;
-                let (_, response) = self.at(self.way(x).0)?;
-                Ok(self.pushed(&response, joint, square(x)).map_or(x, |force| x - force / slope))
-            }
-            _ => root::between_values(before, after, false, &|x| Ok(square(x))),
-        }
+        let rule = self.fine.rule;
+        let value = |x: T| panel.value(rule, why, level, x);
+        let rising = match (why, level) {
+            (Why::Speed, Some((_, rising))) => rising,
+            (Why::Leaves(_), _) => value(after).sign() > 0.0,
+            _ => false,
+        };
+        let x = root::between_values(before, after, rising, &|x| Ok::<_, Refusal>(value(x)))?;
+        let Why::Leaves(joint) = why else { return Ok(x) };
+        // What the interpolation leaves of the force is taken off by one step.
+        let step = (x - before).scale2(-20);
+        let slope = (value(x) - value(x - step)) / step;
+        let (_, response) = self.at(self.way(x).0)?;
+        let square = panel.value(rule, Why::Rest, None, x);
+        Ok(self.pushed(&response, joint, square).map_or(x, |force| x - force / slope))
     }
 
     /// The state at the end by the steps of a rung in time, in doubles: what the angle is, or the half square of the rate that ends
