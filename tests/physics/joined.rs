@@ -1130,7 +1130,7 @@ problems:
 }
 
 /// What else a pin of its own may hold: a rod in the equilibrium of a couple and its weight, `sin phi = 2 M/(m g L)`, with small
-/// oscillations `omega^2 = 3 g cos phi/(2 L)`, and one that is driven, `M = m L^2 alpha/3 + m g L sin phi/2`. Both were refused, the
+/// oscillations `omega^2 = 3 g cos phi/(2 L)`, and one that is driven, `m L^2 alpha/3 + m g L sin phi/2 - M`. Both were refused, the
 /// drive without a word.
 #[test]
 fn a_pinned_body_rests_and_is_driven() {
@@ -1162,9 +1162,9 @@ problems:
     near(said[0], phi, 1e-13);
     near(said[1].powi(2), 3.0 * 9.81 * phi.cos() / (2.0 * 0.8), 1e-12);
     near(said[2], 3.0 * 9.81, 1e-13);
-    let start = "start: {rod: {angle: 30 deg, spin: 2 rad/s, alpha: 1.5 rad/s^2}}\n      end: at once";
+    let start = "forces: [couple: {on: rod, moment: M, sense: forward}]\n      start: {rod: {angle: 30 deg, spin: 2 rad/s, alpha: 1.5 rad/s^2}}\n      end: at once";
     let said = solved(start, &["drive", "rod.pin_y"]);
     let (s, c) = f64::to_radians(30.0).sin_cos();
-    near(said[0], 3.0 * 0.8 * 0.8 / 3.0 * 1.5 + 3.0 * 9.81 * 0.4 * s, 1e-13);
+    near(said[0], 3.0 * 0.8 * 0.8 / 3.0 * 1.5 + 3.0 * 9.81 * 0.4 * s - 3.0, 1e-13);
     near(said[1], 3.0 * (9.81 + 0.4 * (s * 1.5 + c * 4.0)), 1e-13);
 }

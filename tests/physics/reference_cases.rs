@@ -221,8 +221,8 @@ fn every_case_of_the_wheel_scenes() {
         if let Some(v) = case["answers"].get("v_roll").filter(|v| !v.is_null()) {
             let down = number(v) > 0.0;
             let way = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1;
-            if way.text() != if down { "down" } else { "up" } {
-                bad.push(format!("{id} ({}): goes {}", case["tag"], way.text()));
+            if way.as_str() != if down { "down" } else { "up" } {
+                bad.push(format!("{id} ({}): goes {}", case["tag"], way.as_str()));
             }
         }
         for (theirs, ours, factor) in names(name) {

@@ -18,7 +18,7 @@ use crate::scene::{End, JointKind, Numbers, Owner, Quantity, Scene, Spot};
 use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{Mechanism, Response, State};
+use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
 use crate::solve::eom::travel;
 use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
@@ -117,6 +117,8 @@ struct Panel<T> {
     ends: (T, T),
     /// Half the square of the rate at its nodes.
     squares: PerNode<T>,
+    /// The kinetic energy at its nodes up to a factor; where something rubs half the square of the rate stands for it.
+    energies: PerNode<f64>,
     /// What the rate comes to at its end.
     last: Gain<T>,
     /// The time over it, per share of it, at its nodes.
@@ -168,6 +170,28 @@ struct Stop<T> {
     why: Why,
     /// The time until then, where the panels give it.
     time: Option<T>,
+    /// See [`Course::slowest`].
+    slowest: f64,
+}
+
+/// Kinetic energies that are seen one after the other: the greatest, the least since then, and the least share of the greatest
+/// after which one has risen again.
+#[derive(Debug, Clone, Copy)]
+struct Passes {
+    greatest: f64,
+    least: f64,
+    share: f64,
+}
+
+impl Passes {
+    const NONE: Self = Self { greatest: 0.0, least: f64::INFINITY, share: 1.0 };
+    fn see(&mut self, energy: f64) {
+        if self.greatest > 0.0 && self.least < energy {
+            self.share = f64::min(self.share, self.least / self.greatest);
+        }
+        self.least = if self.greatest < energy { energy } else { f64::min(self.least, energy) };
+        self.greatest = f64::max(self.greatest, energy);
+    }
 }
 
 /// A rung, and which quantities are wanted of it.
@@ -429,6 +453,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             inertias.push(inertia);
             slopes.push(slope);
         }
+        let mass = |inertia: &T| if self.is_rubbed() { 1.0 } else { inertia.f64() };
+        let masses: PerNode<f64> =
+            inertias.iter().filter(|_| LOOKED_THROUGH).map(|inertia| T::leading(|| mass(inertia))).collect();
         // The integrating factor where something rubs. Growths are exponents: beside 1 they count.
         let mut rough = 0.0;
         if self.is_rubbed() {
@@ -440,6 +467,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let start = from.half_square * from.factor;
         let squares = rule.running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
         let squares: PerNode<T> = squares.collect();
+        let energies = squares.iter().zip(&masses).map(|(y, mass)| T::leading(|| y.f64()) * mass).collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
         let force = |(constant, share): &(T, T), square: &T| *constant + *share * square.scale2(1);
@@ -456,7 +484,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let factor = if self.is_rubbed() { T::of(1.0) } else { last };
         let uneven = rule.rough(&times, time, 0.0);
         let last = Gain { half_square, factor };
-        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares })
+        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares, energies })
     }
 
     /// Shows smooth panels one after the other until `visit` has seen enough; gives what the rate comes to at the end.
@@ -523,7 +551,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             return pin::pendulum_stop(pendulum, far, level);
         }
         let mut found: Option<Stop<T>> = None;
-        let mut time = Some(T::zero());
+        let (mut time, mut passes) = (Some(T::zero()), Passes::NONE);
+        let start = if self.is_rubbed() { T::of(1.0) } else { self.from.factor };
+        passes.see(T::leading(|| (self.from.half_square * start).f64()));
         let mut visit = |panel: &Panel<T>, from: Gain<T>| {
             found = self.stopped(panel, from.half_square, level, least)?;
             // So early within a panel only a shorter one resolves it.
@@ -540,6 +570,12 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     finer => found = finer,
                 }
             }
+            if LOOKED_THROUGH {
+                let until = found.map_or(panel.ends.1, |stop| self.variable(stop.way));
+                let at = |node: &Dd| panel.ends.0 + (panel.ends.1 - panel.ends.0) * T::constant(*node);
+                let before = self.fine.rule.nodes.iter().take_while(|node| at(node).below(until));
+                before.zip(&panel.energies).for_each(|(_, energy)| passes.see(*energy));
+            }
             let part = match &found {
                 Some(stop) => stop.time,
                 None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
@@ -549,8 +585,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
         let half_square = end.unwrap_or(self.from).half_square;
-        let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None });
-        Ok(Stop { time, ..stop })
+        let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None, slowest: 1.0 });
+        Ok(Stop { time, slowest: passes.share, ..stop })
     }
 
     /// The first event within a panel.
@@ -626,7 +662,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 let half_square = if why == Why::Rest { T::zero() } else { rule.at(&panel.squares, share) };
                 let time = fine.then(|| rule.until(&panel.times, share));
                 panel.pushes.iter().for_each(|(joint, forces)| note(*joint, rule.at(forces, share)));
-                return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
+                return Ok(Some(Stop { way: self.way(x).0, half_square, why, time, slowest: 1.0 }));
             }
             now.into_iter().for_each(|(joint, force)| note(joint, force));
             before = x;
@@ -684,7 +720,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (states, count) = self.run(&[(event, expected)], expected, known, rung)?;
         let [x, u, time] = states.first().map_or([f64::NAN; 3], |end| [end.s, end.u, end.time]).map(T::of);
         let half_square = if why == Why::Rest { T::zero() } else { u.square().scale2(-1) };
-        Ok((Stop { way: x, half_square, why, time: Some(time) }, count))
+        Ok((Stop { way: x, half_square, why, time: Some(time), slowest: 1.0 }, count))
     }
 
     /// The time until it stops, without steps.
@@ -824,7 +860,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         by: Option<Steps>,
         least: &mut [(usize, f64, f64)],
     ) -> Result<Stop<T>, Refusal> {
-        let here = Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None };
+        let (half_square, why) = (self.from.half_square, Why::Far);
+        let here = Stop { way: T::zero(), half_square, why, time: None, slowest: 1.0 };
         if let Some((rung, _)) = by {
             let known = || match teller.pinned {
                 Some(_) => self.until(far, level).unwrap_or(f64::INFINITY),
@@ -854,11 +891,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
         far = limit.map_or(far, |limit| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
-        let course = |farthest: T, reached: bool| {
-            Some(Course { asked, begins, farthest, ..Course::moving(self.sense, reached) })
+        let course = |farthest: T, slowest: f64, reached: bool| {
+            Some(Course { asked, begins, farthest, slowest, ..Course::moving(self.sense, reached) })
         };
         if let Some(joint) = self.untouched(&begin) {
-            teller.road.course = course(T::zero(), false);
+            teller.road.course = course(T::zero(), 1.0, false);
             teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
             return Ok(());
         }
@@ -911,7 +948,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 _ => false,
             };
         let farthest = self.farthest(teller, &stop, reached, most);
-        teller.road.course = course(farthest, reached);
+        teller.road.course = course(farthest, stop.slowest, reached);
         self.tell_touching(teller, &stop, least);
         if reached {
             self.tell_end(teller, &stop, &first, by)
