@@ -116,7 +116,7 @@
 //! `solve/eom/planar.rs` and its virtual motion in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
 //! A new law of a spring in the plane: [`scene::planar::Acts`] or [`scene::planar::StrutEnd`], its force in `solve/eom/planar.rs` and its
 //! work in `solve/energy/joined.rs`, its words in `bank/scene/planar.rs`.
-//! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
+//! A new number of a scene: its unit and its rules in [`scene::given`]. A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene/ties.rs`, its quantities in `bank/labels.rs`. A new end of a motion: a row in `bank/scene/end.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
@@ -128,7 +128,7 @@
 //! # Limits
 //! Rigid bodies in a plane. On lines and axles: velocity ratios that do not change with the position, cords without mass that run
 //! parallel to the line of the body they leave, save a constant pull at an angle; one freedom, or more from rest under constant forces, or one body thrown
-//! with slip. About a pin: one body. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
+//! with slip. Joined in the plane by pins, hinges, welds, guides, cords and surfaces: one freedom on the way, any
 //! number at an instant from rest or just after a blow; a drive at an instant alone; torsion springs within half a turn.
 //! Gears and belts join wheels about fixed axles. What carries a whole scene moves along a straight line at a constant acceleration.
 //! One motion follows another without a jerk: what the ties of the second do not allow of the first's speeds is refused.

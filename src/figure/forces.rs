@@ -6,9 +6,8 @@
 use crate::bank::{FigureLabels, Problem};
 use crate::figure::joined::{Laid, PlaneLayout};
 use crate::figure::layout::{BodyLook, Placed};
-use crate::figure::pinned::Hung;
 use crate::figure::view::SceneView;
-use crate::figure::{joined, layout, names, parts, pinned, say};
+use crate::figure::{joined, layout, names, parts, say};
 use crate::num::formula::Step;
 use crate::num::shown;
 use crate::picture::board::{Board, LabelTie, LabelWish, MIDDLE_FIRST, TEXT, on_arc};
@@ -203,19 +202,21 @@ fn asked_alone(scene: &Scene) -> Option<usize> {
 
 fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
-    match (view.scene.pinned(), &this.planar) {
-        (Some((_, planar)), _) => Some(swinging(view, body, planar)),
-        (None, Some(_)) => {
+    match &this.planar {
+        Some(planar) => {
             let plane = PlaneLayout::new(view)?;
             let ends = plane.at_end(view).unwrap_or_else(|| vec![plane.start.clone()]).into_iter();
-            let diagrams = ends.filter_map(|laid| in_the_plane(view, &plane, laid, body));
+            let diagrams = ends.filter_map(|laid| match view.scene.pinned() {
+                Some(_) => Some(swinging(view, &plane, laid, planar)),
+                None => in_the_plane(view, &plane, laid, body),
+            });
             // Of the positions on either side it is the one at which the forces turn the body as it turns.
             let missed = |d: &Diagram| {
                 sums(d).map_or(f64::INFINITY, |(acting, made)| (acting.moment - made.moment).abs())
             };
             diagrams.min_by(|one, other| missed(one).total_cmp(&missed(other)))
         }
-        (None, None) => moving(view, body),
+        None => moving(view, body),
     }
 }
 
@@ -570,18 +571,20 @@ fn cords(
     }
 }
 
-/// The diagrams of a pinned body, at the angle that is asked.
-fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Planar) -> Diagram<'a> {
-    let this = &view.scene.bodies[body];
-    let hung = Hung::new(view, this, pin);
-    let degrees = match view.scene.end {
-        End::Angle(_, n) => view.of(n),
-        _ => hung.start,
-    };
-    let (d, across) = (hung.direction(degrees), hung.across(degrees));
-    let g = d * hung.arm;
-    let mass = view.kilograms(this);
-    let metres = joined::along(view, pin.centre);
+/// The diagrams of a body that swings about its pin, at the angle that is asked: along its axis and across.
+fn swinging<'a>(
+    view: &'a SceneView<'a>,
+    plane: &PlaneLayout,
+    laid: Vec<Laid>,
+    planar: &'a Planar,
+) -> Diagram<'a> {
+    let (body, this) = (0, &view.scene.bodies[0]);
+    let close = plane.close_up(view, body, LONG_BODY);
+    let (d, scale) = (laid[body].axis, close.scale);
+    let across = if planar.clockwise { d.right() } else { d.left() };
+    let (mass, metres) = (view.kilograms(this), joined::along(view, planar.centre));
+    let g = d * (metres * scale);
+    let rod = this.rod().map(|_| joined::span(view, body, planar).map(|x| x * scale));
     let name = |candidates: &[&str]| {
         let list: Vec<String> = candidates.iter().map(|c| (*c).to_owned()).collect();
         symbol::symbol(&names::free(view.problem, &list))
@@ -594,23 +597,22 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Planar) -> Diagram<'
         ForceArrow::signed(Vec2::ZERO, -d, radial, name(&["R", "O_r"])),
         ForceArrow::signed(Vec2::ZERO, across, tangential, name(&["S", "O_t"])),
     ];
-    if let Some((_, at, place)) = pinned::spring_of(view.scene) {
-        let held = d * (joined::along(view, at) * hung.scale);
-        let anchor = joined::ground(view, place) * hung.scale;
+    for strut in &view.scene.struts {
+        let (held, anchor) = close.ends(view, &laid, strut);
         let value = found(view, Quantity::SpringForce, body);
         let symbol = name(&["F_s", r"F_{\mathrm{s}}"]);
         let pull = ForceArrow::signed(held, (anchor - held).unit(), value, symbol);
         forces.push(ForceArrow { arm: name(&["p", r"p_{\mathrm{s}}"]), ..pull });
     }
-    let couples = couples_on(view, body, hung.clockwise());
+    let couples = couples_on(view, body, planar.clockwise);
     let (omega, alpha) = (found(view, Quantity::Omega, body), found(view, Quantity::Alpha, body));
     let with_mass = |symbol: Vec<TextRun>| [names::mass(view, body), symbol].concat();
     // Along a thin rod they stand beside it, where the tangential ones do not.
-    let beside = |tangential: f64| match hung.rod {
+    let beside = |tangential: f64| match rod {
         Some(_) => across * (if tangential < 0.0 { BESIDE } else { -BESIDE }),
         None => Vec2::ZERO,
     };
-    let into = hung.rod.is_some_and(|(from, to)| if radial < 0.0 { to > 30.0 } else { from < -30.0 });
+    let into = rod.is_some_and(|[from, to]| if radial < 0.0 { to > 30.0 } else { from < -30.0 });
     if into {
         forces[1].aside = beside(tangential);
     }
@@ -619,14 +621,14 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Planar) -> Diagram<'
     let tangential = ForceArrow::new(g, across, mass * metres * alpha, tangential).of(Role::Motion);
     let parts = vec![ForceArrow { aside: beside(alpha), ..normal.of(Role::Motion) }, tangential];
     let symbols = [name(&["I_G", "J_G"]), name(&[r"\alpha", r"\alpha_1"])];
-    let turn = Some(Turning::kinetic(alpha, view.inertia(this), hung.clockwise(), symbols));
+    let turn = Some(Turning::kinetic(alpha, view.inertia(this), planar.clockwise, symbols));
     let draw = move |board: &mut Board| {
-        let zero = hung.direction(0.0);
-        board.line(Vec2::ZERO, zero * 62.0, Role::Ghost);
-        hung.outline(board, Vec2::ZERO, degrees, Role::Body);
+        let [x, y] = planar.from.components();
+        board.line(Vec2::ZERO, vec2(x, y) * 62.0, Role::Ghost);
+        close.outline(board, view, &laid, body, Role::Body);
         board.circle(Vec2::ZERO, 3.2, Role::Inner);
         board.dot(g);
-        let aside = if hung.rod.is_some() { 5.0 } else { 2.0 };
+        let aside = if rod.is_some() { 5.0 } else { 2.0 };
         let mut letter = |text: &str, at: Vec2| {
             board.label(
                 vec![symbol::italic(text)],
@@ -636,12 +638,12 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Planar) -> Diagram<'
             );
         };
         letter("O", Vec2::ZERO);
-        if hung.arm > 4.0 {
+        if g.norm() > 4.0 {
             letter("G", g);
         }
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
-    let (centre, pole, scale) = (g, Vec2::ZERO, hung.scale);
+    let (centre, pole) = (g, Vec2::ZERO);
     let (unknown, axes, held, body) = (None, false, None, Box::new(draw));
     Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body }
 }

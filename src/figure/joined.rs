@@ -1,11 +1,10 @@
 //! The picture of joined bodies in the plane: at the start, with the position considered as a ghost.
-use crate::figure::pinned::dimension;
 use crate::figure::view::SceneView;
-use crate::figure::{names, say};
+use crate::figure::{names, parts, say};
 use crate::num::half::Half;
 use crate::picture::board::{Board, LabelTie, MIDDLE_FIRST, on_arc};
 use crate::picture::vector::{Direction, Vec2, vec2};
-use crate::picture::{Role, symbol};
+use crate::picture::{Role, TextRun, symbol};
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
     Scene, Shape, Spot, Strut, StrutEnd, Surface, pose,
@@ -113,11 +112,12 @@ impl PlaneLayout {
     /// The same with a scale at which a body is so many pixels long, or as wide as what rolls or slides of it.
     pub fn close_up(&self, view: &SceneView, body: usize, pixels: f64) -> Self {
         let [from, to] = view.scene.planar(body).map_or([0.0; 2], |p| span(view, body, p));
-        let round = view.scene.joints.iter().filter_map(|joint| match joint.kind {
+        let touching = view.scene.joints.iter().filter_map(|joint| match joint.kind {
             JointKind::Contact { at, radius_m, .. } if at.body == body => Some(2.0 * view.of(radius_m)),
             _ => None,
         });
-        let size = round.fold(to - from, f64::max);
+        let own = view.scene.planar(body).and_then(|p| round(view, body, p)).map(|r| 2.0 * r);
+        let size = touching.chain(own).fold(to - from, f64::max);
         let scale = if size > 0.0 { pixels / size } else { self.scale };
         Self { scale, ..self.clone() }
     }
@@ -252,17 +252,16 @@ impl PlaneLayout {
             _ => None,
         };
         let mut circles: Vec<(Vec2, f64)> = view.scene.joints.iter().filter_map(touching).collect();
-        let mass = view.kilograms(this);
         let centre = self.centre(view, laid, body);
-        match &this.inertia {
-            Some(RotaryInertia::Shape(Shape::Rod, _)) => {}
-            Some(RotaryInertia::Shape(_, r)) => circles.push((centre, view.of(*r))),
-            _ if !circles.is_empty() || plate.is_some() => {}
-            _ => {
-                let square = if mass > 0.0 { (view.inertia(this) / mass).max(0.0) } else { 0.0 };
-                let round = square.sqrt() * self.scale;
-                return crate::figure::parts::round_link(board, (centre, round.max(END)), &[from, to], role);
+        match (&this.inertia, round(view, body, planar)) {
+            (Some(RotaryInertia::Shape(..)), round) if !planar.pinned || round.is_none() => {
+                circles.extend(round.map(|r| (centre, r)))
             }
+            (_, Some(round)) if circles.is_empty() => {
+                let round = (round * self.scale).max(END);
+                return parts::round_link(board, (centre, round), &[from, to], role);
+            }
+            _ => {}
         }
         circles.dedup();
         for (centre, radius) in circles {
@@ -300,12 +299,23 @@ pub fn along(view: &SceneView, place: Place) -> f64 {
     }
 }
 
+/// Radius of what is drawn round the mass centre of a body, m: that of its shape, or its radius of gyration; `None` of a rod or a plate.
+fn round(view: &SceneView, body: usize, planar: &Planar) -> Option<f64> {
+    let this = &view.scene.bodies[body];
+    match &this.inertia {
+        Some(RotaryInertia::Shape(Shape::Rod, _)) => None,
+        Some(RotaryInertia::Shape(_, r)) => Some(view.of(*r)),
+        _ => {
+            let mass = view.kilograms(this);
+            let square = if mass > 0.0 { (view.inertia(this) / mass).max(0.0) } else { 0.0 };
+            plate(view, body, planar).is_none().then(|| square.sqrt())
+        }
+    }
+}
+
 /// From where to where a body lies along its axis, m.
-fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
-    let long = match view.scene.bodies[body].inertia {
-        Some(RotaryInertia::Shape(Shape::Rod, l)) => Some(view.of(l)),
-        _ => None,
-    };
+pub fn span(view: &SceneView, body: usize, planar: &Planar) -> [f64; 2] {
+    let long = view.scene.bodies[body].rod().map(|l| view.of(l));
     let centre = along(view, planar.centre);
     let ends = long.map(|l| [centre - l / 2.0, centre + l / 2.0]);
     let points = planar.points.iter().map(|(_, p)| along(view, p[0]));
@@ -322,7 +332,9 @@ fn named(view: &SceneView, planar: &Planar) -> impl Iterator<Item = Vec2> {
 /// The corners between which a body lies: how far along its axis and beside it, m.
 fn corners(view: &SceneView, body: usize, planar: &Planar) -> Vec<Vec2> {
     let ends = span(view, body, planar).map(|x| vec2(x, 0.0));
-    let named = named(view, planar).chain(ends);
+    let (centre, round) = (vec2(along(view, planar.centre), 0.0), round(view, body, planar));
+    let around = [Vec2::RIGHT, Vec2::UP, Vec2::LEFT, Vec2::DOWN].into_iter();
+    let named = named(view, planar).chain(ends).chain(around.filter_map(|d| Some(centre + d * round?)));
     named.chain(plate(view, body, planar).unwrap_or_default()).collect()
 }
 
@@ -450,7 +462,7 @@ pub fn draw(board: &mut Board, view: &SceneView) {
             board.line(far, near, Role::Spring);
         }
         if !matches!(strut.to, StrutEnd::Spot(_)) && (far - near).norm() > 1.0 {
-            crate::figure::parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
+            parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
         }
         let (middle, out) = hangs.unwrap_or((far.middle(near), (far - near).unit().left()));
         let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
@@ -664,7 +676,7 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
             } else {
                 board.line(near, far, Role::Cord);
             }
-            crate::figure::parts::wall(board, far, (far - near).unit(), -14.0, 14.0);
+            parts::wall(board, far, (far - near).unit(), -14.0, 14.0);
         }
     }
 }
@@ -734,6 +746,10 @@ fn angles(board: &mut Board, view: &SceneView, plane: &PlaneLayout) {
             continue;
         }
         let corner = axis.map_or(laid[lead].origin, |(_, axis)| axis);
+        // The line whose angle is told, over what is round about it.
+        if planar.pinned && round(view, lead, planar).is_some() {
+            board.line(corner, plane.centre(view, laid, lead), Role::Ghost);
+        }
         if let Some((at, axis)) = axis {
             board.line(axis, plane.spot(view, laid, at), Role::Ghost);
         }
@@ -826,12 +842,15 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
         let far = corners(view, body, planar).into_iter().map(|c| axis * c.x + axis.left() * c.y);
         far.map(|c| c.dot(&way) * plane.scale).fold(0.0, f64::max)
     };
-    for (name, place) in &planar.points {
+    let centre = ("G".to_owned(), [planar.centre, Place::At(Num::Fixed(0.0))]);
+    // Where no length of the body stands on the free side, the distance of its mass centre does.
+    let sides = planar.points.iter().map(|point| (point, -out));
+    for ((name, place), side) in sides.chain([(&centre, if this.rod().is_some() { -out } else { out })]) {
         let foot = origin + axis * (along(view, place[0]) * plane.scale);
         let point = foot + axis.left() * (along(view, place[1]) * plane.scale);
-        let clear = -out * reach(-out);
+        let clear = side * reach(side);
         for (n, from, to, aside) in
-            [(place[0], origin + clear, foot + clear, -out), (place[1], foot, point, axis)]
+            [(place[0], origin + clear, foot + clear, side), (place[1], foot, point, axis)]
         {
             if let (Place::At(n @ Num::Datum(_)), true) = (n, this.turns)
                 && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == n)
@@ -847,6 +866,20 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     let places = [0.22, -0.22, 0.33, -0.33, 0.12, -0.12].map(|share| middle + (to - from) * share);
     let spots = [-out, out].into_iter().flat_map(|d| places.map(|p| (p + d * side, d)));
     board.label(rows, Role::Dot, (LabelTie::Clear, 6.0), spots.collect());
+}
+
+/// A dimension line beside a length.
+pub fn dimension(board: &mut Board, from: Vec2, to: Vec2, out: Vec2, off: f64, label: Vec<TextRun>) {
+    for p in [from, to] {
+        board.line(p + out * (off - 16.0).clamp(8.0, 30.0), p + out * (off + 5.0), Role::Dimension);
+    }
+    let (a, b) = (from + out * off, to + out * off);
+    board.double_arrow(a, b, Role::Dimension);
+    let mid = a.middle(b);
+    let along = (b - a).unit();
+    let spots =
+        vec![(mid, out), (mid + along * 34.0, out), (mid + along * 60.0, out), (b, along), (a, -along)];
+    board.label(vec![label], Role::Dimension, (LabelTie::Clear, 5.0), spots);
 }
 
 /// The radius of a circle that is a datum, drawn to its rim.

@@ -15,7 +15,6 @@ pub(crate) mod lamina;
 pub(crate) mod layout;
 pub mod names;
 pub(crate) mod parts;
-pub(crate) mod pinned;
 pub(crate) mod say;
 pub mod scene;
 pub(crate) mod view;

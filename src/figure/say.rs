@@ -1,12 +1,12 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
 use crate::figure::layout::{Placed, SceneLayout};
+use crate::figure::names;
 use crate::figure::view::SceneView;
-use crate::figure::{names, pinned};
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::scene::{
-    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Place, Planar, Ray,
-    Rest, RotaryInertia, Shape, Side, Slope, Start, Tie,
+    Attach, Body, Coordinate, CordEnd, Degree, End, Far, GivenForce, Made, Mass, Num, Place, RotaryInertia,
+    Shape, Side, Slope, Start, Tie,
 };
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
@@ -46,8 +46,15 @@ pub fn named(view: &SceneView, body: &Body) -> String {
         Some(RotaryInertia::Moment(n)) => tell(*n, "kg·m<sup>2</sup>"),
         _ => {}
     }
-    if let Some(Planar { pinned: true, centre: Place::At(n), .. }) = body.planar {
-        tell(n, "m");
+    if let Some(planar) = &body.planar {
+        let places = planar.points.iter().flat_map(|(_, place)| *place).chain([planar.centre]);
+        let mut told = vec![body.rod()];
+        for Place::At(n) | Place::HalfOf(n) in places {
+            if !told.contains(&Some(n)) {
+                told.push(Some(n));
+                tell(n, "m");
+            }
+        }
     }
     let name = called(view, body);
     if data.is_empty() { name } else { format!("{name} ({})", data.join(separator(view))) }
@@ -258,36 +265,6 @@ pub fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
         let size = || view.size_text(couple.moment_n_m, "N·m").replace('\u{a0}', " ");
         let moment = view.growing(GivenForce::Couple(i), couple.moment_n_m).unwrap_or_else(size);
         out.push(view.words.say(name, &[("moment", &moment)]));
-    }
-}
-
-/// The sentences about a pinned body.
-pub fn pinned(view: &SceneView, index: usize, out: &mut Vec<String>) {
-    let body = &view.scene.bodies[index];
-    let Some(pin) = &body.planar else { return };
-    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.pinned.{name}"), pieces);
-    let zero = if pin.from == Ray::Up { "upright" } else { "hanging" };
-    out.push(say(zero, &[("body", &named(view, body))]));
-    out.push(say("start", &[("angle", &pin.start_deg.map_or_else(String::new, |n| text(view, n, "°")))]));
-    if let End::Angle(_, n) = view.scene.end {
-        out.push(say("end", &[("angle", &text(view, n, "°"))]));
-    }
-    if let Some((spring, Place::At(at) | Place::HalfOf(at), [x, y])) = pinned::spring_of(view.scene) {
-        let (Rest::Length(n) | Rest::Stretch(n)) = spring.rest;
-        let list = [text(view, spring.stiffness_n_m, "N/m"), text(view, n, "m")].join(separator(view));
-        out.push(say(
-            if view.of(x) == 0.0 { "spring_above" } else { "spring" },
-            &[
-                ("x", &text(view, x, "m")),
-                ("y", &text(view, y, "m")),
-                ("at", &text(view, at, "m")),
-                ("list", &list),
-            ],
-        ));
-    }
-    couples(view, index, out);
-    for (_, num) in view.started(index) {
-        out.push(say("spin", &[("spin", &text(view, num, "rad/s"))]));
     }
 }
 

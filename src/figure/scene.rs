@@ -2,7 +2,7 @@
 use crate::bank::{FigureLabels, Problem};
 use crate::figure::layout::{BodyLook, CordPiece, CordRun, CordStop, Placed, SceneLayout};
 use crate::figure::view::{SceneView, joined};
-use crate::figure::{joined as linkage, lamina, layout, names, parts, pinned, say};
+use crate::figure::{joined as linkage, lamina, layout, names, parts, say};
 use crate::picture::board::{Board, LabelTie, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
@@ -35,7 +35,7 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     let mut board = Board::new();
     let mut desc = Vec::new();
     let bodies = &view.scene.bodies;
-    if view.scene.lead().is_some() && view.scene.pinned().is_none() {
+    if view.scene.lead().is_some() {
         linkage::draw(&mut board, &view);
         linkage::tell(&view, &mut desc);
         carrier(&mut board, &view, &mut desc);
@@ -49,10 +49,7 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     }
     for (i, body) in bodies.iter().enumerate() {
         let mut part = Board::new();
-        if body.is_pinned() {
-            pinned::draw(&mut part, &view, i);
-            say::pinned(&view, i, &mut desc);
-        } else if !body.particles.is_empty() {
+        if !body.particles.is_empty() {
             lamina::draw(&mut part, &view, i);
             say::lamina(&view, i, &mut desc);
         } else {

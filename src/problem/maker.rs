@@ -483,7 +483,8 @@ impl<'p> Maker<'p> {
             let scene = &self.problem.cases[index].scene;
             // A formula may need any quantity; where nothing is joined all follow at once.
             let formulas = scene.formulas.found.is_some() || !scene.formulas.asked.is_empty();
-            let timeless = !formulas && scene.lead().is_some() && !named.quantities.has(Quantity::T);
+            let joined = scene.lead().is_some() && scene.pinned().is_none();
+            let timeless = !formulas && joined && !named.quantities.has(Quantity::T);
             let asked = if timeless { Scope::TIMELESS } else { Scope::ALL };
             let screen = (scene.pinned().is_some() && !formulas).then_some(Scope { held: true, ..named });
             DrawPlan { methods, asked, screen }

@@ -53,7 +53,7 @@ pub fn answers(
     figures: usize,
 ) -> Result<Vec<ByHand>, DerivationStop> {
     let scene = scene_of(problem, variant)?;
-    let mut draft = Draft::new(problem, variant, &scene, words, Symbols::by_hand(words, figures));
+    let mut draft = Draft::new(problem, variant, scene, words, Symbols::by_hand(words, figures));
     derive(&mut draft)?;
     let rough = |answer: DerivedAnswer| match answer {
         DerivedAnswer::Value(symbol) => {

@@ -135,14 +135,14 @@ fn made(
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
     let scene = scene_of(problem, variant)?;
-    let mut draft = Draft::new(problem, variant, &scene, words, Symbols::new(words));
+    let mut draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
     draft.detail = detail;
     let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),
         Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
-            draft = Draft::new(problem, variant, &scene, words, Symbols::new(words));
+            draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
             Some(what)
         }
     };

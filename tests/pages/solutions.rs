@@ -97,7 +97,7 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
             }
             None => {
                 let word = variant.solved.word(q.label);
-                word.map_or_else(String::new, |w| words.get(&format!("sheet.{}", w.text())).to_owned())
+                word.map_or_else(String::new, |w| words.get(&format!("sheet.{}", w.as_str())).to_owned())
             }
         };
         if right.is_empty() || !line.contains(&right) {

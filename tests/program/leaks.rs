@@ -456,7 +456,7 @@ fn a_contact_left_open_rolls_or_slips_and_never_both() {
             v.solved.get(q.label).unwrap().value()
         };
         assert_eq!(
-            v.solved.word(problem.questions[0].label).unwrap().text(),
+            v.solved.word(problem.questions[0].label).unwrap().as_str(),
             if rolls { "yes" } else { "no" }
         );
         assert!((entry("friction") - friction).abs() <= 1e-9 * needed, "{} {friction}", entry("friction"));
