@@ -35,15 +35,16 @@ const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
 const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
-const MARGINS: [(CheckKind, f64); 13] = [
+const MARGINS: [(CheckKind, f64); 14] = [
     (CheckKind::Moves, 0.10),
     (CheckKind::NoSlip, 0.05),
     (CheckKind::MustSlip, 0.05),
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
-    // The sign of a tension is certain although it is a small share of large forces.
+    // The sign of a tension or a normal force is certain although it is a small share of large forces.
     (CheckKind::Taut, 0.01),
+    (CheckKind::Pressed, 0.01),
     (CheckKind::Slack, 0.05),
     (CheckKind::SlipEnds, 0.05),
     (CheckKind::UnderWay, 0.02),

@@ -70,10 +70,10 @@ fn dip<T: Real>(around: &[(T, T)]) -> Option<T> {
     }
     let [high, low, far] = [high, low, far].map(|x| x.abs());
     let (left, right) = ((high - low) / (*b - *a), (far - low) / (*c - *b));
-    let bend = (left + right) / (*c - *a);
     if left.sign() <= 0.0 || right.sign() < 0.0 {
         return None;
     }
+    let bend = (left + right) / (*c - *a);
     // Slope at the middle, from the parabola.
     let slope = (right * (*b - *a) - left * (*c - *b)) / (*c - *a);
     let fall = slope.square() / bend.scale2(2);

@@ -629,6 +629,8 @@ pub struct Course<P> {
     pub begins: P,
     /// Farthest that the motion goes in the same measure; infinite if it never turns.
     pub farthest: P,
+    /// The least kinetic energy at which it passes something that slows it down, as a share of the greatest before; 1 if nothing does.
+    pub slowest: f64,
 }
 
 /// A contact or cord as far as the scene looks, on one road.
@@ -745,7 +747,8 @@ impl<P: Real> Course<P> {
     /// Nothing moves.
     pub fn at_rest() -> Self {
         let zero = P::zero();
-        Self { sense: 0.0, drive: (zero, zero), reached: false, asked: None, begins: zero, farthest: zero }
+        let (drive, begins, farthest) = ((zero, zero), zero, zero);
+        Self { sense: 0.0, drive, reached: false, asked: None, begins, farthest, slowest: 1.0 }
     }
     /// It moves in this sense.
     pub fn moving(sense: f64, reached: bool) -> Self {

@@ -210,8 +210,9 @@ fn reaches<P: Real>(body: usize, course: &Course<P>) -> Check {
     let check = limit(CheckKind::Reaches, body, course.reached && !leaves, asked, available);
     let margin = match course.asked {
         _ if leaves => -1.0,
-        Some(_) => check.margin,
-        None => 1.0,
+        // What just gets over something may as well not.
+        Some(_) => f64::min(check.margin, course.slowest),
+        None => course.slowest,
     };
     Check { margin, ..check }
 }

@@ -24,6 +24,7 @@ mod extremes;
 mod growing;
 mod joined;
 mod joined_edges;
+mod joined_ends;
 mod joined_lot;
 mod joined_scenes;
 mod ladder;

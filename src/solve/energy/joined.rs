@@ -34,6 +34,8 @@ use std::rc::Rc;
 const TURNS: f64 = 2.0;
 /// Step in which events are looked for, radians.
 const STEP: f64 = 0.0625;
+/// Into so many steps at least the way from one spring that is met to the next is cut, and a small swing.
+const STRETCHED: f64 = 7.5;
 /// Turns of an iteration after which a panel is too long.
 const TURNS_OF_ITERATION: u32 = 40;
 /// Coefficients of a panel of the collocation that are below this share are rounding of the answer, in numbers of 32 digits and in
@@ -91,6 +93,8 @@ struct Account<'a, T: Real> {
     meets: SmallVec<[T; 4]>,
     /// Sense in which the leading angle changes.
     sense: f64,
+    /// The first step in which events are looked for, radians.
+    stride: f64,
     /// Is it a body on a pin, of which all is told as its own, and what has it in closed form?
     pinned: bool,
     pendulum: Option<Pendulum<T>>,
@@ -236,6 +240,13 @@ impl<T: Real> Account<'_, T> {
             self.tell_standing(&first, T::zero(), &mut road)?;
             return Ok(road);
         }
+        // Where springs are stiff the whole swing may be shorter than a step.
+        self.stride = ball::unwatched(|| {
+            let stiff = -self.softens(&first) / self.inertia(&first);
+            let swing = (sets_off + (sets_off.square() + stiff * spin.square()).root()) / stiff;
+            let step = swing.f64() / STRETCHED;
+            T::leading(|| if stiff.sign() > 0.0 { step.clamp(STEP * 1e-12, STEP) } else { STEP })
+        });
         let drive = (free.force.signed(self.sense), rubbed.force.signed(self.sense));
         self.meets = ball::unwatched(|| self.springs_met());
         if matches!(scene.end, End::Angle(..)) {
@@ -267,6 +278,7 @@ impl<'a, T: Real> Account<'a, T> {
             relaxed: SmallVec::new(),
             meets: SmallVec::new(),
             sense: 1.0,
+            stride: STEP,
             pinned: false,
             pendulum: None,
             slides: scene.joints.iter().map(|_| 0.0).collect(),

@@ -18,19 +18,19 @@ use crate::scene::{End, JointKind, Numbers, Owner, Quantity, Scene, Spot};
 use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{Mechanism, Response, State};
+use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
 use crate::solve::eom::travel;
 use crate::solve::method::Rung;
 use crate::solve::outcome::{self, Course, Held, Refusal, Road, Scope, Unsupported};
 use smallvec::SmallVec;
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 
 /// A motion is followed for two turns at most.
 const TURNS: f64 = 2.0;
 /// Angle after which a panel ends at the latest, radians.
 const STRIDE: f64 = 1.0;
 
-/// Panels of a motion at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
+/// Panels of a way at most, of which one that is rough counts for so many: the way to a singularity takes fewer, what takes more
 /// is rough by its rounding.
 const PANELS: u32 = 1200;
 const ROUGH: u32 = 10;
@@ -73,8 +73,6 @@ struct Motion<'m, 'a, T: Real> {
     rubs: SmallVec<[f64; 4]>,
     /// Springs that are met or let go of, and the leading angles at which, from the start of the scene.
     meets: SmallVec<[(usize, T); 4]>,
-    /// Panels that may still be made.
-    panels: Cell<u32>,
     /// What has a closed form.
     pendulum: Option<Pendulum<T>>,
     /// How fine its panels are.
@@ -119,6 +117,8 @@ struct Panel<T> {
     ends: (T, T),
     /// Half the square of the rate at its nodes.
     squares: PerNode<T>,
+    /// The kinetic energy at its nodes up to a factor; where something rubs half the square of the rate stands for it.
+    energies: PerNode<f64>,
     /// What the rate comes to at its end.
     last: Gain<T>,
     /// The time over it, per share of it, at its nodes.
@@ -133,6 +133,24 @@ struct Panel<T> {
     uneven: f64,
 }
 
+impl<T: Real> Panel<T> {
+    /// What turns about where this stops a motion, between the nodes: the normal force of a joint, half the square of the rate less a
+    /// level, or all of it.
+    fn value(&self, rule: &Rule, why: Why, level: Option<(T, bool)>, x: T) -> T {
+        let share = (x - self.ends.0) / (self.ends.1 - self.ends.0);
+        match (why, level) {
+            (Why::Leaves(joint), _) => {
+                let forces = self.pushes.iter().find(|p| p.0 == joint);
+                forces.map_or_else(T::zero, |(_, forces)| rule.at(forces, share))
+            }
+            (Why::Speed, Some((level, _))) => rule.at(&self.squares, share) - level,
+            _ => rule.at(&self.squares, share),
+        }
+    }
+}
+
+/// What may stop a motion, with its last values at the nodes.
+type Looked<T> = (Why, SmallVec<[(T, T); 3]>);
 /// Something of each joint that can only push or rubs, at the nodes of a panel.
 type Watched<T> = SmallVec<[(usize, PerNode<T>); 2]>;
 /// Sees a panel and what the rate has come to at its start; true ends the march.
@@ -152,6 +170,28 @@ struct Stop<T> {
     why: Why,
     /// The time until then, where the panels give it.
     time: Option<T>,
+    /// See [`Course::slowest`].
+    slowest: f64,
+}
+
+/// Kinetic energies that are seen one after the other: the greatest, the least since then, and the least share of the greatest
+/// after which one has risen again.
+#[derive(Debug, Clone, Copy)]
+struct Passes {
+    greatest: f64,
+    least: f64,
+    share: f64,
+}
+
+impl Passes {
+    const NONE: Self = Self { greatest: 0.0, least: f64::INFINITY, share: 1.0 };
+    fn see(&mut self, energy: f64) {
+        if self.greatest > 0.0 && self.least < energy {
+            self.share = f64::min(self.share, self.least / self.greatest);
+        }
+        self.least = if self.greatest < energy { energy } else { f64::min(self.least, energy) };
+        self.greatest = f64::max(self.greatest, energy);
+    }
 }
 
 /// A rung, and which quantities are wanted of it.
@@ -232,7 +272,6 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
         slides,
         rubs,
         meets: mechanism.meets(sense, (horizon(), look())),
-        panels: Cell::new(PANELS),
         pendulum: teller.pendulum(&state, sense, spin),
         fine: Fine::of::<T>(scene, false),
         timed: teller.asked.quantities.has(Quantity::T) || matches!(scene.end, End::Time(..)),
@@ -414,6 +453,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             inertias.push(inertia);
             slopes.push(slope);
         }
+        let mass = |inertia: &T| if self.is_rubbed() { 1.0 } else { inertia.f64() };
+        let masses: PerNode<f64> =
+            inertias.iter().filter(|_| LOOKED_THROUGH).map(|inertia| T::leading(|| mass(inertia))).collect();
         // The integrating factor where something rubs. Growths are exponents: beside 1 they count.
         let mut rough = 0.0;
         if self.is_rubbed() {
@@ -425,6 +467,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let start = from.half_square * from.factor;
         let squares = rule.running(&drives).into_iter().zip(&inertias).map(|(g, e)| (start + g) / *e);
         let squares: PerNode<T> = squares.collect();
+        let energies = squares.iter().zip(&masses).map(|(y, mass)| T::leading(|| y.f64()) * mass).collect();
         let times: PerNode<T> =
             squares.iter().zip(&slopes).map(|(y, slope)| *slope / y.scale2(1).root()).collect();
         let force = |(constant, share): &(T, T), square: &T| *constant + *share * square.scale2(1);
@@ -441,7 +484,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let factor = if self.is_rubbed() { T::of(1.0) } else { last };
         let uneven = rule.rough(&times, time, 0.0);
         let last = Gain { half_square, factor };
-        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares })
+        Ok(Panel { ends, pushes, slides_on, last, rough, uneven, times, squares, energies })
     }
 
     /// Shows smooth panels one after the other until `visit` has seen enough; gives what the rate comes to at the end.
@@ -453,7 +496,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         visit: &mut Visit<T>,
     ) -> Result<Option<Gain<T>>, Refusal> {
         let mut width = end - at;
-        let least = width.size() * SHORTEST;
+        let (least, mut panels) = (width.size() * SHORTEST, PANELS);
         while at.below(end) {
             let far = self.variable(self.way(at).0 + T::of(STRIDE));
             let ahead = self.meets.iter().map(|(_, angle)| (*angle - self.start).signed(self.sense));
@@ -468,8 +511,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             let fit = 0.9 * trig::power(rough, -1.0 / (DEGREE * self.fine.rule.nodes.len() as f64));
             width = next - at;
             let cost = if rough <= 1.0 { 1 } else { ROUGH };
-            let left = self.panels.get().checked_sub(cost);
-            self.panels.set(left.unwrap_or(0));
+            let left = panels.checked_sub(cost);
+            panels = left.unwrap_or(0);
             if rough <= 1.0 && left.is_some() {
                 if visit(&panel, from)? {
                     return Ok(None);
@@ -508,7 +551,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             return pin::pendulum_stop(pendulum, far, level);
         }
         let mut found: Option<Stop<T>> = None;
-        let mut time = Some(T::zero());
+        let (mut time, mut passes) = (Some(T::zero()), Passes::NONE);
+        let start = if self.is_rubbed() { T::of(1.0) } else { self.from.factor };
+        passes.see(T::leading(|| (self.from.half_square * start).f64()));
         let mut visit = |panel: &Panel<T>, from: Gain<T>| {
             found = self.stopped(panel, from.half_square, level, least)?;
             // So early within a panel only a shorter one resolves it.
@@ -525,6 +570,12 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                     finer => found = finer,
                 }
             }
+            if LOOKED_THROUGH {
+                let until = found.map_or(panel.ends.1, |stop| self.variable(stop.way));
+                let at = |node: &Dd| panel.ends.0 + (panel.ends.1 - panel.ends.0) * T::constant(*node);
+                let before = self.fine.rule.nodes.iter().take_while(|node| at(node).below(until));
+                before.zip(&panel.energies).for_each(|(_, energy)| passes.see(*energy));
+            }
             let part = match &found {
                 Some(stop) => stop.time,
                 None => (panel.uneven <= 1.0).then(|| self.fine.rule.mean(&panel.times)),
@@ -534,8 +585,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         let end = self.over((T::zero(), self.variable(far)), self.from, timely, &mut visit)?;
         let half_square = end.unwrap_or(self.from).half_square;
-        let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None });
-        Ok(Stop { time, ..stop })
+        let stop = found.unwrap_or(Stop { way: far, half_square, why: Why::Far, time: None, slowest: 1.0 });
+        Ok(Stop { time, slowest: passes.share, ..stop })
     }
 
     /// The first event within a panel.
@@ -548,33 +599,52 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     ) -> Result<Option<Stop<T>>, Refusal> {
         let ((a, b), rule) = (panel.ends, self.fine.rule);
         let nodes = rule.nodes.iter().map(|s| a + (b - a) * T::constant(*s));
-        let rising = level.map(|l| from.below(l));
+        let level = level.map(|l| (l, from.below(l)));
+        let mut watched: SmallVec<[Looked<T>; 3]> = SmallVec::new();
+        watched.push((Why::Rest, SmallVec::new()));
+        watched.extend(level.map(|_| (Why::Speed, SmallVec::new())));
+        watched.extend(panel.pushes.iter().map(|(joint, _)| (Why::Leaves(*joint), SmallVec::new())));
+        let mut note = |joint: usize, force: T| {
+            if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
+                let now = T::leading(|| force.f64());
+                (least.1, least.2) = (f64::min(least.1, now), f64::max(least.2, force.size()));
+            }
+        };
         let mut before = a;
         let squares = panel.squares.iter().copied();
         for (i, (x, square)) in nodes.zip(squares).chain([(b, panel.last.half_square)]).enumerate() {
-            let mut events: SmallVec<[Why; 2]> = SmallVec::new();
-            if square.sign() < 0.0 {
-                events.push(Why::Rest);
-            }
-            if let (Some(level), Some(rising)) = (level, rising)
-                && (square.reaches(level) == rising)
-            {
-                events.push(Why::Speed);
-            }
             let force = |forces: &PerNode<T>| match forces.get(i) {
                 Some(force) => *force,
                 None => rule.at(forces, T::of(1.0)),
             };
             let now = panel.pushes.iter().map(|(joint, forces)| (*joint, force(forces)));
             let now: SmallVec<[(usize, T); 2]> = now.collect();
-            let off = now.iter().filter(|(joint, force)| !self.presses_on(*joint, *force));
-            events.extend(off.map(|(joint, _)| Why::Leaves(*joint)));
-            // Of what has happened since the last node, the first stops it.
+            // Of what has happened since the last node, or between the last ones, the first stops it.
             let mut first: Option<(T, Why)> = None;
-            for why in events {
-                let at = self.happens(panel, why, (before, x), level.zip(rising))?;
-                if first.is_none_or(|(first, _)| at.below(first)) {
-                    first = Some((at, why));
+            for (why, seen) in &mut watched {
+                let (value, gone) = match (*why, level) {
+                    (Why::Leaves(joint), _) => {
+                        let force = now.iter().find(|(j, _)| *j == joint).map_or(T::zero(), |(_, f)| *f);
+                        (force, !self.presses_on(joint, force))
+                    }
+                    (Why::Speed, Some((level, rising))) => (square - level, square.reaches(level) == rising),
+                    _ => (square, square.sign() < 0.0),
+                };
+                seen.push((x, value));
+                let dip = |x| Ok::<_, Refusal>(panel.value(rule, *why, level, x));
+                let within = if gone {
+                    Some((before, x))
+                } else {
+                    root::dipped(seen, &dip)?.map(|[left, at, _]| (left, at))
+                };
+                if seen.len() == 3 {
+                    seen.remove(0);
+                }
+                if let Some(within) = within {
+                    let at = self.happens(panel, *why, within, level)?;
+                    if first.is_none_or(|(first, _)| at.below(first)) {
+                        first = Some((at, *why));
+                    }
                 }
             }
             let turned = match first {
@@ -591,14 +661,10 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 let fine = timed && rule.rough(&panel.times, self.fine.rate, 0.0) <= 1.0;
                 let half_square = if why == Why::Rest { T::zero() } else { rule.at(&panel.squares, share) };
                 let time = fine.then(|| rule.until(&panel.times, share));
-                return Ok(Some(Stop { way: self.way(x).0, half_square, why, time }));
+                panel.pushes.iter().for_each(|(joint, forces)| note(*joint, rule.at(forces, share)));
+                return Ok(Some(Stop { way: self.way(x).0, half_square, why, time, slowest: 1.0 }));
             }
-            for (joint, force) in now {
-                if let Some(least) = least.iter_mut().find(|l| l.0 == joint) {
-                    let now = T::leading(|| force.f64());
-                    (least.1, least.2) = (f64::min(least.1, now), f64::max(least.2, force.size()));
-                }
-            }
+            now.into_iter().for_each(|(joint, force)| note(joint, force));
             before = x;
         }
         Ok(None)
@@ -613,27 +679,21 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         (before, after): (T, T),
         level: Option<(T, bool)>,
     ) -> Result<T, Refusal> {
-        let ((a, b), rule) = (panel.ends, self.fine.rule);
-        let share = |x: T| (x - a) / (b - a);
-        let square = |x: T| rule.at(&panel.squares, share(x));
-        match (why, level) {
-            (Why::Speed, Some((level, rising))) => {
-                root::between_values(before, after, rising, &|x| Ok(square(x) - level))
-            }
-            (Why::Leaves(joint), _) => {
-                let forces = panel.pushes.iter().find(|p| p.0 == joint).map(|p| &p.1);
-                let force = |x: T| forces.map_or_else(T::zero, |forces| rule.at(forces, share(x)));
-                let x = root::between_values(before, after, force(after).sign() > 0.0, &|x| {
-                    Ok::<_, Refusal>(force(x))
-                })?;
-                // What the interpolation leaves of the force is taken off by one step.
-                let step = (x - before).scale2(-20);
-                let slope = (force(x) - force(x - step)) / step;
-                let (_, response) = self.at(self.way(x).0)?;
-                Ok(self.pushed(&response, joint, square(x)).map_or(x, |force| x - force / slope))
-            }
-            _ => root::between_values(before, after, false, &|x| Ok(square(x))),
-        }
+        let rule = self.fine.rule;
+        let value = |x: T| panel.value(rule, why, level, x);
+        let rising = match (why, level) {
+            (Why::Speed, Some((_, rising))) => rising,
+            (Why::Leaves(_), _) => value(after).sign() > 0.0,
+            _ => false,
+        };
+        let x = root::between_values(before, after, rising, &|x| Ok::<_, Refusal>(value(x)))?;
+        let Why::Leaves(joint) = why else { return Ok(x) };
+        // What the interpolation leaves of the force is taken off by one step.
+        let step = (x - before).scale2(-20);
+        let slope = (value(x) - value(x - step)) / step;
+        let (_, response) = self.at(self.way(x).0)?;
+        let square = panel.value(rule, Why::Rest, None, x);
+        Ok(self.pushed(&response, joint, square).map_or(x, |force| x - force / slope))
     }
 
     /// The state at the end by the steps of a rung in time, in doubles: what the angle is, or the half square of the rate that ends
@@ -660,7 +720,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         let (states, count) = self.run(&[(event, expected)], expected, known, rung)?;
         let [x, u, time] = states.first().map_or([f64::NAN; 3], |end| [end.s, end.u, end.time]).map(T::of);
         let half_square = if why == Why::Rest { T::zero() } else { u.square().scale2(-1) };
-        Ok((Stop { way: x, half_square, why, time: Some(time) }, count))
+        Ok((Stop { way: x, half_square, why, time: Some(time), slowest: 1.0 }, count))
     }
 
     /// The time until it stops, without steps.
@@ -717,11 +777,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         if rest {
             // The last half is the way back from the turning point.
             let half = way.scale2(-1);
-            let from = Gain { half_square: T::zero(), factor: T::of(1.0) };
-            let (start, near) = (self.angle(way), T::zero());
-            let back = Motion { start, sense: -self.sense, from, near, ..self.clone() };
-            let back = back.set_off(&self.mechanism.state(start, true)?)?;
-            return Ok(self.time(half, false)? + back.time(half, false)?);
+            return Ok(self.time(half, false)? + self.back_from(way)?.time(half, false)?);
         }
         let mut time = T::zero();
         let mut visit = |panel: &Panel<T>, _: Gain<T>| {
@@ -730,6 +786,41 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         };
         self.over((T::zero(), self.variable(way)), self.from, true, &mut visit)?;
         Ok(plant!("eom: time of joined bodies", time))
+    }
+
+    /// The way back from rest after a way.
+    fn back_from(&self, way: T) -> Result<Self, Refusal> {
+        let from = Gain { half_square: T::zero(), factor: T::of(1.0) };
+        let (start, near) = (self.angle(way), T::zero());
+        let back = Motion { start, sense: -self.sense, from, near, ..self.clone() };
+        back.set_off(&self.mechanism.state(start, true)?)
+    }
+
+    /// The way that takes this time, of one that takes longer: in the panel where the time runs out, by the rate at its end.
+    fn after(&self, t: T, far: T) -> Result<T, Refusal> {
+        if let Some(pendulum) = &self.pendulum {
+            return root::between_values(T::zero(), far, true, &|way| Ok(pendulum.time(way, false) - t));
+        }
+        let rule = self.fine.rule;
+        let (mut left, mut found) = (t, far);
+        let mut visit = |panel: &Panel<T>, from: Gain<T>| {
+            let lasts = |panel: &Panel<T>| plant!("eom: time of joined bodies", rule.mean(&panel.times));
+            let all = lasts(panel);
+            if all.below(left) {
+                left = left - all;
+                return Ok(false);
+            }
+            let (a, b) = panel.ends;
+            let x = root::between(a, b, true, |x| {
+                let part = self.panel((a, x), from)?;
+                let slowness = self.way(x).1 / part.last.half_square.scale2(1).root();
+                Ok::<_, Refusal>((lasts(&part) - left, slowness))
+            })?;
+            found = self.way(x).0;
+            Ok(true)
+        };
+        self.over((T::zero(), self.variable(far)), self.from, true, &mut visit)?;
+        Ok(found)
     }
 
     /// What is asked of the end and where the motion starts in its measure, how far at most it is looked for, and half the square of
@@ -769,7 +860,8 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         by: Option<Steps>,
         least: &mut [(usize, f64, f64)],
     ) -> Result<Stop<T>, Refusal> {
-        let here = Stop { way: T::zero(), half_square: self.from.half_square, why: Why::Far, time: None };
+        let (half_square, why) = (self.from.half_square, Why::Far);
+        let here = Stop { way: T::zero(), half_square, why, time: None, slowest: 1.0 };
         if let Some((rung, _)) = by {
             let known = || match teller.pinned {
                 Some(_) => self.until(far, level).unwrap_or(f64::INFINITY),
@@ -799,11 +891,11 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             self.mechanism.overwinds(self.sense, (far + look(), look())).filter(|limit| limit.at_most(far));
         far = limit.map_or(far, |limit| limit * T::of(SHORT));
         let (first, begin) = self.at(T::zero())?;
-        let course = |farthest: T, reached: bool| {
-            Some(Course { asked, begins, farthest, ..Course::moving(self.sense, reached) })
+        let course = |farthest: T, slowest: f64, reached: bool| {
+            Some(Course { asked, begins, farthest, slowest, ..Course::moving(self.sense, reached) })
         };
         if let Some(joint) = self.untouched(&begin) {
-            teller.road.course = course(T::zero(), false);
+            teller.road.course = course(T::zero(), 1.0, false);
             teller.road.held.push(Held::Touching(joint, 0.0, 1.0));
             return Ok(());
         }
@@ -829,9 +921,13 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             if t.side(until) == 0.0 {
                 (stop.why, stop.time) = (Why::Far, most);
             } else if t.below(until) {
-                let way = root::between_values(T::zero(), stop.way, true, &|way| {
-                    Ok::<_, Refusal>(self.time(way, false)? - t)
-                })?;
+                // Beside the turning point the time is counted from there.
+                let way = match (stop.why, &self.pendulum) {
+                    (Why::Rest, None) if until.below(t.scale2(1)) => {
+                        stop.way - self.back_from(stop.way)?.after(until - t, stop.way)?
+                    }
+                    _ => self.after(t, stop.way)?,
+                };
                 // What pushes is watched up to there alone.
                 least = nothing;
                 stop = Stop { why: Why::Far, time: Some(t), ..self.stop(way, None, false, &mut least)? };
@@ -852,7 +948,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
                 _ => false,
             };
         let farthest = self.farthest(teller, &stop, reached, most);
-        teller.road.course = course(farthest, reached);
+        teller.road.course = course(farthest, stop.slowest, reached);
         self.tell_touching(teller, &stop, least);
         if reached {
             self.tell_end(teller, &stop, &first, by)

@@ -4,7 +4,7 @@ use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, ball, gauss, root, trig};
 use crate::scene::End;
-use crate::solve::energy::joined::{Account, At, Poses, STEP, WIDTHS, decided};
+use crate::solve::energy::joined::{Account, At, Poses, STEP, STRETCHED, WIDTHS, decided};
 use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
@@ -26,25 +26,29 @@ impl<T: Real> Account<'_, T> {
             };
             let mut seen: SmallVec<[(T, T); 3]> = smallvec![(T::zero(), value(T::zero())?)];
             // What sets off from rest beside a balance may turn in the first hair of the way.
-            let mut step = if seen[0].1.is_zero() { STEP / 32.0 } else { STEP };
-            while let Some((before, _)) = seen.last().copied()
-                && before.below(far)
-            {
-                let next = before + T::of(step);
-                step = f64::min(2.0 * step, STEP);
-                let next = if next.below(far) { next } else { far };
-                let now = value(next)?;
-                if gone(now) {
-                    return root(before, next, sure);
-                }
-                sure &= decided(now);
-                seen.push((next, now));
-                // Between two looks it may have been gone and back.
-                if let Some([left, at, _]) = root::dipped(&seen, value)? {
-                    return root(left, at, sure);
-                }
-                if seen.len() == 3 {
-                    seen.remove(0);
+            let mut step = f64::min(self.stride, if seen[0].1.is_zero() { STEP / 32.0 } else { STEP });
+            for end in self.meets.iter().copied().filter(|x| x.below(far)).chain([far]) {
+                // A spring may stop the bodies and throw them back within the little way on which it is met.
+                let most = f64::min(STEP, (end - seen[seen.len() - 1].0).size() / STRETCHED);
+                while let Some((before, _)) = seen.last().copied()
+                    && before.below(end)
+                {
+                    let next = before + T::of(f64::min(step, most));
+                    step = f64::min(2.0 * step, STEP);
+                    let next = if next.below(end) { next } else { end };
+                    let now = value(next)?;
+                    if gone(now) {
+                        return root(before, next, sure);
+                    }
+                    sure &= decided(now);
+                    seen.push((next, now));
+                    // Between two looks it may have been gone and back.
+                    if let Some([left, at, _]) = root::dipped(&seen, value)? {
+                        return root(left, at, sure);
+                    }
+                    if seen.len() == 3 {
+                        seen.remove(0);
+                    }
                 }
             }
             Ok(None)

@@ -6,12 +6,11 @@ use crate::num::{Dd, Real};
 use crate::scene::{End, Owner, Quantity, Ray, pose};
 use crate::solve::eom::couple_on;
 use crate::solve::eom::integrate::Event;
-use crate::solve::eom::joined::{Fine, Gain, Motion, PANELS, Panel, Stop, Teller, Why, horizon};
+use crate::solve::eom::joined::{Fine, Gain, Motion, Panel, Passes, Stop, Teller, Why, horizon};
 use crate::solve::eom::pendulum::Pendulum;
-use crate::solve::eom::planar::{Mechanism, Response, State};
+use crate::solve::eom::planar::{LOOKED_THROUGH, Mechanism, Response, State};
 use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
-use std::cell::Cell;
 
 /// How often a bracket about a peak is cut by a third.
 const PEAK: u32 = 80;
@@ -19,11 +18,20 @@ const PEAK: u32 = 80;
 /// Where a pendulum stops within `far`.
 pub fn pendulum_stop<T: Real>(pendulum: &Pendulum<T>, far: T, level: Option<T>) -> Result<Stop<T>, Refusal> {
     let limit = pendulum.turning();
+    let mut passes = Passes::NONE;
+    // What turns has passed nothing that slows it down.
+    let mut slowest = |until: T| {
+        let at = |i: u32| pendulum.half_square(until * T::of(f64::from(i) / f64::from(PEAK)));
+        let seen = (0..PEAK).filter(|_| LOOKED_THROUGH && limit.is_none());
+        seen.for_each(|i| passes.see(T::leading(|| at(i).f64())));
+        passes.share
+    };
     let last = limit.filter(|limit| limit.at_most(far)).unwrap_or(far);
     if let Some(level) = level
         && let Some(way) = pendulum.reaching(level, last)?
     {
-        return Ok(Stop { way, half_square: level, why: Why::Speed, time: None });
+        let slowest = slowest(way);
+        return Ok(Stop { way, half_square: level, why: Why::Speed, time: None, slowest });
     }
     // What is asked at the turning point is there at rest.
     let (half_square, why) = match limit {
@@ -31,7 +39,8 @@ pub fn pendulum_stop<T: Real>(pendulum: &Pendulum<T>, far: T, level: Option<T>) 
         Some(limit) if limit.below(far) => (T::zero(), Why::Rest),
         _ => (pendulum.half_square(far), Why::Far),
     };
-    Ok(Stop { way: if why == Why::Rest { last } else { far }, half_square, why, time: None })
+    let way = if why == Why::Rest { last } else { far };
+    Ok(Stop { way, half_square, why, time: None, slowest: slowest(way) })
 }
 
 impl<T: Real> Motion<'_, '_, T> {
@@ -72,7 +81,6 @@ impl<T: Real> Motion<'_, '_, T> {
                 slides: self.slides.clone(),
                 rubs: self.rubs.clone(),
                 meets: SmallVec::new(),
-                panels: Cell::new(PANELS),
                 pendulum: None,
                 fine: Fine::of::<f64>(scene, true),
                 timed: false,

@@ -3,10 +3,9 @@ use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, gauss, root, trig};
 use crate::scene::{Acts, JointKind, Label, Owner, Quantity, Spot, pose};
-use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PANELS, PUSHES, SHORTEST, Teller, look};
+use crate::solve::eom::joined::{BESIDE, Fine, Gain, Motion, PUSHES, SHORTEST, Teller, look};
 use crate::solve::eom::planar::{LOOKED_THROUGH, Response, State};
 use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
-use std::cell::Cell;
 
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
@@ -135,7 +134,6 @@ impl<T: Real> Teller<'_, '_, T> {
             slides: nothing.clone().collect(),
             rubs: nothing.collect(),
             meets: mechanism.meets(way.sign(), (way.abs(), look())),
-            panels: Cell::new(PANELS),
             pendulum: None,
             fine: Fine::of::<T>(self.scene, false),
             timed: false,
