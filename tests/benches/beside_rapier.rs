@@ -320,7 +320,7 @@ fn main() {
 fn beside(case: &Case) {
     let (scene, data) = scene(case);
     let labels = [case.label];
-    let joined = scene.lead().is_some();
+    let joined = scene.lead().is_some() && scene.pinned().is_none();
     let closed: &[(Rung, &str)] = if joined {
         &[(Rung::Settled, "slipstick, 32 digits")]
     } else {

@@ -122,8 +122,9 @@ fn students(
             Answer::Word { .. } => None,
         })
     };
-    // Nobody writes intermediate figures of what has no worked solution: bodies that are joined in the plane.
-    let worked = problem.cases[variant.case].scene.lead().is_none();
+    // Nobody writes intermediate figures of what has no worked solution of this kind: bodies that are joined in the plane.
+    let scene = &problem.cases[variant.case].scene;
+    let worked = scene.lead().is_none() || scene.pinned().is_some();
     let hand = match by_hand::answers(problem, variant, words, ON_THE_WAY) {
         _ if !worked => Vec::new(),
         Ok(hand) => hand,

@@ -431,6 +431,7 @@ fn storm_of_families(n: u32, seed: u64) -> (u64, u64) {
                 Err(Refusal::Disagree { label, eom, energy, .. })
                     if label.quantity == Quantity::T
                         && case.scene.lead().is_some()
+                        && case.scene.pinned().is_none()
                         && (eom.is_nan() || energy.is_nan() || (eom - energy).abs() < 1e-9 * eom.abs()) =>
                 {
                     refused += 1;

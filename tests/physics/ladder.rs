@@ -103,7 +103,7 @@ fn every_method_agrees_within_its_own_estimate() {
             let irregular = matches!(ladder::force(&scene), Force::Irregular | Force::Joined);
             // What is looked for is searched for in closed form, and the accelerations of joined bodies hang on the speed.
             let searched = scene.formulas.found.is_some();
-            let joined = scene.lead().is_some();
+            let joined = scene.lead().is_some() && scene.pinned().is_none();
             let applies = |w: &Wish| match w.method {
                 Some(method)
                     if searched && method != Method::Closed || joined && method == Method::Verlet =>

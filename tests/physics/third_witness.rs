@@ -232,11 +232,11 @@ fn gauss(mut a: Vec<Vec<f64>>) -> Vec<f64> {
     x
 }
 
-/// Has this witness laws of motion for the scene? What is joined in the plane needs coordinates of other bodies and has judges
-/// in full coordinates of its own (`joined`); a datum that is found from a measurement is not there to integrate with, and the
+/// Has this witness laws of motion for the scene? What is joined in the plane, save a body that its own pin holds, needs coordinates
+/// of other bodies and has judges in full coordinates of its own (`joined`); a datum that is found from a measurement is not there to integrate with, and the
 /// measurement itself judges it (`expressions`).
 fn is_witnessed(scene: &Scene) -> bool {
-    scene.lead().is_none() && scene.formulas.found.is_none()
+    (scene.lead().is_none() || scene.pinned().is_some()) && scene.formulas.found.is_none()
 }
 
 /// Is a place, at a time, past the end?
