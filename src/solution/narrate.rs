@@ -524,9 +524,9 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         }
         let sprung = !self.shares(&[ForceKind::Spring]).is_empty();
         // Where no place is given the swing has told them.
-        let placed = self.placed();
+        let placed = self.placed() || matches!(self.scene.end, End::AtOnce);
         let told = self.steps.iter().all(|s| self.is_told(s.symbol));
-        if sprung && (self.placed() || !told) {
+        if sprung && (placed || !told) {
             let at_end = self.spring.iter().chain(&self.springs).map(|s| s.tension).chain([self.rate()]);
             let at_end: Vec<SymbolId> = at_end.filter(|_| placed).collect();
             self.forget(at_end);
@@ -751,8 +751,9 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Slip { mu_k, .. } | Tie::Slide { mu_k, .. } => Some(*mu_k),
             _ => None,
         });
-        let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
-        self.tex(&mu)
+        // Where it rolls, the one of slipping is no number of the scene.
+        let mu = mu.map(|mu| self.number(mu, r"\mu_k", "1"));
+        mu.map_or_else(|| r"\mu_k".to_owned(), |mu| self.tex(&mu))
     }
     fn kinetic_frictions(&self) -> Vec<SymbolId> {
         let tie = |a: &Action| if let ForceSource::Tie(t) = a.source { Some(t) } else { None };
@@ -1675,7 +1676,8 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if let Tie::Roll { mu_s: Some(mu), .. } = self.scene.ties[tie] {
             let grip = self.grip(body, mu)?;
-            let (letter, most) = (self.number(mu, r"\mu_s", "1"), self.valued(&grip, "N"));
+            let mu = self.number(mu, r"\mu_s", "1");
+            let (letter, most) = (self.tex(&mu), self.valued(&grip, "N"));
             self.say("friction.not_mu", &[("mu", &letter), ("most", &most)]);
         }
         if self.asks(Quantity::KBound) {

@@ -1478,7 +1478,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             names.into_iter().all(|name| self.free(&[&name]) == name)
         };
         let pick = |[one, other]: [&'static str; 2], first| if free(one, first) { one } else { other };
-        [pick(["s", "d"], 0), pick(["x", "e"], usize::from(given))]
+        [pick(["s", "d"], 0), pick(["x", r"\xi"], usize::from(given))]
     }
     /// The places that a spring is looked at: the start and the end, of an instant this alone.
     fn looked_at(&self) -> std::ops::RangeInclusive<usize> {
