@@ -340,7 +340,6 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("pulldown_latex", &["sheet"]),
     ("tempfile", &["folder"]),
     ("zip", &["folder", "export"]),
-    ("quick_xml", &["export"]),
     ("base64", &["sheet", "export"]),
     ("typst", &["sheet::pdf"]),
     ("typst_assets", &["sheet::pdf"]),
