@@ -462,7 +462,13 @@ pub fn draw(board: &mut Board, view: &SceneView) {
             board.line(far, near, Role::Spring);
         }
         if !matches!(strut.to, StrutEnd::Spot(_)) && (far - near).norm() > 1.0 {
-            parts::wall(board, far, (far - near).unit(), 13.0, -13.0);
+            let back = (far - near).unit();
+            parts::wall(board, far, back, 13.0, -13.0);
+            // Of a body on a pin of its own the bank names no points: its spring is held at A.
+            if view.scene.pinned().is_some() {
+                let spots = vec![(far + back * 9.0, back), (far + Vec2::UP * 14.0, Vec2::UP)];
+                board.label(vec![symbol::italic("A")], Role::Dot, (LabelTie::Near, 4.0), spots);
+            }
         }
         let (middle, out) = hangs.unwrap_or((far.middle(near), (far - near).unit().left()));
         let spots = vec![(middle + out * 10.0, out), (middle - out * 10.0, -out)];
@@ -848,15 +854,14 @@ fn sizes(board: &mut Board, view: &SceneView, plane: &PlaneLayout, body: usize) 
     for ((name, place), side) in sides.chain([(&centre, if this.rod().is_some() { -out } else { out })]) {
         let foot = origin + axis * (along(view, place[0]) * plane.scale);
         let point = foot + axis.left() * (along(view, place[1]) * plane.scale);
-        let clear = side * reach(side);
-        for (n, from, to, aside) in
-            [(place[0], origin + clear, foot + clear, side), (place[1], foot, point, axis)]
+        for (n, from, to, aside, off) in
+            [(place[0], origin, foot, side, 26.0 + reach(side)), (place[1], foot, point, axis, 26.0)]
         {
             if let (Place::At(n @ Num::Datum(_)), true) = (n, this.turns)
                 && !matches!(this.inertia, Some(RotaryInertia::Shape(Shape::Rod, l)) if l == n)
                 && !name.is_empty()
             {
-                dimension(board, from, to, aside, 26.0, view.label(n, "m"));
+                dimension(board, from, to, aside, off, view.label(n, "m"));
             }
         }
     }
