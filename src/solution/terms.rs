@@ -310,15 +310,20 @@ impl Terms {
             self.of(c).a.is_some() && !(part.slips && c.degree == Degree::Turn)
         };
         let both = |c: Coordinate| [Degree::Along, Degree::Turn].map(|degree| Coordinate { degree, ..c });
-        // Of a body that moves along its line and turns, a tie of its own has to say how.
-        let follows = |c: Coordinate| free(c) && (within(c).is_some() || !both(c).into_iter().all(free));
+        // Of a body that moves along its line and turns, a tie of its own has to say how; where its contact slips, none does.
+        let whole = |c: Coordinate| both(c).into_iter().all(free);
+        let follows = |c: Coordinate, known: &[(Coordinate, Factors)]| {
+            let said =
+                if whole(c) { within(c).is_some() } else { known.iter().all(|(k, _)| k.body != c.body) };
+            free(c) && said
+        };
         let mut known: Vec<(Coordinate, Factors)> = vec![(self.lead, Factors::one())];
         loop {
             let ratio = |c: Coordinate| known.iter().find(|(k, _)| *k == c).map(|(_, ratio)| ratio);
             let next = ties.iter().find_map(|terms| {
                 let (own, open): (Vec<_>, Vec<_>) = terms.iter().partition(|(c, _)| ratio(*c).is_some());
                 let per = match open[..] {
-                    [(c, share)] if follows(*c) => share.clone(),
+                    [(c, share)] if follows(*c, &known) => share.clone(),
                     [(c, one), (d, two)] if c.body == d.body => one.plus(&two.times(within(*c)?.1)),
                     _ => return None,
                 };
