@@ -5,8 +5,11 @@ use pulldown_cmark::{Event, Parser};
 use rayon::prelude::*;
 use scraper::{Html, Selector};
 use slipstick::bank::{Bank, overlay};
+use slipstick::grade::{compare::compare, verdict::Verdict};
+use slipstick::key::Answer;
 use slipstick::num::trig;
 use slipstick::picture::svg;
+use slipstick::problem::make_key;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
@@ -44,8 +47,8 @@ fn told(language: &str) -> Vec<Told> {
 }
 
 impl Told {
-    /// Sheets of all problems of the bank: the document of one student after the other.
-    fn each_sheet(&self, students: u32, see: &mut dyn FnMut(&Head, &Document)) {
+    /// Sheets of all problems of the bank: the document of one student after the other, with what was drawn.
+    fn each_sheet(&self, students: u32, see: &mut dyn FnMut(&Head, &Document, &[Variant])) {
         let problems: Vec<usize> = (0..self.bank.problems.len()).collect();
         let sheets = Sheets::new(&self.templates, &self.words, &self.bank, "a set & more", &problems);
         let sheets = sheets.expect("the templates of the program");
@@ -56,7 +59,7 @@ impl Told {
             let variants: Vec<Variant> =
                 makers.iter().map(|m| m.variant(&id).expect("satisfiable")).collect();
             let (head, document) = sheets.document(&id, NAME, &variants, &mut room).expect("renders");
-            see(&head, &document);
+            see(&head, &document, &variants);
         }
     }
 }
@@ -64,6 +67,41 @@ impl Told {
 /// Every bank in every language.
 fn all_told() -> impl Iterator<Item = Told> {
     Words::languages().flat_map(told)
+}
+
+/// Whoever takes the magnitude of the key and, of the words that the sheet offers for the sign, the first for a positive key and the
+/// second for a negative one, is right.
+#[test]
+fn the_words_of_a_sheet_give_the_sign_of_the_key() {
+    for language in ["en", "de"] {
+        let mut seen = 0;
+        for told in told(language) {
+            told.each_sheet(5, &mut |_, document, variants| {
+                for (number, (problem, variant)) in (1..).zip(told.bank.problems.iter().zip(variants)) {
+                    for part in make_key::key(problem, variant).parts {
+                        let Answer::Number { value, .. } = part.answer else { continue };
+                        let name = format!("`{number}.{}`", part.part);
+                        let line = document
+                            .markdown
+                            .lines()
+                            .find(|line| line.contains(&name))
+                            .expect("its question");
+                        let words: Vec<&str> = line.split('`').skip(3).step_by(2).collect();
+                        let [positive, negative] = words[..] else { continue };
+                        let word = if value > 0.0 { positive } else { negative };
+                        let cell = format!(
+                            "{} {word}",
+                            part.unit.text_with(&part.unit.from_si(value).abs().to_string())
+                        );
+                        let judged = compare(&cell, &part);
+                        assert_eq!(judged.verdict, Verdict::Right, "{}: {cell}: {line}", problem.id);
+                        seen += 1;
+                    }
+                }
+            });
+        }
+        assert!(seen > 100, "{seen}");
+    }
 }
 
 /// What must hold of the text.
@@ -183,7 +221,7 @@ fn closed(text: &str) {
 fn sweep(students: u32) {
     for told in all_told() {
         let language = told.words.language();
-        told.each_sheet(students, &mut |head, document| {
+        told.each_sheet(students, &mut |head, document, _| {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
@@ -269,7 +307,7 @@ fn solutions_of_many_students_are_sound_in_every_format() {
 fn booklets_are_valid_pages() {
     for told in all_told() {
         let mut parts = Vec::new();
-        told.each_sheet(3, &mut |head, document| {
+        told.each_sheet(3, &mut |head, document, _| {
             let prefix = format!("{}-", html::part_id(parts.len()));
             let place = PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] };
             let body = Converter::new(&told.words).body(document, &document.screens(), place);
@@ -296,7 +334,7 @@ fn a_code_stands_for_what_was_drawn() {
     let mut codes = BTreeSet::new();
     let mut all = Vec::new();
     for told in all_told() {
-        told.each_sheet(40, &mut |head, _| {
+        told.each_sheet(40, &mut |head, _, _| {
             assert!(head.code.len() == 6 && head.code.chars().all(|c| c.is_ascii_alphanumeric()));
             codes.insert(head.code.clone());
             all.push(head.code.clone());
@@ -317,7 +355,7 @@ fn latex_compiles() {
     for language in Words::languages() {
         for told in told(language) {
             let mut parts = Vec::new();
-            told.each_sheet(2, &mut |head, document| parts.push((head.clone(), tex::body(document))));
+            told.each_sheet(2, &mut |head, document, _| parts.push((head.clone(), tex::body(document))));
             let list = parts.iter().map(|(head, body)| (head, body.as_str()));
             let text = tex::booklet(&told.templates, &told.words, "All <sheets>", list).expect("renders");
             let name = format!("{}-{language}", told.bank.id);
