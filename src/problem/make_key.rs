@@ -4,7 +4,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Surface, Tie};
+use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -223,14 +223,8 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::A | Q::ARolling | Q::Displacement | Q::Impulse | Q::Friction | Q::FrictionIfRolled, None) => {
             body.map_or(forward, |b| along(scene, b, rubs))
         }
-        (
-            Q::Friction,
-            Some(
-                JointKind::Guide { direction_deg: Num::Fixed(0.0), .. }
-                | JointKind::Contact { surface: Surface::Line { direction_deg: Num::Fixed(0.0), .. }, .. },
-            ),
-        ) => WordSigns { right: 1, ..forward },
-        (Q::Friction, Some(_)) => WordSigns { up: 1, ..forward },
+        (Q::Friction, Some(kind)) if kind.is_level() => WordSigns { right: 1, ..forward },
+        (Q::Friction, Some(_)) => up,
         // To the left of the guide.
         (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(0.0), .. })) => up,
         (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(90.0), .. })) => {

@@ -420,10 +420,13 @@ pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'
         Owner::Body(b) => Some(b),
         _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
     };
-    match body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line) {
-        Some(line) if !matches!(line.slope, Slope::Level) => [words.get("sheet.up"), words.get("sheet.down")],
-        _ => [words.get("sheet.forward"), words.get("sheet.back")],
-    }
+    let line = body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line);
+    let slopes = match owner {
+        Owner::Joint(j) => scene.joints.get(j).is_some_and(|joint| !joint.kind.is_level()),
+        _ => line.is_some_and(|line| !matches!(line.slope, Slope::Level)),
+    };
+    let both = if slopes { ["sheet.up", "sheet.down"] } else { ["sheet.forward", "sheet.back"] };
+    both.map(|word| words.get(word))
 }
 
 /// How each answer is to be written, with these relative tolerances.

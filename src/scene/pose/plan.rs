@@ -239,7 +239,11 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             && track.at[0].same(held.at[0])
             && track.at[1].same(held.at[1])
         {
-            return Some(Step::Rolls(held, track, start()));
+            // From where it rolls is not known before what holds it has its place at the start.
+            return Some(match self.at_start {
+                true => Step::Still(held, start()),
+                false => Step::Rolls(held, track, start()),
+            });
         }
         if let Some(ratio) = self.orbits(body, &held) {
             return Some(Step::Orbits(held, ratio, start()));
@@ -260,8 +264,10 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            let side = planar.side.or(self.planar(other.body)?.side);
-            Some(Step::Pair(held, other.body, far, apart, branch(side)))
+            let side = branch(planar.side.or(self.planar(other.body)?.side));
+            // Sides are told from the rod that is written first, which need not be the one that is reached first.
+            let side = if other.body < body { -side } else { side };
+            Some(Step::Pair(held, other.body, far, apart, side))
         })
     }
 }
