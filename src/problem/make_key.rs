@@ -226,9 +226,12 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::Friction, Some(kind)) if kind.is_level() => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
         // To the left of the guide.
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(0.0), .. })) => up,
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(90.0), .. })) => {
-            WordSigns { right: -1, ..nothing }
+        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(along), .. })) => {
+            let sign = |angle: f64| match angle.rem_euclid(360.0) {
+                at if at % 180.0 == 0.0 => 0,
+                at => sign(at < 180.0),
+            };
+            WordSigns { up: sign(along + 90.0), right: sign(along + 180.0), ..nothing }
         }
         (Q::VX | Q::AX | Q::ImpulseX | Q::PinX | Q::XG, _) => right,
         (Q::VY | Q::AY | Q::ImpulseY | Q::PinY | Q::YG | Q::Rise, _) => up,

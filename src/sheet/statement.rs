@@ -15,7 +15,7 @@ use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Num, Owner, Quantity, Scene, Slope, Span, Start};
+use crate::scene::{Label, Num, Owner, Quantity, Scene, Slope, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -415,17 +415,22 @@ fn question_list(
 }
 
 /// Words that may give the direction of a quantity of this label, forward one first.
-pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'w str; 2] {
-    let body = match owner {
+pub fn direction_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> [&'w str; 2] {
+    let body = match label.of {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
     };
     let line = body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line);
-    let slopes = match owner {
-        Owner::Joint(j) => scene.joints.get(j).is_some_and(|joint| !joint.kind.is_level()),
-        _ => line.is_some_and(|line| !matches!(line.slope, Slope::Level)),
+    let signs = match label.of {
+        Owner::Joint(_) => make_key::word_signs(scene, label),
+        _ => None,
     };
-    let both = if slopes { ["sheet.up", "sheet.down"] } else { ["sheet.forward", "sheet.back"] };
+    let both = match signs {
+        Some(signs) if signs.forward == 0 && signs.up != 0 => ["sheet.up", "sheet.down"],
+        Some(signs) if signs.forward == 0 && signs.right != 0 => ["sheet.right", "sheet.left"],
+        None if line.is_some_and(|line| line.slope != Slope::Level) => ["sheet.up", "sheet.down"],
+        _ => ["sheet.forward", "sheet.back"],
+    };
     both.map(|word| words.get(word))
 }
 
@@ -444,7 +449,7 @@ fn form(
     common: &Common,
     within: f64,
 ) -> String {
-    let [forward, back] = direction_words(words, scene, q.label.of);
+    let [forward, back] = direction_words(words, scene, q.label);
     if q.label.quantity.is_word() {
         let list = make_key::offered(problem, q.label.quantity, scene);
         let said: Vec<&str> = list.iter().map(|word| words.of_key(word)).collect();
@@ -467,7 +472,10 @@ fn form(
         text.push_str(", ");
         text.push_str(more);
     };
-    if q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
+    // Which side a guide presses that holds on both is told by its sign.
+    let pressed = q.label.quantity == Quantity::Normal
+        && make_key::word_signs(scene, q.label).is_some_and(|signs| signs.up != 0 || signs.right != 0);
+    if pressed || q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     }
     if let Some(range) = range(scene, q) {
