@@ -302,6 +302,24 @@ end: at once
     assert!(!matches!(solved, Err(Refusal::Disagree { .. })), "{solved:?}");
 }
 
+/// A wheel whose centre is not where its axis begins is placed by where that begins.
+#[test]
+fn a_wheel_off_the_origin_of_its_axis_is_placed_by_that() {
+    let wheel = |place: &str| {
+        format!(
+            "
+bodies: {{w: {{mass: 2 kg, radius of gyration: 0.2 m, points: {{C: 0.1 m}}, moves: in the plane, angle: from right{place}}}}}
+joints: {{floor: {{rolls: w.C, radius: 0.3 m, along: horizontal}}}}
+start: {{w: {{angle: 0 deg}}}}
+end: at once
+"
+        )
+    };
+    let names = ["alpha", "floor.normal", "floor.friction"];
+    let placed = told(&wheel(", placed: [0.9 m, 0.3 m]"), &names);
+    all_near(&placed, &told(&wheel(""), &names), 1e-12);
+}
+
 /// Of two hinged rods the hinge lies to the left as seen from the one that is *written* first, wherever other bodies stand between
 /// them in the list: the order in which they can be placed depends on that, and told the side before.
 #[test]

@@ -118,20 +118,24 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             let mut guides = self.guided(body);
             (guides.next(), guides.next())
         };
+        let turned = |[ahead, aside]: [T; 2]| {
+            let [c, s] = axis(planar, &layout.start);
+            [c * ahead - s * aside, s * ahead + c * aside]
+        };
         let origin = planar.origin_m.map(|place| ground(layout.n, place)).or_else(|| {
             // Guides that are parallel leave open where along them it is: nothing hangs on that.
             let one =
                 one.as_ref().filter(|one| other.as_ref().is_some_and(|o| parallel(one.unit, o.unit)))?;
-            let [c, s] = axis(planar, &layout.start);
-            let [ahead, aside] = one.at;
-            Some(less(one.through, [c * ahead - s * aside, s * ahead + c * aside]))
+            Some(less(one.through, turned(one.at)))
         });
         let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
         let step = if let Some(arc) = &layout.arc {
             let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
             Step::Arc(self.spot(at))
         } else if let (Some(track), None) = (self.rolls(body), held) {
-            Step::Wheel(track, from(track.through, track.unit))
+            // Where it is told where its axis begins, its centre is so far ahead of that.
+            let ahead = origin.map_or_else(T::zero, |_| dot(turned(track.at), track.unit));
+            Step::Wheel(track, from(track.through, track.unit) + ahead)
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
