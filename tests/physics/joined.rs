@@ -302,6 +302,29 @@ end: at once
     assert!(!matches!(solved, Err(Refusal::Disagree { .. })), "{solved:?}");
 }
 
+/// A rod on a smooth floor with a spring that stays vertical: nothing moves its mass centre along the floor.
+#[test]
+fn a_spring_that_stays_vertical_moves_nothing_along_the_floor() {
+    let scene = "
+bodies: {rod: {mass: 3 kg, shape: {rod: 2 m}, moves: in the plane, angle: from vertical}}
+joints: {floor: {guides: rod.A, along: horizontal, pushes: up}}
+forces: [spring: {name: s, on: rod.B, to: {along: horizontal, through: [0 m, 3 m]}, stiffness: 8 N/m, natural length: 0.5 m}]
+start: {rod: {angle: 30 deg}}
+end: END
+";
+    let [sine, cosine] = [f64::to_radians(30.0).sin(), f64::to_radians(30.0).cos()];
+    let stretch = 3.0 - 2.0 * cosine - 0.5;
+    let moment = 3.0 * 9.81 * sine - 8.0 * stretch * 2.0 * sine;
+    let alpha = moment / (3.0 * sine * sine + 3.0 * 4.0 / 12.0);
+    let found = told(&scene.replace("END", "at once"), &["alpha", "a_x", "s.spring_force"]);
+    all_near(&found, &[alpha, 0.0, 8.0 * stretch], 1e-12);
+    let found = told(&scene.replace("END", "{angle: {of: rod, reaches: 60 deg}}"), &["omega", "v_x"]);
+    let end = 3.0 - 1.0 - 0.5;
+    let work = 3.0 * 9.81 * (cosine - 0.5) - 4.0 * (end * end - stretch * stretch);
+    let inertia = 3.0 * 0.75 + 1.0;
+    all_near(&found, &[(2.0 * work / inertia).sqrt(), 0.0], 1e-12);
+}
+
 /// A wheel whose centre is not where its axis begins is placed by where that begins.
 #[test]
 fn a_wheel_off_the_origin_of_its_axis_is_placed_by_that() {
