@@ -434,6 +434,21 @@ pub fn direction_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> [&'
     both.map(|word| words.get(word))
 }
 
+/// Words that give the sign of what is told to the right, up, or in a sense of turning, the positive one first.
+fn sense_words(scene: &Scene, label: Label) -> Option<[&'static str; 2]> {
+    if label.quantity.is_directed() {
+        return None;
+    }
+    let signs = make_key::word_signs(scene, label)?;
+    let senses = [
+        (signs.right, ["sheet.right", "sheet.left"]),
+        (signs.up, ["sheet.up", "sheet.down"]),
+        (signs.counter_clockwise, ["sheet.counter_clockwise", "sheet.clockwise"]),
+    ];
+    let (sign, [one, other]) = senses.into_iter().find(|(sign, _)| *sign != 0)?;
+    Some(if sign > 0 { [one, other] } else { [other, one] })
+}
+
 /// How each answer is to be written, with these relative tolerances.
 fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
     let form = |(q, within): (&Question, &f64)| form(words, problem, q, scene, common, *within);
@@ -477,6 +492,9 @@ fn form(
         && make_key::word_signs(scene, q.label).is_some_and(|signs| signs.up != 0 || signs.right != 0);
     if pressed || q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
+    } else if let Some([positive, negative]) = sense_words(scene, q.label) {
+        let [positive, negative] = [positive, negative].map(|word| words.get(word));
+        add(&words.say("sheet.signed", &[("forward", positive), ("back", negative)]));
     }
     if let Some(range) = range(scene, q) {
         add(words.get(range));
