@@ -427,7 +427,6 @@ pub fn direction_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> [&'
     };
     let both = match signs {
         Some(signs) if signs.forward == 0 && signs.up != 0 => ["sheet.up", "sheet.down"],
-        Some(signs) if signs.forward == 0 && signs.right != 0 => ["sheet.right", "sheet.left"],
         None if line.is_some_and(|line| line.slope != Slope::Level) => ["sheet.up", "sheet.down"],
         _ => ["sheet.forward", "sheet.back"],
     };
@@ -487,10 +486,7 @@ fn form(
         text.push_str(", ");
         text.push_str(more);
     };
-    // Which side a guide presses that holds on both is told by its sign.
-    let pressed = q.label.quantity == Quantity::Normal
-        && make_key::word_signs(scene, q.label).is_some_and(|signs| signs.up != 0 || signs.right != 0);
-    if pressed || q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
+    if q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     } else if let Some([positive, negative]) = sense_words(scene, q.label) {
         let [positive, negative] = [positive, negative].map(|word| words.get(word));
