@@ -373,7 +373,7 @@ impl Scene {
         }
         // A spring that stays across a level line pulls across it.
         let across = |s: &Strut| matches!(s.to, StrutEnd::Guide { direction_deg: Num::Fixed(d), .. } if d % 180.0 == 0.0);
-        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.iter().all(|s| across(s));
+        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.iter().all(across);
         found.filter(|_| !pushed)
     }
     /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?

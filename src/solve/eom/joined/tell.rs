@@ -244,7 +244,8 @@ impl<T: Real> Teller<'_, '_, T> {
                     let (constant, by_square) = mechanism.turning(response, b);
                     let alpha = constant.balance(by_square * rate.square());
                     let own = constant.size() + by_square.size() * rate.square().size();
-                    self.say_scaled(Quantity::Alpha, of, alpha, f64::max(own, terms));
+                    let turning = self.loads(rate.square()) * mechanism.size() / numbers.inertia.size();
+                    self.say_scaled(Quantity::Alpha, of, alpha, beside(f64::max(own, terms), turning));
                 }
             }
             let points = body.planar.as_ref().map_or(0, |p| p.points.len());
@@ -272,8 +273,6 @@ impl<T: Real> Teller<'_, '_, T> {
         let all = lead.0.size() + lead.1.size() * square.size() + square.size() + free;
         // Of a body on a pin its own terms measure them.
         let terms = if self.pinned.is_some() { self.terms(state) } else { all };
-        let loads = self.loads(square) * size / self.mechanism.inertia(state).size();
-        let terms = beside(terms, loads);
         self.tell_motion(state, rate, Some((response, self.pulls(), terms)));
         self.tell_spin(state, rate);
         self.tell_forces(state, response, square, sliding);
