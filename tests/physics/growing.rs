@@ -417,18 +417,18 @@ problems:
             .map(|_| ())
             .map_err(|e| e.to_string())
     };
-    let grows = |from: &str, with: &str| format!("{from} N, growing by: {{rate: 4 {with}}}");
+    let grows = |from: &str, growth: &str| format!("{from} N, growing by: {growth}");
     let (way, time) = ("{travel: {of: block, by: 1 m}}", "{time: {of: block, is: 1 s}}");
     for (from, accepted) in [("19.63", false), ("21", false), ("22", true)] {
-        for (end, with) in [(way, "N/m, with: x"), (time, "N/s")] {
-            let found = drawn(&grows(from, with), "0", end);
+        for (end, growth) in [(way, "{rate: 4 N/m, with: x}"), (time, "4 N/s")] {
+            let found = drawn(&grows(from, growth), "0", end);
             assert_eq!(found.is_ok(), accepted, "{from} {end} {found:?}");
             assert!(found.err().is_none_or(|why| why.contains("moves")), "{from}");
         }
     }
     // Of 18.62 N + 4 N/m x the block is slowest after 0.25 m, where it has lost 0.125 J: at 0.3535534 m/s that is all.
     for (speed, accepted) in [("0.36", false), ("0.5", true)] {
-        let found = drawn(&grows("18.62", "N/m, with: x"), speed, way);
+        let found = drawn(&grows("18.62", "{rate: 4 N/m, with: x}"), speed, way);
         assert_eq!(found.is_ok(), accepted, "{speed} {found:?}");
         assert!(found.err().is_none_or(|why| why.contains("reaches")), "{speed}");
     }
