@@ -896,6 +896,12 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             ("a_y", Owner::Body(b)) => (a[3 * b + 1] + m.carried[1], steepest),
             ("omega", Owner::Body(b)) => (v[3 * b + 2].abs(), fastest),
             ("alpha", Owner::Body(b)) => (a[3 * b + 2] * m.bodies[b].sense, steepest),
+            // What rolls on a cylinder turns by an angle of its own.
+            ("phi", Owner::Body(b))
+                if m.holds.iter().any(|h| matches!(h, Hold::Arc(at, _, true, ..) if at.0 == b)) =>
+            {
+                ((q[3 * b + 2] - m.start[3 * b + 2]).abs(), 1.0)
+            }
             ("phi", Owner::Body(_)) => ((judge.leading(q, v).0 - judge.leading(&m.start, v).0).abs(), 1.0),
             ("rise", Owner::Body(b)) => (q[3 * b + 1] - m.start[3 * b + 1], 1.0),
             ("omega_small", _) => (end.frequency, end.frequency),
