@@ -3,7 +3,7 @@ use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
     Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
-    Spot, SpringTie, Surface, Tie,
+    Spot, SpringTie, Strut, StrutEnd, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -83,7 +83,7 @@ quantities! {
     Omega "omega" "rad/s" Magnitude "angular speed at the end, a magnitude";
     V "v" "m/s" Magnitude "speed of the mass centre at the end, a magnitude";
     A "a" "m/s^2" Directed "acceleration of the mass centre at the end, positive forward";
-    Alpha "alpha" "rad/s^2" Signed "angular acceleration at the end, positive with rolling forward or with growing angle";
+    Alpha "alpha" "rad/s^2" Signed "angular acceleration at the end, positive with rolling forward or with growing angle; of joined bodies without an angle, counter-clockwise";
     Friction "friction" "N" Directed "friction force on the body at the end, positive up the incline";
     Normal "normal" "N" Magnitude "normal force of the surface";
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
@@ -371,7 +371,9 @@ impl Scene {
                 _ => return None,
             }
         }
-        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.is_empty();
+        // A spring that stays across a level line pulls across it.
+        let across = |s: &Strut| matches!(s.to, StrutEnd::Guide { direction_deg: Num::Fixed(d), .. } if d % 180.0 == 0.0);
+        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.iter().all(across);
         found.filter(|_| !pushed)
     }
     /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?

@@ -151,6 +151,9 @@ pub enum JointKind {
         through_m: [Num; 2],
         /// Direction of the line, degrees counter-clockwise from the right.
         direction_deg: Num,
+        /// Is that the direction as it was written turned about, so that it pushes to the left of it? What lies ahead on the line lies
+        /// ahead as written.
+        reversed: bool,
         /// Can it only push, so that the point can leave it?
         one_sided: bool,
         /// Kinetic friction coefficient; `None` if it is smooth.
@@ -218,6 +221,16 @@ impl JointKind {
         match self {
             Self::Pin { .. } | Self::Hinge { .. } => &[Quantity::ImpulseX, Quantity::ImpulseY],
             _ => &[Quantity::Impulse],
+        }
+    }
+    /// Is it a level line in every draw?
+    pub const fn is_level(&self) -> bool {
+        match self {
+            Self::Guide { direction_deg: Num::Fixed(at), .. }
+            | Self::Contact { surface: Surface::Line { direction_deg: Num::Fixed(at), .. }, .. } => {
+                *at % 180.0 == 0.0
+            }
+            _ => false,
         }
     }
     /// Can it only push, so that its point can leave it?

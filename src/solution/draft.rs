@@ -81,11 +81,13 @@ pub struct Draft<'a> {
     /// One for each datum of the problem; `None` where the case does not use it.
     data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
-    told: Vec<String>,
+    told: Vec<(SymbolId, String)>,
     /// Data that are `any`, each with the value that was chosen.
     pub chosen: Vec<SymbolId>,
     /// What was found, in order, once all sections are written.
     pub steps: Vec<Step>,
+    /// The same of all pages.
+    pub derived: Vec<Step>,
     /// Value of the datum that is to be found.
     pub unknown: Option<f64>,
     /// The asked angle, degrees, where it is one that varies.
@@ -136,6 +138,7 @@ impl<'a> Draft<'a> {
             told: Vec::new(),
             chosen: Vec::new(),
             steps: Vec::new(),
+            derived: Vec::new(),
             unknown,
             varies: None,
             imbalance: None,
@@ -175,7 +178,7 @@ impl<'a> Draft<'a> {
                 && !bodies.iter().all(Body::massless);
             let idle = draft.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {
-                draft.told.push(format!("{} = {printed}{again}", datum.tex));
+                draft.told.push((symbol, format!("{} = {printed}{again}", datum.tex)));
             }
             draft.data[i] = Some(symbol);
         }
@@ -185,6 +188,17 @@ impl<'a> Draft<'a> {
             let digits = shown::significant(x, FIGURES);
             let symbol = draft.symbols.given(&datum.tex, x, &digits, &unit, datum.degrees);
             draft.data[found.unknown.datum] = Some(symbol);
+            draft.values[found.unknown.datum] = x;
+            // What the scene works out from it is told by it.
+            for (i, number) in draft.scene.formulas.numbers.iter().enumerate() {
+                if number.formula.names().any(|g| g.datum == found.unknown.datum)
+                    && let Ok(from) = asked::expression(&mut draft, &number.formula, &|draft, g| {
+                        Ok(asked::given_as(draft, g))
+                    })
+                {
+                    draft.handed.push((Num::Derived(i), from));
+                }
+            }
         }
         draft
     }
@@ -238,7 +252,7 @@ impl<'a> Draft<'a> {
                     self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                     return symbol.into();
                 }
-                self.told.push(format!("{name}{written} = {}", self.symbols.shown(symbol)));
+                self.told.push((symbol, format!("{name}{written} = {}", self.symbols.shown(symbol))));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                 symbol.into()
             }
@@ -247,7 +261,7 @@ impl<'a> Draft<'a> {
 
     /// Is a datum or a constant told that bears this symbol?
     fn tells(&self, tex: &str) -> bool {
-        self.told.iter().any(|told| told.starts_with(&format!("{tex} =")))
+        self.told.iter().any(|(symbol, _)| self.symbols.tex(*symbol) == tex)
     }
 
     /// A constant of the data that is the same as an expression, in the same unit.
@@ -295,14 +309,13 @@ impl<'a> Draft<'a> {
     }
 
     /// The data as they are told, each a formula without dollars.
-    pub fn told(&self) -> &[String] {
-        &self.told
+    pub fn told(&self) -> impl Iterator<Item = &str> {
+        self.told.iter().map(|(_, text)| text.as_str())
     }
 
     /// Takes a quantity that is derived on the page out of the data.
     pub fn untell(&mut self, symbol: SymbolId) {
-        let start = format!("{} =", self.symbols.tex(symbol));
-        self.told.retain(|told| !told.starts_with(&start));
+        self.told.retain(|(told, _)| *told != symbol);
     }
 
     /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.

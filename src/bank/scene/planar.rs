@@ -280,12 +280,13 @@ impl SceneReader<'_> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let through = self.ground(fields.get("through"));
-        let along = fields.need("along", "horizontal").and_then(|n| self.direction(n, &LINES));
+        let along_node = fields.need("along", "horizontal");
+        let along = along_node.and_then(|n| self.direction(n, &LINES));
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
-        let mut direction_deg = along?;
+        let (mut direction_deg, mut reversed) = (along?, false);
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
             match (direction_deg, pushes) {
@@ -298,9 +299,15 @@ impl SceneReader<'_> {
                         f.hint(node, "the line cannot push that way", hint);
                     } else if along_push < 0.0 {
                         direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
+                        reversed = true;
                     }
                 }
-                (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
+                (Num::Datum(_), Ray::Up | Ray::Left) => {
+                    // In no draw may the left of the direction be the other side.
+                    let need = if pushes == Ray::Up { Need::PUSHES_UP } else { Need::PUSHES_LEFT };
+                    along_node.filter(|_| WHOLE).and_then(|n| self.number(n, need));
+                }
+                (Num::Derived(_), Ray::Up | Ray::Left) => {}
                 (Num::Datum(_) | Num::Derived(_), _) => {
                     let hint = "it pushes to the left of its direction: write the angle so that this is `up`";
                     f.hint(node, "a line along a drawn direction pushes up", hint);
@@ -308,7 +315,8 @@ impl SceneReader<'_> {
             }
         }
         let one_sided = pushes.is_some();
-        Some(JointKind::Guide { at: at?, through_m: through?, direction_deg, one_sided, mu_k: mu_k? })
+        let (at, through_m, mu_k) = (at?, through?, mu_k?);
+        Some(JointKind::Guide { at, through_m, direction_deg, reversed, one_sided, mu_k })
     }
 
     /// A force on a point of a body in the plane, or a blow.
