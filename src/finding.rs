@@ -19,6 +19,11 @@ macro_rules! told {
 }
 pub(crate) use told;
 
+/// A text of a table that only findings say, of which a page tells none.
+pub(crate) const fn only_told(text: &'static str) -> &'static str {
+    if cfg!(feature = "program") { text } else { "" }
+}
+
 /// Adds to a list what it does not hold yet.
 pub fn push_new<T: PartialEq>(list: &mut Vec<T>, item: T) {
     if !list.contains(&item) {
