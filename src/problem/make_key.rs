@@ -4,7 +4,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Surface, Tie};
+use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Straight, Surface, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -226,16 +226,22 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (
             Q::Friction,
             Some(
-                JointKind::Guide { direction_deg: Num::Fixed(0.0), .. }
-                | JointKind::Contact { surface: Surface::Line { direction_deg: Num::Fixed(0.0), .. }, .. },
+                JointKind::Guide { line: Straight { on: None, direction_deg: Num::Fixed(0.0), .. }, .. }
+                | JointKind::Contact {
+                    surface: Surface::Line(Straight { on: None, direction_deg: Num::Fixed(0.0), .. }),
+                    ..
+                },
             ),
         ) => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => WordSigns { up: 1, ..forward },
         // To the left of the guide.
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(0.0), .. })) => up,
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(90.0), .. })) => {
-            WordSigns { right: -1, ..nothing }
+        (Q::Normal, Some(JointKind::Guide { line: Straight { direction_deg: Num::Fixed(0.0), .. }, .. })) => {
+            up
         }
+        (
+            Q::Normal,
+            Some(JointKind::Guide { line: Straight { direction_deg: Num::Fixed(90.0), .. }, .. }),
+        ) => WordSigns { right: -1, ..nothing },
         (Q::VX | Q::AX | Q::ImpulseX | Q::PinX | Q::XG, _) => right,
         (Q::VY | Q::AY | Q::ImpulseY | Q::PinY | Q::YG | Q::Rise, _) => up,
         (Q::PinAngle, _) => WordSigns { up: 1, counter_clockwise: 1, ..nothing },

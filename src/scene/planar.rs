@@ -147,10 +147,8 @@ pub enum JointKind {
     Guide {
         /// The point.
         at: Spot,
-        /// A place on the line, m.
-        through_m: [Num; 2],
-        /// Direction of the line, degrees counter-clockwise from the right.
-        direction_deg: Num,
+        /// Where the line is.
+        line: Straight,
         /// Can it only push, so that the point can leave it?
         one_sided: bool,
         /// Kinetic friction coefficient; `None` if it is smooth.
@@ -180,16 +178,22 @@ pub enum JointKind {
     },
 }
 
-/// A fixed surface.
+/// A straight line, fixed in space or in a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Straight {
+    /// A point of the body that carries it, through which it goes; `None`: it is fixed in space.
+    pub on: Option<Spot>,
+    /// A place on a line that is fixed in space, m.
+    pub through_m: [Num; 2],
+    /// Its direction, degrees counter-clockwise from the right, or from the axis of the body that carries it.
+    pub direction_deg: Num,
+}
+
+/// A surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Surface {
     /// A line, whose left side is free.
-    Line {
-        /// A place on it, m.
-        through_m: [Num; 2],
-        /// Its direction, degrees counter-clockwise from the right.
-        direction_deg: Num,
-    },
+    Line(Straight),
     /// A cylinder. The angle of a body that leads on it is that of the line from the axis of the cylinder to its centre.
     Arc {
         /// Its axis, m.
@@ -235,6 +239,29 @@ impl JointKind {
             _ => None,
         }
     }
+    /// The point that it holds at a surface, the radius of the wheel whose centre that is (0 of a point alone), and the surface.
+    pub const fn surface(&self) -> Option<(Spot, Num, Surface)> {
+        match *self {
+            Self::Guide { at, line, .. } => Some((at, Num::Fixed(0.0), Surface::Line(line))),
+            Self::Contact { at, radius_m, surface, .. } => Some((at, radius_m, surface)),
+            _ => None,
+        }
+    }
+    /// Does it hold a wheel that rolls, and by teeth?
+    pub const fn rolls(&self) -> [bool; 2] {
+        if let Self::Contact { rolls, teeth, .. } = *self { [rolls, teeth] } else { [false; 2] }
+    }
+    /// The straight line at which it holds its point.
+    pub const fn line(&self) -> Option<Straight> {
+        match self.surface() {
+            Some((_, _, Surface::Line(line))) => Some(line),
+            _ => None,
+        }
+    }
+    /// The line that another body carries, on which it holds its point: a point of that body.
+    pub fn carrier(&self) -> Option<Spot> {
+        self.line()?.on
+    }
     /// The points that it holds.
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
@@ -242,7 +269,7 @@ impl JointKind {
             Self::Pin { at, .. }
             | Self::Guide { at, .. }
             | Self::Contact { at, .. }
-            | Self::Cord { at, .. } => (at, None),
+            | Self::Cord { at, .. } => (at, self.carrier()),
         };
         std::iter::once(one).chain(other)
     }

@@ -14,8 +14,8 @@ use crate::num::plant::plant;
 use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
-    Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
-    Surface,
+    Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Straight,
+    Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
 use std::borrow::Cow;
@@ -55,6 +55,10 @@ impl<X: Copy> Pose<X> {
 }
 
 impl<T: Real> Pose<Jet<T>> {
+    /// Where it is, without the derivatives.
+    pub fn here(&self) -> Pose<T> {
+        Pose { origin: self.origin.map(|x| x.value), axis: self.axis.map(|x| x.value) }
+    }
     /// Rate and second derivative of the angle of the axis, counter-clockwise positive.
     pub fn turn(&self) -> (T, T) {
         let [c, s] = self.axis;
@@ -267,8 +271,8 @@ pub struct Layout<'a, T: Real> {
     n: &'a Numbers<'a, T>,
     lead: usize,
     start: Half<T>,
-    /// For each joint: the direction of its line; zero where it has none.
-    pub lines: SmallVec<[[T; 2]; 4]>,
+    /// For each joint: the direction of its line, seen from the axis of the body that carries it; zero where it has none.
+    lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
     pub pushes: SmallVec<[[T; 2]; 2]>,
     /// For each joint: how far along its line a wheel is at the start that rolls on it, or how long a cord or a light rod is.
@@ -504,13 +508,7 @@ impl<'a, T: Real> Layout<'a, T> {
     pub fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Option<Self> {
         let lead = scene.lead()?;
         let none = [T::zero(); 2];
-        let line = |kind: &JointKind| match *kind {
-            JointKind::Guide { direction_deg, .. }
-            | JointKind::Contact { surface: Surface::Line { direction_deg, .. }, .. } => {
-                direction(n, direction_deg)
-            }
-            _ => none,
-        };
+        let line = |kind: &JointKind| kind.line().map_or(none, |line| direction(n, line.direction_deg));
         let leads = |(joint, j): (usize, &Joint)| {
             let first = j.kind.spots().next().filter(|at| at.body == lead && scene.leads_on_arc(joint));
             first.and_then(|_| Arc::of(scene, n, joint))
@@ -537,7 +535,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let from =
                     |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
                 layout.starts[j] = match joint.kind {
-                    JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } => {
+                    JointKind::Contact { at, surface: Surface::Line(Straight { through_m, .. }), .. } => {
                         dot(from(at, through_m), layout.lines[j])
                     }
                     JointKind::Cord { at, place_m, .. } => {
@@ -566,7 +564,9 @@ impl<'a, T: Real> Layout<'a, T> {
         let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
         // The direction of each guide, and how much the way bends there to its left: across a cord about its fixed end.
         let mut lines = self.scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
-            JointKind::Guide { at, .. } if at.body == self.lead => Some((self.lines[j], T::zero())),
+            JointKind::Guide { at, line: Straight { on: None, .. }, .. } if at.body == self.lead => {
+                Some((self.lines[j], T::zero()))
+            }
             JointKind::Cord { at, place_m, .. } if at.body == self.lead => {
                 let near = self.first.as_ref()?[at.body].point(of_spot(self.scene, self.n, at));
                 let per = T::of(1.0) / self.starts[j];
@@ -720,10 +720,12 @@ impl<'a, T: Real> Layout<'a, T> {
     /// the length that it has at the start. There a joint must leave a body where it is said to be placed.
     pub fn parted(&self, poses: &Poses<T>, at_start: bool) -> Option<(usize, f64)> {
         let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
-        let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
+        let aside = |j: usize, at, line: Straight| {
+            let through = line.on.map_or_else(|| ground(self.n, line.through_m), place);
+            dot(left(self.line(j, poses)), less(place(at), through))
+        };
         let size = size(self.scene, self.n);
-        let parts = self.scene.joints.iter().zip(&self.lines).enumerate();
-        let parts = parts.map(|(j, (joint, line))| match joint.kind {
+        let parts = self.scene.joints.iter().enumerate().map(|(j, joint)| match joint.kind {
             JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
             JointKind::Hinge { one, other, turned_deg } => {
                 let turned = turned_deg.map_or(0.0, |by| {
@@ -732,9 +734,9 @@ impl<'a, T: Real> Layout<'a, T> {
                 });
                 off(place(one), place(other)) + turned
             }
-            JointKind::Guide { at, through_m, .. } => aside(*line, at, through_m).size(),
-            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
-                (aside(*line, at, through_m) - self.n.get(radius_m)).size()
+            JointKind::Guide { at, line, .. } => aside(j, at, line).size(),
+            JointKind::Contact { at, radius_m, surface: Surface::Line(line), .. } => {
+                (aside(j, at, line) - self.n.get(radius_m)).size()
             }
             JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. }
             | JointKind::Cord { at, place_m: middle, .. } => {
@@ -763,15 +765,25 @@ impl<'a, T: Real> Layout<'a, T> {
             _ => None,
         }
     }
-    /// How a body touches the surface of a joint with its centre at this place.
-    pub fn touch(&self, joint: usize, centre: [T; 2]) -> Option<Touch<T>> {
-        let JointKind::Contact { radius_m, surface, .. } = self.scene.joints[joint].kind else { return None };
+    /// The direction of the line of a joint.
+    pub fn line<X: Followed<T>>(&self, joint: usize, poses: &Poses<X>) -> [X; 2] {
+        let unit = self.lines[joint];
+        match self.scene.joints[joint].kind.carrier() {
+            Some(on) => from_origin(poses[on.body].axis, unit),
+            None => fixed(unit),
+        }
+    }
+    /// The distances of a place from the origin of the axis of a body, along that axis and to its left.
+    pub fn within(&self, pose: &Pose<T>, place: [T; 2]) -> [T; 2] {
+        let from = less(place, pose.origin);
+        [dot(from, pose.axis), dot(from, left(pose.axis))]
+    }
+    /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
+    pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
+        let (_, radius_m, surface) = self.scene.joints[joint].kind.surface()?;
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
-            Surface::Line { .. } => {
-                let [c, s] = self.lines[joint];
-                ([-s, c], T::zero(), own)
-            }
+            Surface::Line(_) => (left(line), T::zero(), own),
             Surface::Arc { centre_m, radius_m, inside } => {
                 // A hoop hangs on its inner side.
                 let radius = if inside && self.n.get(radius_m).below(own) { -own } else { own };

@@ -7,7 +7,7 @@ use crate::figure::names;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
-use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::scene::{AsIf, Body, End, Given, Label, Mass, Num, Quantity, Scene};
 use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::page::Step;
@@ -185,6 +185,10 @@ impl<'a> Draft<'a> {
             let digits = shown::significant(x, FIGURES);
             let symbol = draft.symbols.given(&datum.tex, x, &digits, &unit, datum.degrees);
             draft.data[found.unknown.datum] = Some(symbol);
+            draft.values[found.unknown.datum] = x;
+            // A number that cannot be written so is told as one that is given.
+            let hangs = |g: Given| g.datum == found.unknown.datum;
+            let _ = asked::hand(&mut draft, scene, &hangs, &|draft, g| Ok(asked::given_as(draft, g)));
         }
         draft
     }

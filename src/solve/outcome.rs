@@ -518,6 +518,22 @@ pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
     }
 }
 
+/// Does friction hold everything at rest, by the senses in which points were to set off and those in which they do then?
+///
+/// Errors: it holds a point that another body carries, or one beside others that slide.
+pub fn holds_still(scene: &Scene, slides: &[f64], now: &[f64]) -> Result<bool, Refusal> {
+    let held = |(before, now): (&f64, &f64)| *before != 0.0 && before != now;
+    if !slides.iter().zip(now).any(held) {
+        return Ok(false);
+    }
+    let carried = |joint: &Joint| joint.kind.rubs().is_some() && joint.kind.carrier().is_some();
+    let goes_on = slides.iter().zip(now).any(|(before, now)| *before != 0.0 && before == now);
+    if goes_on || scene.joints.iter().any(carried) {
+        return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+    }
+    Ok(true)
+}
+
 /// Friction has a sense only where a point slides. Errors: one that rubs is at rest in its guide.
 pub fn all_slide(scene: &Scene, slides: &[f64]) -> Result<(), Refusal> {
     let stuck = |(joint, sense): (&Joint, &f64)| joint.kind.rubs().is_some() && *sense == 0.0;
