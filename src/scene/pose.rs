@@ -54,6 +54,14 @@ impl<X: Copy> Pose<X> {
     }
 }
 
+impl<T: Real> Pose<T> {
+    /// The distances of a place from the origin of the axis, along it and to its left.
+    pub fn within(&self, place: [T; 2]) -> [T; 2] {
+        let from = less(place, self.origin);
+        [dot(from, self.axis), dot(from, left(self.axis))]
+    }
+}
+
 impl<T: Real> Pose<Jet<T>> {
     /// Where it is, without the derivatives.
     pub fn here(&self) -> Pose<T> {
@@ -361,6 +369,9 @@ enum Step<T> {
     Orbits(Held<T>, T, [T; 2]),
     /// Another point of it is guided, on this side.
     Rod(Held<T>, Guided<T>, f64),
+    /// A line of it goes through a known place: its direction from the axis, how far that place is to its left of where the body is
+    /// held, and on this side.
+    Slot(Held<T>, Known<T>, ([T; 2], T), f64),
     /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
     Pair(Held<T>, usize, Held<T>, [[T; 2]; 2], f64),
 }
@@ -378,6 +389,9 @@ impl<T: Real> Step<T> {
                 (Self::Slides([one, other], -branch), at)
             }
             Self::Rod(held, guide, branch) => (Self::Rod(held, guide, -branch), guide.at),
+            Self::Slot(held, through, line, branch) => {
+                (Self::Slot(held, through, line, -branch), plus(held.at, line.0))
+            }
             Self::Pair(held, other, far, own, branch) => {
                 (Self::Pair(held, other, far, own, -branch), plus(held.at, own[0]))
             }
@@ -773,11 +787,6 @@ impl<'a, T: Real> Layout<'a, T> {
             None => fixed(unit),
         }
     }
-    /// The distances of a place from the origin of the axis of a body, along that axis and to its left.
-    pub fn within(&self, pose: &Pose<T>, place: [T; 2]) -> [T; 2] {
-        let from = less(place, pose.origin);
-        [dot(from, pose.axis), dot(from, left(pose.axis))]
-    }
     /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
     pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
         let (_, radius_m, surface) = self.scene.joints[joint].kind.surface()?;
@@ -1008,6 +1017,14 @@ impl<'a, T: Real> Layout<'a, T> {
                     None => toward(way, reach, guide.unit, branch * reach.sign()),
                 };
                 Pose::through(axis_of(along, apart), held.at, place)
+            }
+            Step::Slot(held, through, (unit, aside), branch) => {
+                let place = place(held, poses);
+                let way = less(through.among(poses), place);
+                let square = dot(way, way);
+                let ahead = open(square, X::still(aside.square())).square_root().by(T::of(*branch));
+                let line = less(scaled(way, ahead), times(left(way), *aside)).map(|x| x / square);
+                Pose::through(from_origin(line, [unit[0], -unit[1]]), held.at, place)
             }
             Step::Pair(held, other, far, [own, other_own], branch) => {
                 let (first, second) = (reach(*own), reach(*other_own));

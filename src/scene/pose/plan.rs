@@ -2,7 +2,7 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
-    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, less,
+    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, left, less,
     of_spot, off, parallel,
 };
 use crate::scene::{Branch, JointKind, Planar, Spot, Straight, Surface, pose};
@@ -215,6 +215,17 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         })
     }
 
+    /// How a body is placed on a line of which a body slides or rolls that has a place.
+    fn slotted(&self, body: usize, held: Held<T>) -> Option<Step<T>> {
+        self.layout.scene.joints.iter().zip(&self.layout.lines).find_map(|(joint, unit)| {
+            let (at, radius, Surface::Line(line)) = joint.kind.surface()? else { return None };
+            let on = line.on.filter(|on| on.body == body && self.placed[at.body])?;
+            let aside = dot(left(*unit), less(self.spot(on), held.at)) + self.layout.n.get(radius);
+            let through = Known::Of(at.body, self.spot(at));
+            self.sided(body, SIDES.map(|side| Step::Slot(held, through, (*unit, aside), side)))
+        })
+    }
+
     /// How a body is placed beside those that have a place, if its joints do.
     pub fn follow(&self, body: usize) -> Option<Step<T>> {
         let planar = self.planar(body)?;
@@ -247,6 +258,9 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         }
         if let Some(guide) = self.guided(body).next() {
             return self.sided(body, SIDES.map(|side| Step::Rod(held, guide, side)));
+        }
+        if let Some(step) = self.slotted(body, held) {
+            return Some(step);
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {

@@ -513,7 +513,7 @@ impl<'a, T: Real> Account<'a, T> {
                         // What carries the line moves under it, at the same place.
                         let place = self.point(poses, *spot).map(|x| x.value);
                         let back = u.map(|x| plant!("energy: velocity of what carries a line", -x));
-                        end(on.body, self.layout.within(&poses[on.body].here(), place), back, -*rim);
+                        end(on.body, poses[on.body].here().within(place), back, -*rim);
                     }
                 }
                 own.push(count);

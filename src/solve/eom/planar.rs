@@ -107,6 +107,8 @@ struct Row<T> {
     joint: usize,
     /// Curvature of the way of its point toward its direction.
     toward: T,
+    /// Does it keep its point at a line that another body carries, and turns?
+    turns: bool,
     /// Friction to the right of its direction per normal force.
     rubs: T,
 }
@@ -132,7 +134,7 @@ impl<T: Real> End<T> {
 impl<T: Real> Row<T> {
     fn new(joint: usize, one: End<T>, other: Option<End<T>>, toward: T) -> Self {
         let ends = ([one, other.unwrap_or(one)], 1 + usize::from(other.is_some()));
-        Self { ends, joint, toward, rubs: T::zero() }
+        Self { ends, joint, toward, turns: false, rubs: T::zero() }
     }
     fn ends(&self) -> &[End<T>] {
         &self.ends.0[..self.ends.1]
@@ -302,7 +304,8 @@ impl<'a, T: Real> Mechanism<'a, T> {
                     let [rolls, teeth] = held.kind.rolls();
                     if !teeth {
                         let (one, other) = self.against(joint, poses, end(at, touch.normal, zero));
-                        rows.push(Row::new(joint, one, other, -touch.bend));
+                        let turns = other.is_some();
+                        rows.push(Row { turns, ..Row::new(joint, one, other, -touch.bend) });
                     }
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
@@ -574,10 +577,16 @@ impl<'a, T: Real> Mechanism<'a, T> {
         for End { body, along, lever: r, .. } in row.ends() {
             let [vx, vy, spin] = state.rates[*body];
             sum = sum + dot(*along, *r) * spin.square();
+            let v = [vx - spin * r[1], vy + spin * r[0]];
             if !row.toward.is_zero() {
                 // A point on a circle is drawn toward its middle by the square of its speed over the radius.
-                let v = [vx - spin * r[1], vy + spin * r[0]];
                 sum = sum + dot(v, v) * row.toward;
+            }
+            if row.turns {
+                // Coriolis: what moves along the line turns with it.
+                let carrier = state.rates[row.ends.0[1].body][2];
+                let along = v[0] * along[1] - v[1] * along[0];
+                sum = sum + plant!("eom: Coriolis acceleration", (carrier * along).scale2(1));
             }
         }
         plant!("eom: centripetal acceleration at a joint", sum)
