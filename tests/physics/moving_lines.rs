@@ -33,7 +33,7 @@ problems:
 fn told<const N: usize>(bodies: &str, joints: &str, more: &str, names: [&str; N]) -> [f64; N] {
     let bank = read(bodies, joints, more).unwrap_or_else(|found| panic!("{found:?}"));
     let scene = &bank.problems[0].cases[0].scene;
-    let solved = agree::solve(scene, &[]).unwrap_or_else(|e| panic!("{e:?}"));
+    let solved = agree::solve(scene, &[G]).unwrap_or_else(|e| panic!("{e:?}"));
     names.map(|name| {
         let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
@@ -79,7 +79,7 @@ fn a_block_that_slides_on_a_cart() {
     near(found, [friction / 10.0, (40.0 - friction) / 5.0, -friction, 15.0 * G]);
     // With less than mu (M + m) m g/M both go on together: which friction that takes, kinetic friction does not tell.
     let bank = read(&bodies, joints, &force("20 N")).unwrap();
-    let solved = agree::solve(&bank.problems[0].cases[0].scene, &[]);
+    let solved = agree::solve(&bank.problems[0].cases[0].scene, &[G]);
     assert!(matches!(solved, Err(Refusal::Unsupported(Unsupported::FrictionTurns))), "{solved:?}");
 }
 
@@ -175,4 +175,17 @@ fn a_crank_in_a_slotted_arm() {
     let work = G * (height(60.0) - height(-20.0));
     let omega = (2.0 * work / (2.0 * r * r / 3.0 + inertia * ratio * ratio)).sqrt();
     near(found, [omega, (omega * ratio).abs()]);
+}
+
+/// Schaum's Outline of Engineering Mechanics, problem 16.33: 0.544 m/s^2 and 114 N. The lower block lies on a rough floor, too: it is the
+/// friction of the upper one alone that sets it off.
+#[test]
+fn a_block_that_is_drawn_along_on_a_rough_floor() {
+    let bank = load::scenes_only(include_str!("../scenes/schaum-16-33.yaml"), "schaum").unwrap();
+    let scene = &bank.problems[0].cases[0].scene;
+    let data = [30.0, 45.0, 0.333_333_33, 0.1, 150.0, 9.8];
+    let solved = agree::solve(scene, &data).unwrap_or_else(|e| panic!("{e:?}"));
+    let value = |name: &str| solved.get(labels::named(scene, name).unwrap()).unwrap().value();
+    assert!((value("B.a_x") - 0.544).abs() < 5e-4, "{}", value("B.a_x"));
+    assert!((value("limit") - 114.0).abs() < 0.5, "{}", value("limit"));
 }

@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
-    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, left, less,
-    of_spot, off, parallel,
+    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, left,
+    less, of_spot, off, parallel,
 };
 use crate::scene::{Branch, JointKind, Planar, Spot, Straight, Surface, pose};
 use smallvec::SmallVec;

@@ -899,12 +899,12 @@ impl<'a, T: Real> Account<'a, T> {
             if now == self.slides {
                 break;
             }
-            if outcome::holds_still(self.scene, &self.slides, &now)? {
+            let Some(more) = outcome::set_off(&self.slides, &now) else {
+                outcome::holds_still(self.scene, &self.slides, &now)?;
                 road.course = Some(Course::at_rest());
                 return Ok(());
-            }
-            // The friction of one point sets another one off.
-            self.slides = now;
+            };
+            self.slides = more;
         }
         let moves = |b: usize, along: T| self.velocity(&poses, &sum, b, along);
         let turning = |b: usize| sum[b][2];

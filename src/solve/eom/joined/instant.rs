@@ -37,12 +37,12 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
         if now == slides {
             break (rubs, response);
         }
-        if outcome::holds_still(scene, &slides, &now)? {
+        let Some(more) = outcome::set_off(&slides, &now) else {
+            outcome::holds_still(scene, &slides, &now)?;
             teller.road.course = Some(Course::at_rest());
             return Ok(());
-        }
-        // The friction of one point sets another one off.
-        slides = now;
+        };
+        slides = more;
     };
     teller.watch(&response, spin.square());
     let lead = mechanism.leading(&response);
