@@ -558,7 +558,7 @@ struct GuideRun {
 
 impl GuideRun {
     fn new(view: &SceneView, plane: &PlaneLayout, joint: &Joint) -> Option<Self> {
-        let JointKind::Guide { at, line, one_sided, mu_k } = joint.kind else {
+        let JointKind::Guide { at, line, one_sided, mu_k, .. } = joint.kind else {
             return None;
         };
         let direction = plane.direction(view, &plane.start, line);

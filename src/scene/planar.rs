@@ -149,6 +149,9 @@ pub enum JointKind {
         at: Spot,
         /// Where the line is.
         line: Straight,
+        /// Is its direction the one that was written turned about, so that it pushes to the left of it? What lies ahead on the line lies
+        /// ahead as written.
+        reversed: bool,
         /// Can it only push, so that the point can leave it?
         one_sided: bool,
         /// Kinetic friction coefficient; `None` if it is smooth.

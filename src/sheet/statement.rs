@@ -15,7 +15,7 @@ use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Num, Owner, Quantity, Scene, Slope, Span, Start};
+use crate::scene::{Label, Num, Owner, Quantity, Scene, Slope, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -426,6 +426,21 @@ pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'
     }
 }
 
+/// Words that give the sign of what is told to the right, up, or in a sense of turning, the positive one first.
+fn sense_words(scene: &Scene, label: Label) -> Option<[&'static str; 2]> {
+    if label.quantity.is_directed() {
+        return None;
+    }
+    let signs = make_key::word_signs(scene, label)?;
+    let senses = [
+        (signs.right, ["sheet.right", "sheet.left"]),
+        (signs.up, ["sheet.up", "sheet.down"]),
+        (signs.counter_clockwise, ["sheet.counter_clockwise", "sheet.clockwise"]),
+    ];
+    let (sign, [one, other]) = senses.into_iter().find(|(sign, _)| *sign != 0)?;
+    Some(if sign > 0 { [one, other] } else { [other, one] })
+}
+
 /// How each answer is to be written, with these relative tolerances.
 fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
     let form = |(q, within): (&Question, &f64)| form(words, problem, q, scene, common, *within);
@@ -466,6 +481,9 @@ fn form(
     };
     if q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
+    } else if let Some([positive, negative]) = sense_words(scene, q.label) {
+        let [positive, negative] = [positive, negative].map(|word| words.get(word));
+        add(&words.say("sheet.signed", &[("forward", positive), ("back", negative)]));
     }
     if let Some(range) = range(scene, q) {
         add(words.get(range));

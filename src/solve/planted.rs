@@ -112,7 +112,13 @@ fn line(on: Option<Spot>, direction: f64) -> Straight {
 }
 
 fn guide(at: Spot, direction: f64, mu_k: Option<f64>) -> Joint {
-    joint(JointKind::Guide { at, line: line(None, direction), one_sided: false, mu_k: mu_k.map(f) })
+    joint(JointKind::Guide {
+        at,
+        line: line(None, direction),
+        reversed: false,
+        one_sided: false,
+        mu_k: mu_k.map(f),
+    })
 }
 
 /// A rod in two guides, with a force, a couple and a spring, that may rub.
@@ -222,7 +228,8 @@ fn on_a_bar() -> Scene {
         }
     }
     scene.joints.push(joint(JointKind::Pin { at: spot(1, 0), place_m: [f(0.0), f(0.0)] }));
-    let bead = JointKind::Guide { at: spot(2, 0), line: bar, one_sided: false, mu_k: Some(f(0.1)) };
+    let bead =
+        JointKind::Guide { at: spot(2, 0), line: bar, reversed: false, one_sided: false, mu_k: Some(f(0.1)) };
     scene.joints.push(joint(bead));
     scene.end = End::AtOnce;
     scene

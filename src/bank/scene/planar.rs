@@ -264,7 +264,7 @@ impl SceneReader<'_> {
         match (surface, mu_k) {
             (_, None) => Some(JointKind::Contact { at, radius_m, surface, rolls, teeth }),
             (Surface::Line(line), _) if radius_m == Num::Fixed(0.0) => {
-                Some(JointKind::Guide { at, line, one_sided: true, mu_k })
+                Some(JointKind::Guide { at, line, reversed: false, one_sided: true, mu_k })
             }
             _ => f.refuse_with(
                 node,
@@ -308,6 +308,7 @@ impl SceneReader<'_> {
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
+        let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
             match (line.direction_deg, pushes) {
@@ -320,6 +321,7 @@ impl SceneReader<'_> {
                         f.hint(node, "the line cannot push that way", hint);
                     } else if along_push < 0.0 {
                         line.direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
+                        reversed = true;
                     }
                 }
                 (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
@@ -330,7 +332,8 @@ impl SceneReader<'_> {
             }
         }
         let one_sided = pushes.is_some();
-        Some(JointKind::Guide { at: at?, line, one_sided, mu_k: mu_k? })
+        let (at, mu_k) = (at?, mu_k?);
+        Some(JointKind::Guide { at, line, reversed, one_sided, mu_k })
     }
 
     /// A force on a point of a body in the plane, or a blow.
