@@ -235,6 +235,18 @@ fn on_a_bar() -> Scene {
     scene
 }
 
+/// A crank whose end slides in the slot of an arm about a pin.
+fn slotted() -> Scene {
+    let mut scene = scene(vec![rod("crank", Some(70.0)), rod("arm", None)], Vec::new(), 1.0);
+    let pin = |body, place: [f64; 2]| joint(JointKind::Pin { at: spot(body, 0), place_m: place.map(f) });
+    scene.joints = vec![pin(0, [0.0, 0.0]), pin(1, [0.2, -1.5]), guide(spot(0, 2), 0.0, None)];
+    if let JointKind::Guide { line, .. } = &mut scene.joints[2].kind {
+        line.on = Some(spot(1, 0));
+    }
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(45.0));
+    scene
+}
+
 /// The same with an impulse.
 fn struck(mut scene: Scene) -> Scene {
     let (name, at) = ("J".to_owned(), spot(0, 1));
@@ -484,6 +496,7 @@ fn joined() -> Vec<(&'static str, Scene)> {
         ("wheel off its centre rolls on a cylinder", rolling(cylinder(0.7, false), 70.0, -2.0, 60.0)),
         ("wheel rolls off a cylinder from rest", rolling(cylinder(0.7, false), 70.0, 0.0, 60.0)),
         ("wheel and bead on a bar that turns", on_a_bar()),
+        ("crank in a slotted arm", slotted()),
         ("hoop on a peg", rolling(cylinder(0.15, true), -70.0, -5.0, -100.0)),
     ]
 }

@@ -4,7 +4,7 @@ use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
 use slipstick::scene::pose::{self, Layout};
-use slipstick::scene::{JointKind, Numbers, Spot};
+use slipstick::scene::{JointKind, Numbers, Spot, Straight};
 use slipstick::solve::agree;
 use slipstick::solve::outcome::{CheckKind, Refusal, Unsupported};
 use std::path::Path;

@@ -181,7 +181,7 @@ fn a_crank_in_a_slotted_arm() {
 /// friction of the upper one alone that sets it off.
 #[test]
 fn a_block_that_is_drawn_along_on_a_rough_floor() {
-    let bank = load::scenes_only(include_str!("../scenes/schaum-16-33.yaml"), "schaum").unwrap();
+    let bank = load::scenes_only(include_str!("../support/schaum-16-33.yaml"), "schaum").unwrap();
     let scene = &bank.problems[0].cases[0].scene;
     let data = [30.0, 45.0, 0.333_333_33, 0.1, 150.0, 9.8];
     let solved = agree::solve(scene, &data).unwrap_or_else(|e| panic!("{e:?}"));
