@@ -227,6 +227,10 @@ impl JointKind {
             _ => &[Quantity::Impulse],
         }
     }
+    /// Is it a level line in every draw?
+    pub const fn is_level(&self) -> bool {
+        matches!(self.line(), Some(Straight { on: None, direction_deg: Num::Fixed(at), .. }) if at % 180.0 == 0.0)
+    }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {
         matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { teeth: false, .. })

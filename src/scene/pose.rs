@@ -280,7 +280,7 @@ pub struct Layout<'a, T: Real> {
     lead: usize,
     start: Half<T>,
     /// For each joint: the direction of its line, seen from the axis of the body that carries it; zero where it has none.
-    lines: SmallVec<[[T; 2]; 4]>,
+    pub lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
     pub pushes: SmallVec<[[T; 2]; 2]>,
     /// For each joint: how far along its line a wheel is at the start that rolls on it, or how long a cord or a light rod is.
@@ -464,9 +464,9 @@ impl<T: Real> Arc<T> {
 pub struct Touch<T> {
     /// Unit vector from the surface to the body.
     pub normal: [T; 2],
-    /// Unit vector along the surface, to the right of that.
+    /// Unit vector along the surface, in the sense in which friction is told; of teeth, to the right of that.
     pub along: [T; 2],
-    /// Radius of the wheel, negative where it touches on its inner side.
+    /// Radius of the wheel, negative where it touches on its inner side, and where the surface rises to the left.
     pub radius: T,
     /// Curvature of the way of its centre, positive where it bends away from the normal.
     pub bend: T,
@@ -604,6 +604,11 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
         self.arc.map_or_else(|| T::of(1.0), |arc| arc.ratio)
+    }
+    /// How far the leading body turns on its way, or moves about the axis of the cylinder on which it only slides.
+    pub fn turned(&self, way: T) -> T {
+        let ratio = self.ratio().abs();
+        if ratio.is_zero() { way } else { way * ratio }
     }
     /// Direction of the axis of a body at which its torsion spring is relaxed; zero of another spring.
     pub fn relaxed(&self, strut: &Strut) -> Option<[T; 2]> {
@@ -791,7 +796,8 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
     pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
-        let (_, radius_m, surface) = self.scene.joints[joint].kind.surface()?;
+        let kind = &self.scene.joints[joint].kind;
+        let ((_, radius_m, surface), [_, teeth]) = (kind.surface()?, kind.rolls());
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
             Surface::Line(_) => (left(line), T::zero(), own),
@@ -805,7 +811,9 @@ impl<'a, T: Real> Layout<'a, T> {
                 (out.map(|x| (x / apart).signed(sense)), (T::of(1.0) / apart).signed(sense), radius)
             }
         };
-        Some(Touch { normal, along: [normal[1], -normal[0]], radius, bend })
+        let right = [normal[1], -normal[0]];
+        let up = if teeth { 1.0 } else { upward(right) };
+        Some(Touch { normal, along: right.map(|x| x.signed(up)), radius: radius.signed(up), bend })
     }
     /// Where everything is when the leading angle has changed by this, radians; `None` for a body that the joints do not place.
     ///

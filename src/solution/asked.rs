@@ -93,7 +93,6 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
                 others.extend(known);
                 continue;
             }
-            let own = draft.handed.clone();
             if *how == AsIf::Next {
                 hand_over(draft, other)?;
             }
@@ -101,7 +100,7 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
             let found = narrate::as_if(draft, *how, &labels);
             (draft.scene, draft.as_if) = (scene, None);
             draft.values.clone_from(&draft.variant.data);
-            draft.handed = own;
+            draft.handed.clear();
             others.extend(found?.into_iter().map(|(label, symbol)| (i, label, symbol)));
         }
     }
@@ -173,26 +172,15 @@ fn hand_over(draft: &mut Draft, next: &Scene) -> Result<(), DerivationStop> {
         let value = draft.symbols.value(symbol);
         draft.values.push(if back { -value } else { value });
     }
-    draft.handed.clear();
-    let found = draft.scene.formulas.found.map(|f| f.unknown.datum);
-    hand(draft, next, &|g| g.datum >= given || Some(g.datum) == found, &|draft, g| {
-        let taken = g.datum.checked_sub(given).and_then(|i| taken.get(i)).cloned();
-        Ok(taken.map_or_else(|| given_as(draft, g), |taken| (taken, false)))
-    })
-}
-
-/// The numbers of a scene that are worked out from what is not given, as what they are worked out from.
-pub fn hand(
-    draft: &mut Draft,
-    scene: &Scene,
-    hangs: &dyn Fn(Given) -> bool,
-    name: &dyn Fn(&mut Draft, Given) -> Named,
-) -> Result<(), DerivationStop> {
-    for (i, number) in scene.formulas.numbers.iter().enumerate() {
-        if number.formula.names().any(hangs) {
-            let from = expression(draft, &number.formula, name)?;
-            draft.handed.push((Num::Derived(i), from));
+    for (i, number) in next.formulas.numbers.iter().enumerate() {
+        if number.formula.names().all(|g| g.datum < given) {
+            continue;
         }
+        let from = expression(draft, &number.formula, &|draft, g: Given| {
+            let taken = g.datum.checked_sub(given).and_then(|i| taken.get(i)).cloned();
+            Ok(taken.map_or_else(|| given_as(draft, g), |taken| (taken, false)))
+        })?;
+        draft.handed.push((Num::Derived(i), from));
     }
     Ok(())
 }

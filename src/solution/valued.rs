@@ -67,21 +67,14 @@ impl Expr {
         each.sum()
     }
 
-    /// Is it an angle in degrees: with more angles that the quantities keep so as factors than it is divided by?
+    /// Does it hold an angle that the quantities keeps in degrees?
     fn in_degrees(&self, symbols: &Symbols) -> bool {
-        self.degrees(symbols) > 0
-    }
-    /// The power of a degree in its unit.
-    fn degrees(&self, symbols: &Symbols) -> i64 {
         match self {
-            Self::Symbol(s) => i64::from(symbols.is_degrees(*s)),
-            Self::Number(..) => 0,
-            Self::Of(Function::Magnitude, inner) => inner.degrees(symbols),
-            Self::Of(..) => 0,
-            Self::Product(factors) => factors.iter().map(|f| f.degrees(symbols)).sum(),
-            Self::Quotient(over, under) => over.degrees(symbols) - under.degrees(symbols),
-            Self::Power(base, n) => i64::from(*n) * base.degrees(symbols),
-            _ => self.parts().into_iter().map(|part| part.degrees(symbols)).max().unwrap_or(0),
+            Self::Symbol(s) => symbols.is_degrees(*s),
+            // An angle over 180 degrees, times pi, is one in radians.
+            Self::Quotient(over, under) => over.in_degrees(symbols) && !under.in_degrees(symbols),
+            Self::Of(Function::Sine | Function::Cosine | Function::ArcCosine, _) => false,
+            _ => self.parts().into_iter().any(|part| part.in_degrees(symbols)),
         }
     }
 }

@@ -302,8 +302,8 @@ impl SceneReader<'_> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let on = fields.get("on");
-        let along = if on.is_some() { fields.get("along") } else { fields.need("along", "horizontal") };
-        let mut line = self.straight((on, along), fields, bodies)?;
+        let along_node = if on.is_some() { fields.get("along") } else { fields.need("along", "horizontal") };
+        let mut line = self.straight((on, along_node), fields, bodies)?;
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
@@ -324,7 +324,12 @@ impl SceneReader<'_> {
                         reversed = true;
                     }
                 }
-                (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
+                (Num::Datum(_), Ray::Up | Ray::Left) => {
+                    // In no draw may the left of the direction be the other side.
+                    let need = if pushes == Ray::Up { Need::PUSHES_UP } else { Need::PUSHES_LEFT };
+                    along_node.filter(|_| WHOLE).and_then(|n| self.number(n, need));
+                }
+                (Num::Derived(_), Ray::Up | Ray::Left) => {}
                 (Num::Datum(_) | Num::Derived(_), _) => {
                     let hint = "it pushes to the left of its direction: write the angle so that this is `up`";
                     f.hint(node, "a line along a drawn direction pushes up", hint);

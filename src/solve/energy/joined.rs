@@ -482,8 +482,8 @@ impl<'a, T: Real> Account<'a, T> {
                     let centre = self.point(poses, at).map(|x| x.value);
                     self.layout.touch(j, centre, self.line(poses, j)).map(|touch| {
                         rim = plant!("energy: radius of a rolling wheel", touch.radius);
-                        let normal = [0, 1].map(|i| touch.normal[i] - rub * touch.along[i]);
-                        let both = [normal, touch.along];
+                        let [x, y] = touch.normal;
+                        let both = [[x - rub * y, y + rub * x], touch.along];
                         (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
                     })
                 }
@@ -806,7 +806,7 @@ impl<'a, T: Real> Account<'a, T> {
         if let Some(time) = time.filter(|_| wanted.quantities.has(Quantity::T)) {
             self.say(road, Quantity::T, Owner::Scene, time);
         }
-        self.say(road, Quantity::Phi, Owner::Body(self.lead), open(way));
+        self.say(road, Quantity::Phi, Owner::Body(self.lead), open(self.layout.turned(way)));
         let poses = self.at(&place)?;
         let places = self.between(from.0, &poses, &place);
         for (b, body) in scene.bodies.iter().enumerate() {
