@@ -627,7 +627,8 @@ problems:
       end: {angle: {of: rod, reaches: 20 deg}}
     questions: {v: {ask: v}}
 ";
-        let bank = load::scenes_only(joined, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+        let bank =
+            crate::bank::load::scenes_only(joined, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
         let joined = &bank.problems[0].cases[0].scene;
         let mut scenes = vec![joined.clone()];
         scenes.push(Scene { joints: Vec::new(), ..joined.clone() });

@@ -2,6 +2,7 @@
 //! datum that is found from a measurement.
 use crate::bank::{Problem, Question};
 use crate::num::formula::{Formula, Step};
+use crate::num::root::between_values;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Degree, Given, Label, Num, Owner, Quantity, Scene, Taken, Term, Tie};
 use crate::solution::account::of_body;
@@ -305,13 +306,9 @@ pub fn unknown_value(problem: &Problem, variant: &Variant, words: &Words, scene:
         if miss(beyond).is_nan() { there } else { beyond }
     };
     let mut pieces = (0..PLACES).map(|i| (at(i), at(i + 1))).map(|(a, b)| (defined(b, a), defined(a, b)));
-    let (mut low, mut high) = pieces.find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
+    let (low, high) = pieces.find(|(a, b)| miss(*a) * miss(*b) <= 0.0)?;
     let rising = miss(high) > 0.0 || miss(low) < 0.0;
-    for _ in 0..HALVINGS {
-        let middle = f64::midpoint(low, high);
-        if (miss(middle) > 0.0) == rising { high = middle } else { low = middle }
-    }
-    Some(f64::midpoint(low, high))
+    between_values(low, high, rising, &|x| Ok::<f64, DerivationStop>(miss(x))).ok()
 }
 
 /// What is said of data that no sheet gives: what is `any`, and what is found from a measurement.

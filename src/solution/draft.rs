@@ -86,6 +86,8 @@ pub struct Draft<'a> {
     pub chosen: Vec<SymbolId>,
     /// What was found, in order, once all sections are written.
     pub steps: Vec<Step>,
+    /// The same of all pages.
+    pub derived: Vec<Step>,
     /// Value of the datum that is to be found.
     pub unknown: Option<f64>,
     /// The asked angle, degrees, where it is one that varies.
@@ -136,6 +138,7 @@ impl<'a> Draft<'a> {
             told: Vec::new(),
             chosen: Vec::new(),
             steps: Vec::new(),
+            derived: Vec::new(),
             unknown,
             varies: None,
             imbalance: None,

@@ -623,7 +623,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let closed = self.from(k) != Expr::from(k);
         let fits = closed && width(&self.step_of(k)) <= LINE;
         let shown = if fits { self.names(&[k]) } else { self.shown(k) };
-        self.say(if closed { "joined.small" } else { "joined.small_many" }, &[("k", &shown)]);
+        // A slope that is too wide for a line is told by what it is the slope of.
+        let name = match (closed, fits || self.pivot.is_none()) {
+            (true, true) => "joined.small",
+            (true, false) => "joined.small_wide",
+            (false, _) => "joined.small_many",
+        };
+        self.say(name, &[("k", &shown), ("angle", &self.letter.clone())]);
         if fits {
             self.tell([k]);
         }

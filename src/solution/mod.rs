@@ -59,6 +59,8 @@ use crate::problem::maker::Variant;
 use crate::scene::{Owner, Scene, Slope};
 use crate::sheet::document::Document;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, scene_of};
+use crate::solution::expr::SymbolId;
+use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{Symbols, tex_digits};
 use crate::solution::text::{Block, SolutionSection};
@@ -137,7 +139,15 @@ fn made(
     let scene = scene_of(problem, variant)?;
     let mut draft = Draft::new(problem, variant, scene, words, Symbols::new(words));
     draft.detail = detail;
-    let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
+    let mut derived = derive(&mut draft);
+    let short = if derived.is_ok() { too_short(&mut draft) } else { Vec::new() };
+    if !short.is_empty() {
+        let symbols = Symbols::new(words).with_figures(short);
+        draft = Draft::trial((problem, variant), scene, words, symbols, draft.unknown);
+        draft.detail = detail;
+        derived = derive(&mut draft);
+    }
+    let beyond = match derived.and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),
         Err(DerivationStop::Beyond(what)) => {
@@ -216,6 +226,18 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     narrate::sections(draft)?;
     asked::not_given(draft);
     asked::answer(draft)
+}
+
+/// Quantities that have to be shown with more figures, for what is printed of them to give what is printed after it.
+fn too_short(draft: &mut Draft) -> Vec<(SymbolId, usize)> {
+    let page = Page::new(draft);
+    let blocks = page.sections.iter().flat_map(|section| &section.blocks);
+    let written: String = blocks.map(Block::text).collect();
+    let printed = page.derived.iter().filter(|step| {
+        let line = page.chain(step.symbol, &step.from);
+        written.contains(line.split_once(r"\\").map_or(line.as_str(), |(_, rest)| rest))
+    });
+    page.symbols.too_short(printed)
 }
 
 /// Is every question answered, and every number that of the key?

@@ -2,8 +2,8 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle, Quantity,
-    RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
+    AsIf, Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label, Law, Made, Mass, Num, Owner, Particle,
+    Quantity, RotaryInertia, Slope, Span, SpringTie, Start, Thrown, Tie,
 };
 use crate::solution::account::{
     Account, CordSpring, OMEGA_SWING, TIME_SLACK, half_squares, marked, of_body, of_scene, of_tie, speed_of,
@@ -275,7 +275,7 @@ type Column = (&'static str, &'static str, Vec<Expr>);
 
 /// A table with a row for each particle: its name and these columns, data as they are printed.
 fn table(page: &mut Page, names: &[String], columns: &[Column]) {
-    let mut head = columns.iter().map(|(tex, unit, _)| format!(r"${tex}\ ({})$", tex_of(unit)));
+    let mut head = columns.iter().map(|(tex, unit, _)| format!("${tex}$ $({})$", tex_of(unit)));
     let row = |first: &str, cells: &mut dyn Iterator<Item = String>| {
         let cells: Vec<String> = std::iter::once(first.to_owned()).chain(cells).collect();
         format!("| {} |", cells.join(" | "))
@@ -451,15 +451,19 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             if !cords.is_empty() {
                 let all = |made: &[Made]| cords.iter().all(|t| made.contains(&self.made(*t)));
                 let what = match () {
-                    () if all(&[Made::Cord]) => "cords",
+                    () if all(&[Made::Cord]) => self.kind_of_cords(&cords),
                     () if all(&[Made::Cord, Made::Link]) => "links",
                     () if all(&[Made::Rests]) => "loads",
                     () => "rims",
                 };
-                let one = what == "cords" && cords.len() == 1;
                 let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
-                self.say(&format!("idea.{}", if one { "cord" } else { what }), &[("forces", &forces)]);
+                self.say(&format!("idea.{what}"), &[("forces", &forces)]);
                 if self.short == Short::Energy {
+                    let what = match what {
+                        "cord" => "cords",
+                        "belt" => "belts",
+                        other => other,
+                    };
                     self.say(&format!("idea.idle_{what}"), &[("forces", &forces)]);
                 }
             }
@@ -590,11 +594,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         };
         self.word(of_body(Quantity::Direction, lead.body), word);
         self.torn_loose()?;
-        let mut taut: Vec<String> = Vec::new();
+        let (mut taut, mut cords) = (Vec::<String>::new(), Vec::new());
         for tie in 0..self.scene.ties.len() {
             match self.scene.ties[tie].clone() {
                 Tie::Cord(c) if c.made == Made::Cord => match c.to {
-                    Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
+                    Far::Body(_) | Far::Fixed => {
+                        taut.extend(self.taut(tie)?);
+                        cords.push(tie);
+                    }
                     Far::Spring { rigid: false, .. } => {
                         self.spring_taut(tie)?;
                     }
@@ -604,7 +611,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             }
         }
         if !taut.is_empty() {
-            let name = if taut.len() == 1 { "holds.taut" } else { "holds.taut_all" };
+            let name = match self.kind_of_cords(&cords) {
+                "cords" if taut.len() > 1 => "holds.taut_all",
+                "belt" => "holds.taut_belt",
+                "belts" => "holds.taut_belts",
+                _ => "holds.taut",
+            };
             self.say(name, &[("t", &taut.join(", "))]);
         }
         self.reaches()?;
@@ -724,6 +736,22 @@ impl<'d, 'a> Account<'d, 'a> {
         let between = |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Body(_)));
         let ties = self.scene.ties.iter().enumerate();
         ties.filter(|(_, t)| between(t)).map(|(t, _)| t).collect()
+    }
+    /// What these cords are called: one that leads from wheel to wheel about fixed axles is a belt.
+    fn kind_of_cords(&self, cords: &[usize]) -> &'static str {
+        let winds = |end: &CordEnd| {
+            matches!(end.attach, Attach::Wound(..)) && self.scene.bodies[end.body].line.is_none()
+        };
+        let is_belt = |tie: &&usize| match &self.scene.ties[**tie] {
+            Tie::Cord(Cord { from, to: Far::Body(to), .. }) => winds(from) && winds(to),
+            _ => false,
+        };
+        match (cords.iter().filter(is_belt).count(), cords.len()) {
+            (0, 1) => "cord",
+            (0, _) => "cords",
+            (1, 1) => "belt",
+            _ => "belts",
+        }
     }
     /// What leads from body to body.
     fn made(&self, tie: usize) -> Made {

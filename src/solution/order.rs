@@ -151,10 +151,8 @@ impl Plane<'_, '_> {
                 continue;
             }
             let sense = self.sense_of(body);
-            let turns = self.on(body).map(|p| {
-                let turn = p.turn.plus(&cross(&away, &p.along)).signed(sense);
-                p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).each(&turn)
-            });
+            let turns =
+                self.on(body).map(|p| p.size.each(&p.turn.plus(&cross(&away, &p.along)).signed(sense)));
             // Term by term, so that it can be solved for each of them.
             let left = positive_first(turns.sum::<Sum>().terms().iter().map(Factors::expr));
             let a = it.a.map(Sum::one);

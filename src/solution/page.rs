@@ -101,6 +101,7 @@ impl<'d, 'a> Page<'d, 'a> {
     /// Notes what a quantity is equal to.
     pub fn step(&mut self, symbol: SymbolId, from: Expr) -> SymbolId {
         self.settle(symbol, &from);
+        self.derived.push(Step { symbol, from: from.clone() });
         self.steps.push(Step { symbol, from });
         symbol
     }

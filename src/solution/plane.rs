@@ -158,9 +158,7 @@ pub struct PlaneBody {
 #[derive(Debug, Clone)]
 pub struct Pull {
     pub body: usize,
-    /// The unknown that it is in proportion to, of a joint.
-    pub unknown: Option<SymbolId>,
-    /// Its size, or that per unit of the unknown.
+    /// Its size: of a joint the unknown, or what is in proportion to it.
     pub size: Factors,
     /// Its direction.
     pub along: Vector,
@@ -170,9 +168,8 @@ pub struct Pull {
 
 impl Pull {
     /// A couple, counter-clockwise where the sense is 1.
-    fn couple(body: usize, unknown: Option<SymbolId>, size: Factors, sense: i8) -> Self {
-        let turn = Sum::one(Factors::one().signed(sense));
-        Self { body, unknown, size, along: Vector::default(), turn }
+    fn couple(body: usize, size: Factors, sense: i8) -> Self {
+        Self { body, size, along: Vector::default(), turn: Sum::one(Factors::one().signed(sense)) }
     }
 }
 
@@ -1280,24 +1277,17 @@ impl<'d, 'a> Plane<'d, 'a> {
         self.places(&less(point, &about), self.here)
     }
     /// A force at a point of a body, along a direction of [`Self::frame`].
-    fn pull(
-        &mut self,
-        body: usize,
-        point: &Point,
-        size: Factors,
-        along: Vector,
-        unknown: Option<SymbolId>,
-    ) -> Pull {
+    fn pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) -> Pull {
         let lever = self.lever(body, point);
         // Toward the pin and across is a frame of the other hand where the angle grows counter-clockwise.
         let hand = if self.pivot.as_ref().is_some_and(|p| p.radial) { -self.sense_of(body) } else { 1 };
         let turn = cross(&self.frame(&lever), &along).signed(hand);
-        Pull { body, unknown, size, along, turn }
+        Pull { body, size, along, turn }
     }
 
     /// A known force at a point of a body.
     fn add_pull(&mut self, body: usize, point: &Point, size: Factors, along: Vector) {
-        let pull = self.pull(body, point, size, along, None);
+        let pull = self.pull(body, point, size, along);
         self.pulls.push(pull);
     }
 
@@ -1325,7 +1315,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                 vector(&unit)
             };
             let (point, along) = (self.spot(push.at), self.frame(&along));
-            let pull = self.pull(push.at.body, &point, size.clone(), along, None);
+            let pull = self.pull(push.at.body, &point, size.clone(), along);
             let moment = pull.turn.times(size.signed(self.sense_of(push.at.body))).expr();
             self.pulls.push(pull);
             let work = match (push.turns, &self.pivot) {
@@ -1349,7 +1339,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             let size = self.number(couple.moment_n_m, "M", "N m").factors();
             let own = if couple.forward { 1 } else { -1 };
             let sense = own * self.sense_of(couple.body);
-            self.pulls.push(Pull::couple(couple.body, None, size.clone(), sense));
+            self.pulls.push(Pull::couple(couple.body, size.clone(), sense));
             if !still {
                 let turned = if self.bodies[couple.body].turn == Some(0) {
                     self.turned()
@@ -1538,7 +1528,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let names = [tagged("M", &format!(r"\mathrm{{s}}{tag}")), tagged("M", "t")];
         let moment = self.pull_of_spring(&stiffness, &wound, names, "N m");
         let back = -self.sense_of(it.at.body);
-        self.pulls.push(Pull::couple(it.at.body, None, moment.factors(), back));
+        self.pulls.push(Pull::couple(it.at.body, moment.factors(), back));
         Ok(())
     }
 
@@ -1592,54 +1582,52 @@ impl<'d, 'a> Plane<'d, 'a> {
                 force = names.map(|name| self.named(&[name], "N s"));
             }
             for (unknown, along) in force.into_iter().zip(axes()) {
-                let pulls = vec![self.pull(0, &place, Factors::one(), along, Some(unknown))];
+                let pulls = vec![self.pull(0, &place, unknown.factors(), along)];
                 self.holds.push(Hold::of(0, unknown, pulls));
             }
             return;
         }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = names::joint(scene, j);
-            let letters: &[&str] = match joint.kind {
-                JointKind::Pin { .. } | JointKind::Hinge { turned_deg: None, .. } if blow => &["Jx", "Jy"],
-                JointKind::Guide { .. } | JointKind::Cord { .. } if blow => &["J"],
-                JointKind::Hinge { turned_deg: Some(_), .. } => &["X", "Y", "M"],
-                JointKind::Pin { .. } | JointKind::Hinge { .. } => &["X", "Y"],
-                JointKind::Guide { .. } | JointKind::Contact { rolls: false, .. } => &["N"],
-                JointKind::Contact { teeth: true, .. } => &["F"],
-                JointKind::Contact { .. } => &["N", "F"],
-                JointKind::Cord { .. } => &["T"],
+            // The letter of a force, and that of an impulse.
+            let named = |this: &mut Self, [force, impulse]: [&str; 2], below: &str| {
+                let (letter, unit) = if blow { (impulse, "N s") } else { (force, "N") };
+                this.named(&[tagged(letter, &format!("{plain}{below}"))], unit)
             };
-            let unit = if blow { "N s" } else { "N" };
-            let named = |l: &&str| {
-                let name = tagged(&l[..1], &format!("{plain}{}", &l[1..]));
-                self.named(&[&name], if *l == "M" { "N m" } else { unit })
-            };
-            let forces: Vec<SymbolId> = letters.iter().map(named).collect();
             match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => {
                     let ends = || joint.kind.spots().zip([1, -1]);
-                    for (force, u) in forces.iter().zip(axes()) {
+                    let [x, y] = if blow { ["x", "y"] } else { ["", ""] };
+                    let forces =
+                        [("X", x), ("Y", y)].map(|(letter, below)| named(self, [letter, "J"], below));
+                    for (force, u) in forces.into_iter().zip(axes()) {
                         let along = |sense: i8| u.each_ref().map(|x| x.signed(sense));
                         let ends: Vec<_> = ends().map(|(spot, sense)| (spot, along(sense))).collect();
-                        self.add_hold(j, *force, &ends, None);
+                        self.add_hold(j, force, &ends, None);
                     }
-                    if let Some(couple) = forces.get(2) {
-                        let on = |sense, body| Pull::couple(body, Some(*couple), Factors::one(), sense);
+                    if let JointKind::Hinge { turned_deg: Some(_), .. } = joint.kind {
+                        let couple = self.named(&[tagged("M", &plain)], "N m");
+                        let on = |sense, body| Pull::couple(body, couple.factors(), sense);
                         let both = ends().map(|(spot, sense)| on(sense, spot.body));
-                        self.holds.push(Hold::of(j, *couple, both.collect()));
+                        self.holds.push(Hold::of(j, couple, both.collect()));
                     }
                 }
                 JointKind::Guide { at, line, mu_k, .. } => {
+                    let force = named(self, ["N", "J"], "");
                     let line = self.line(line);
-                    self.add_hold(j, forces[0], &[(at, vector(&left(&line)))], None);
+                    self.add_hold(j, force, &[(at, vector(&left(&line)))], None);
                     if let Some(mu) = mu_k {
-                        self.rub(j, at, &line, mu, forces[0]);
+                        self.rub(j, at, &line, mu, force);
                     }
                 }
-                JointKind::Contact { at, radius_m, surface, .. } => {
-                    self.touch(j, &forces, at, radius_m, surface)
+                JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
+                    // Teeth press along the rim alone.
+                    let normal = (!teeth).then(|| named(self, ["N"; 2], ""));
+                    let friction = rolls.then(|| named(self, ["F"; 2], ""));
+                    self.touch(j, [normal, friction], at, radius_m, surface);
                 }
                 JointKind::Cord { at, place_m, .. } => {
+                    let force = named(self, ["T", "J"], "");
                     let apart = match self.linked(j) {
                         Some(turn) => {
                             let length = self.turns[turn].link.map_or(ZERO, |(_, length)| length.into());
@@ -1656,7 +1644,7 @@ impl<'d, 'a> Plane<'d, 'a> {
                     let tag = if plain.is_empty() { plain } else { format!(",{plain}") };
                     let along = self.unit(&apart, &length, ["u", "w"], &tag);
                     let toward = Factors::one().per(&length);
-                    self.add_hold(j, forces[0], &[(at, along)], Some(toward));
+                    self.add_hold(j, force, &[(at, along)], Some(toward));
                 }
             }
         }
@@ -1666,13 +1654,20 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn drive(&mut self, alpha: Num) {
         let given = self.number(alpha, r"\alpha_0", "rad/s^2");
         let unknown = self.named(&[r"M_{\mathrm{d}}", r"M_{\mathrm{dr}}"], "N m");
-        let pull = Pull::couple(self.lead, Some(unknown), Factors::one(), self.sense_of(self.lead));
+        let pull = Pull::couple(self.lead, unknown.factors(), self.sense_of(self.lead));
         self.driver = Some(unknown);
         self.holds.push(Hold { given, ..Hold::of(usize::MAX, unknown, vec![pull]) });
     }
 
     /// A wheel or a point on a surface.
-    fn touch(&mut self, joint: usize, forces: &[SymbolId], at: Spot, radius_m: Num, surface: Surface) {
+    fn touch(
+        &mut self,
+        joint: usize,
+        [press, rim]: [Option<SymbolId>; 2],
+        at: Spot,
+        radius_m: Num,
+        surface: Surface,
+    ) {
         let own = self.number(radius_m, "r", "m").factors();
         let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
             Surface::Line(line) => (vector(&left(&self.line(line))), None, own),
@@ -1691,17 +1686,17 @@ impl<'d, 'a> Plane<'d, 'a> {
                 (normal, Some(sense.per(&apart).opposite()), radius)
             }
         };
-        // Teeth press along the rim alone.
-        let teeth = matches!(self.scene.joints[joint].kind, JointKind::Contact { teeth: true, .. });
+        // Friction is told up the surface; teeth press along the rim alone.
         let right = [normal[1].clone(), normal[0].opposite()];
+        let teeth = press.is_none();
         let up = if teeth { 1.0 } else { pose::upward(right.each_ref().map(|x| self.value(&x.expr()))) };
         let sense = if up < 0.0 { -1 } else { 1 };
         let (along, radius) = (right.map(|x| x.signed(sense)), radius.signed(sense));
-        if !teeth {
-            self.add_hold(joint, forces[0], &[(at, normal)], bend);
+        if let Some(force) = press {
+            self.add_hold(joint, force, &[(at, normal)], bend);
         }
-        if let Some(force) = forces.get(usize::from(!teeth)) {
-            self.add_hold(joint, *force, &[(at, along)], None);
+        if let Some(force) = rim {
+            self.add_hold(joint, force, &[(at, along)], None);
             let turn = Sum::one(&radius);
             if let Some(hold) = self.holds.last_mut() {
                 for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
@@ -1716,7 +1711,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let mut pulls = Vec::new();
         for (spot, u) in ends {
             let point = self.spot(*spot);
-            pulls.push(self.pull(spot.body, &point, Factors::one(), u.clone(), Some(force)));
+            pulls.push(self.pull(spot.body, &point, force.factors(), u.clone()));
             if !self.moves {
                 continue;
             }
@@ -1730,7 +1725,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         }
         if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.carrier(), ends) {
             let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
-            pulls.push(self.pull(on.body, &point, Factors::one(), back, Some(force)));
+            pulls.push(self.pull(on.body, &point, force.factors(), back));
         }
         self.holds.push(Hold { joint, unknown: force, pulls, inward, given: ZERO });
     }
@@ -1749,16 +1744,15 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sense = if way < 0.0 { -1 } else { 1 };
         let along = line.each_ref().map(|f| Sum::one(f.signed(sense)));
         let point = self.spot(at);
+        let size = mu.factors().times(normal);
         if let Some(on) = self.scene.joints[joint].kind.carrier() {
             let back = along.each_ref().map(|x| x.signed(-1));
-            let pull = self.pull(on.body, &point, mu.factors(), back, Some(normal));
-            self.pulls.push(pull);
+            self.add_pull(on.body, &point, size.clone(), back);
         }
-        let pull = self.pull(at.body, &point, mu.factors(), along, Some(normal));
+        self.add_pull(at.body, &point, size, along);
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
-        self.pulls.push(pull);
     }
 
     /// The angular velocity of a body per unit rate of the leading angle, as its own angle counts.
@@ -1804,9 +1798,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The equations of motion of a body, both sides.
     pub fn equations(&self, body: usize) -> Vec<(Expr, Expr)> {
         let it = &self.bodies[body];
-        let share = |p: &Pull, of: &Sum, sense: i8| {
-            p.unknown.map_or_else(|| p.size.clone(), |u| p.size.times(u)).signed(sense).each(of)
-        };
         let mut all = Vec::new();
         let a = match &self.pivot {
             None => it.a.map(Expr::from),
@@ -1814,13 +1805,13 @@ impl<'d, 'a> Plane<'d, 'a> {
             Some(pivot) => [0, 1].map(|i| self.component(pivot, i)),
         };
         for (i, a) in a.into_iter().enumerate() {
-            let left = self.on(body).map(|p| share(p, &p.along[i], 1).expr());
+            let left = self.on(body).map(|p| p.size.each(&p.along[i]).expr());
             all.push((positive_first(left), it.mass.by(a)));
         }
         if let Some(alpha) = it.alpha {
             let moments = |which: &dyn Fn(&Pull) -> bool| {
                 let each = self.on(body).filter(|p| which(p));
-                each.map(|p| share(p, &p.turn, self.sense_of(body))).sum::<Sum>().expr()
+                each.map(|p| p.size.signed(self.sense_of(body)).each(&p.turn)).sum::<Sum>().expr()
             };
             let couple = |p: &Pull| p.along.iter().all(Sum::is_zero);
             let of_spring = |p: &Pull| p.size.expr().uses().iter().any(|s| self.springs.contains(s));

@@ -2,10 +2,15 @@
 use crate::num::shown;
 use crate::num::trig::power;
 use crate::solution::expr::SymbolId;
+use crate::solution::page::Step;
 use crate::words::Words;
 
 /// Significant figures of values on the way; answers have those that their question asks.
 pub const FIGURES: usize = 4;
+/// A quantity of which a difference takes the leading figures away is shown with more of them, up to this many.
+const MOST: usize = 8;
+/// By so many units of its last figure the printed numbers before a quantity may miss it.
+const CARRIED: f64 = 1.5;
 
 #[derive(Debug, Clone)]
 struct QuantityLine {
@@ -26,12 +31,14 @@ pub struct Symbols<'w> {
     lines: Vec<QuantityLine>,
     /// Figures with which a found quantity is kept; `None`: all.
     kept: Option<usize>,
+    /// Quantities that are shown with more than [`FIGURES`].
+    longer: Vec<(SymbolId, usize)>,
 }
 
 impl<'w> Symbols<'w> {
     /// An empty one.
     pub fn new(words: &'w Words) -> Self {
-        Self { words, lines: Vec::new(), kept: None }
+        Self { words, lines: Vec::new(), kept: None, longer: Vec::new() }
     }
 
     /// An empty one of somebody who writes each quantity down with so many figures when it is found, and goes on with what is
@@ -42,16 +49,51 @@ impl<'w> Symbols<'w> {
 
     /// An empty one of the same reader.
     pub const fn anew(&self) -> Self {
-        Self { words: self.words, lines: Vec::new(), kept: self.kept }
+        Self { words: self.words, lines: Vec::new(), kept: self.kept, longer: Vec::new() }
+    }
+
+    /// An empty one that shows these with so many figures.
+    pub fn with_figures(self, longer: Vec<(SymbolId, usize)>) -> Self {
+        Self { longer, ..self }
+    }
+
+    /// With how many figures a found quantity is shown.
+    fn figures(&self, symbol: SymbolId) -> usize {
+        self.longer.iter().find(|(longer, _)| *longer == symbol).map_or(FIGURES, |(_, figures)| *figures)
+    }
+
+    /// Which quantities have to be shown with more figures, and with how many, so that what is printed of them gives these steps: each
+    /// but for [`CARRIED`].
+    pub fn too_short<'s>(&self, steps: impl Iterator<Item = &'s Step>) -> Vec<(SymbolId, usize)> {
+        let mut shown = self.clone();
+        for line in &mut shown.lines {
+            line.value = line.digits.parse().unwrap_or(line.value);
+        }
+        for Step { symbol, from } in steps {
+            let value = self.value(*symbol);
+            let within = 2.0 * CARRIED * half_unit(value, FIGURES);
+            while (from.value(&shown) - value).abs() > within {
+                let exact = |s: SymbolId, shown: &Self| {
+                    let mut one = shown.clone();
+                    one.place(s, self.value(s));
+                    (from.value(&one) - from.value(shown)).abs()
+                };
+                let each = from.uses().into_iter().map(|s| (s, exact(s, &shown)));
+                let most = each.filter(|(s, off)| *off > 0.0 && shown.figures(*s) < MOST);
+                let Some((most, _)) = most.max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+                let figures = shown.figures(most) + 1;
+                shown.longer.retain(|(s, _)| *s != most);
+                shown.longer.push((most, figures));
+                shown.place(most, shown::rounded(self.value(most), figures));
+            }
+        }
+        shown.longer
     }
 
     /// What is kept of a found value, and how far that may be off: half a unit of the last figure.
     fn kept(&self, value: f64) -> (f64, f64) {
         let Some(figures) = self.kept else { return (value, 0.0) };
-        let text = shown::figures(value, figures);
-        let exponent: Option<i32> = text.split_once('e').and_then(|(_, e)| e.parse().ok());
-        let last = exponent.map_or(0.0, |e| power(10.0, f64::from(e) - float(figures)));
-        (text.parse().unwrap_or(value), if value == 0.0 { 0.0 } else { 5.0 * last })
+        (shown::rounded(value, figures), half_unit(value, figures))
     }
 
     /// How far rounding on the way may have moved a value, to first order; 0 where nothing is rounded.
@@ -100,10 +142,11 @@ impl<'w> Symbols<'w> {
     /// Gives an unknown its value, which may be off by `doubt` before it is written down.
     pub fn settle(&mut self, symbol: SymbolId, value: f64, doubt: f64) {
         let (value, rounding) = self.kept(value);
+        let digits = shown::significant(value, self.figures(symbol));
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.value = value;
             line.doubt = doubt + rounding;
-            line.digits = shown::significant(value, FIGURES);
+            line.digits = digits;
         }
     }
 
@@ -170,6 +213,14 @@ pub fn tex_digits(digits: &str, words: &Words) -> String {
     }
 }
 
+/// Half a unit of the last one of so many figures; of 0 it is 0.
+fn half_unit(value: f64, figures: usize) -> f64 {
+    let text = shown::figures(value, figures);
+    let exponent: Option<i32> = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+    let last = exponent.map_or(0.0, |e| power(10.0, f64::from(e) - float(figures)));
+    if value == 0.0 { 0.0 } else { 5.0 * last }
+}
+
 #[expect(clippy::cast_precision_loss, reason = "a handful of figures")]
 const fn float(figures: usize) -> f64 {
     figures as f64
@@ -217,5 +268,24 @@ mod tests {
         let y = l.unknown("y", "");
         l.settle_by(y, &(x * x));
         assert_eq!((l.value(y), l.doubt(y)), ((1.0 / 3.0) * (1.0 / 3.0), 0.0));
+    }
+
+    #[test]
+    fn what_a_difference_is_taken_of_is_shown_with_more_figures() {
+        let words = Words::english();
+        let mut l = Symbols::new(&words);
+        let (rest, length) = (l.given("l_0", 1.0, "1", "", false), l.found("s", 1.174_57, ""));
+        let (twice, stretch) = (length * 2, length - rest);
+        let step = |symbol, from: &Expr| Step { symbol, from: from.clone() };
+        let double = l.found("d", twice.value(&l), "");
+        assert!(l.too_short([step(double, &twice)].iter()).is_empty());
+        let stretched = l.found("x", stretch.value(&l), "");
+        // 1.175 - 1 is 0.175, and 1.1746 - 1 the 0.1746 that is printed.
+        let longer = l.too_short([step(double, &twice), step(stretched, &stretch)].iter());
+        assert_eq!(longer, [(length, 5)]);
+        let mut l = Symbols::new(&words).with_figures(longer);
+        l.given("l_0", 1.0, "1", "", false);
+        let length = l.found("s", 1.174_57, "");
+        assert_eq!(l.shown(length), "1.1746");
     }
 }

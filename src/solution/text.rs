@@ -24,6 +24,15 @@ pub enum Block {
     Markdown(String),
 }
 
+impl Block {
+    /// What is written in it; of a picture its name.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Words(text) | Self::Formula(text) | Self::Picture(text) | Self::Markdown(text) => text,
+        }
+    }
+}
+
 impl SolutionSection {
     /// An empty one.
     pub fn new(id: &'static str, title: &str) -> Self {

@@ -270,7 +270,7 @@ fn the_words_that_sheets_offer_fit() {
                     }
                     for language in ["en", "de"] {
                         let words = Words::built_in(language).unwrap();
-                        let said = direction_words(words, scene, question.label.of);
+                        let said = direction_words(words, scene, question.label);
                         let [first, second] = said.map(|w| judged(entry, &sized(entry, w), language).verdict);
                         let signs = [Verdict::Right, Verdict::WrongDirection];
                         let want = if value > 0.0 { signs } else { [signs[1], signs[0]] };

@@ -79,7 +79,7 @@ fn table(block: &str, count: &mut u32) -> Vec<String> {
     let mut out = Vec::new();
     for row in rows.skip(1).map(cells) {
         for (name, value) in head.iter().zip(&row).skip(1) {
-            let name = name.split(r"\ (").next().unwrap_or("");
+            let name = name.split('$').next().unwrap_or("");
             if ["m_i", "x_i", "y_i"].contains(&name) {
                 continue;
             }
