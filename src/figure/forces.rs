@@ -707,20 +707,23 @@ fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usiz
                         forces.push(force(at, side * found(quantity), towards, name(j, symbol)));
                     }
                 }
-                JointKind::Guide { direction_deg, mu_k, .. } => {
-                    let direction = Vec2::at_degrees(view.of(direction_deg));
-                    let normal = found(Quantity::Normal);
+                JointKind::Guide { at, line, mu_k, .. } => {
+                    // What carries the line is pressed where the other body is.
+                    let at = plane.spot(view, laid, at);
+                    let direction = plane.direction(view, laid, line);
+                    let normal = side * found(Quantity::Normal);
                     forces.push(pressing(j, at, normal, direction.left(), name(j, "N")));
                     if mu_k.is_some() {
                         let up = pose::upward([direction.x, direction.y]);
-                        let rubs = found(Quantity::Friction);
+                        let rubs = side * found(Quantity::Friction);
                         forces.push(force(at, rubs, direction * up, name(j, "F")).of(Role::Friction));
                     }
                 }
-                JointKind::Contact { radius_m, surface, rolls, teeth, .. } => {
-                    let normal = plane.normal(view, surface, at);
+                JointKind::Contact { at, radius_m, surface, rolls, teeth, .. } => {
+                    let at = plane.spot(view, laid, at);
+                    let normal = plane.normal(view, laid, surface, at);
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
-                    forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")));
+                    forces.push(pressing(j, foot, side * found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
                         let right = normal.right();
                         let (quantity, up) = match teeth {
@@ -728,7 +731,9 @@ fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usiz
                             false => (Quantity::Friction, pose::upward([right.x, right.y])),
                         };
                         let along = right * up;
-                        forces.push(force(foot, found(quantity), along, name(j, "F")).of(Role::Friction));
+                        forces.push(
+                            force(foot, side * found(quantity), along, name(j, "F")).of(Role::Friction),
+                        );
                     }
                 }
                 JointKind::Cord { place_m, .. } => {
@@ -797,16 +802,14 @@ fn surfaces(
 ) {
     for joint in &view.scene.joints {
         let (at, radius, surface) = match joint.kind {
-            JointKind::Guide { at, direction_deg, one_sided: true, .. } if at.body == body => {
-                (at, 0.0, Vec2::at_degrees(view.of(direction_deg)))
+            JointKind::Guide { at, line, one_sided: true, .. } if at.body == body => {
+                (at, 0.0, plane.direction(view, laid, line))
             }
             JointKind::Contact { at, radius_m, surface, .. } if at.body == body => {
                 let place = plane.spot(view, laid, at);
                 let radius = view.of(radius_m) * plane.scale;
                 match surface {
-                    Surface::Line { direction_deg, .. } => {
-                        (at, radius, Vec2::at_degrees(view.of(direction_deg)))
-                    }
+                    Surface::Line(line) => (at, radius, plane.direction(view, laid, line)),
                     Surface::Arc { centre_m, radius_m, .. } => {
                         let place_m = vec2(view.of(centre_m[0]), view.of(centre_m[1]));
                         let (centre, round) =

@@ -7,7 +7,7 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Role, TextRun, symbol};
 use crate::scene::{
     Acts, Degree, End, Joint, JointKind, Num, Numbers, Owner, Place, Planar, Quantity, Rest, RotaryInertia,
-    Scene, Shape, Spot, Strut, StrutEnd, Surface, pose,
+    Scene, Shape, Spot, Straight, Strut, StrutEnd, Surface, pose,
 };
 use crate::words::plain::capital;
 
@@ -212,23 +212,38 @@ impl PlaneLayout {
         laid[body].origin + laid[body].axis * (along * self.scale)
     }
 
+    /// The corners of a body that does not turn, below the line that it carries: under all that moves there.
+    fn top(&self, view: &SceneView, laid: &[Laid], body: usize) -> Option<[Vec2; 4]> {
+        let carries = |j: &&Joint| j.kind.carrier().is_some_and(|on| on.body == body);
+        let all = view.scene.joints.iter().filter(carries);
+        let (line, on) = all.clone().find_map(|j| Some((j.kind.line()?, j.kind.carrier()?)))?;
+        let (direction, through) = (self.direction(view, laid, line), self.spot(view, laid, on));
+        let reach =
+            all.flat_map(|j| j.kind.spots().map(|at| (self.spot(view, laid, at) - through).dot(&direction)));
+        let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
+        let (from, to) = (through + direction * (low - BEYOND), through + direction * (high + BEYOND));
+        let down = direction.left() * -GUIDE;
+        Some([from, to, to + down, from + down])
+    }
+
     pub fn outline(&self, board: &mut Board, view: &SceneView, laid: &[Laid], body: usize, role: Role) {
         let this = &view.scene.bodies[body];
         let Some(planar) = &this.planar else { return };
         let Laid { origin, axis } = laid[body];
         if !this.turns {
+            if let Some(corners) = self.top(view, laid, body) {
+                return board.lines(&corners, true, role);
+            }
             // Along its guide, or upon the surface on which it slides.
             let lies = view.scene.joints.iter().find_map(|j| match j.kind {
-                JointKind::Guide { at, direction_deg, .. } if at.body == body => {
-                    Some((Vec2::at_degrees(view.of(direction_deg)), 0.0))
+                JointKind::Guide { at, line, .. } if at.body == body => {
+                    Some((self.direction(view, laid, line), if line.on.is_some() { 10.0 } else { 0.0 }))
                 }
                 JointKind::Contact { at, surface: Surface::Arc { inside, .. }, .. } if at.body == body => {
                     Some((-axis.left(), if inside { -10.0 } else { 10.0 }))
                 }
-                JointKind::Contact { at, surface: Surface::Line { direction_deg, .. }, .. }
-                    if at.body == body =>
-                {
-                    Some((Vec2::at_degrees(view.of(direction_deg)), 10.0))
+                JointKind::Contact { at, surface: Surface::Line(line), .. } if at.body == body => {
+                    Some((self.direction(view, laid, line), 10.0))
                 }
                 _ => None,
             });
@@ -508,10 +523,16 @@ fn slack(board: &mut Board, (near, far): (Vec2, Vec2), long: f64) -> (Vec2, Vec2
 }
 
 impl PlaneLayout {
+    /// The direction of a line.
+    pub fn direction(&self, view: &SceneView, laid: &[Laid], line: Straight) -> Vec2 {
+        let direction = Vec2::at_degrees(view.of(line.direction_deg));
+        let Some(axis) = line.on.map(|on| laid[on.body].axis) else { return direction };
+        axis * direction.x + axis.left() * direction.y
+    }
     /// From a surface to what touches it at a place.
-    pub fn normal(&self, view: &SceneView, surface: Surface, at: Vec2) -> Vec2 {
+    pub fn normal(&self, view: &SceneView, laid: &[Laid], surface: Surface, at: Vec2) -> Vec2 {
         match surface {
-            Surface::Line { direction_deg, .. } => Vec2::at_degrees(view.of(direction_deg)).left(),
+            Surface::Line(line) => self.direction(view, laid, line).left(),
             Surface::Arc { centre_m, inside, .. } => {
                 let out = (at - ground(view, centre_m) * self.scale).unit();
                 if inside { -out } else { out }
@@ -531,27 +552,34 @@ struct GuideRun {
     /// Half its width.
     apart: f64,
     one_sided: bool,
+    /// By another body?
+    carried: bool,
     mu_k: Option<Num>,
 }
 
 impl GuideRun {
     fn new(view: &SceneView, plane: &PlaneLayout, joint: &Joint) -> Option<Self> {
-        let JointKind::Guide { at, through_m, direction_deg, one_sided, mu_k, .. } = joint.kind else {
+        let JointKind::Guide { at, line, one_sided, mu_k, .. } = joint.kind else {
             return None;
         };
-        let direction = Vec2::at_degrees(view.of(direction_deg));
-        let through = ground(view, through_m) * plane.scale;
+        let direction = plane.direction(view, &plane.start, line);
+        let through = match line.on {
+            Some(on) => plane.spot(view, &plane.start, on),
+            None => ground(view, line.through_m) * plane.scale,
+        };
         let places = std::iter::once(&plane.start).chain(&plane.end);
         let reach = places.map(|laid| (plane.spot(view, laid, at) - through).dot(&direction));
         let (low, high) = reach.fold((f64::INFINITY, -f64::INFINITY), |(a, b), x| (a.min(x), b.max(x)));
         // What slides on it lies within it, a rod's end upon it.
         let slider = !view.scene.bodies[at.body].turns;
         let apart = match (slider, one_sided) {
+            (true, _) if line.on.is_some() => 0.0,
             (true, _) => GUIDE,
             (false, true) => THICK + 1.0,
             (false, false) => SLOT,
         };
-        Some(Self { body: at.body, through, direction, low, high, apart, one_sided, mu_k })
+        let carried = line.on.is_some();
+        Some(Self { body: at.body, through, direction, low, high, apart, one_sided, carried, mu_k })
     }
     /// A line of it, this far to its left: its ends, up to the corner with the other lines on which the same body slides.
     fn ends(&self, side: f64, others: &[&GuideRun]) -> (Vec2, Vec2) {
@@ -600,10 +628,10 @@ fn guide(board: &mut Board, run: &GuideRun, others: &[&GuideRun]) {
     let sides = if run.one_sided { vec![-run.apart] } else { vec![run.apart, -run.apart] };
     for side in sides {
         for (from, to) in run.pieces(side, others) {
-            if run.one_sided {
+            if run.one_sided && !run.carried {
                 board.hatch(from, to, -normal);
             }
-            board.line(from, to, Role::Ground);
+            board.line(from, to, if run.carried { Role::Body } else { Role::Ground });
         }
     }
 }
@@ -657,16 +685,18 @@ fn held(board: &mut Board, view: &SceneView, plane: &PlaneLayout, joint: &Joint)
                 }
             }
             match surface {
-                Surface::Line { direction_deg, .. } => {
-                    let direction = Vec2::at_degrees(view.of(direction_deg));
+                Surface::Line(line) => {
+                    let direction = plane.direction(view, &plane.start, line);
                     let foot = place - direction.left() * radius;
                     let reach =
                         plane.end.iter().map(|laid| (plane.spot(view, laid, at) - place).dot(&direction));
                     let (low, high) = reach.fold((0.0, 0.0), |(a, b), x| (f64::min(a, x), f64::max(b, x)));
                     let margin = radius + 40.0;
                     let (from, to) = (foot + direction * (low - margin), foot + direction * (high + margin));
-                    board.hatch(from, to, -direction.left());
-                    board.line(from, to, Role::Ground);
+                    if line.on.is_none() {
+                        board.hatch(from, to, -direction.left());
+                    }
+                    board.line(from, to, if line.on.is_none() { Role::Ground } else { Role::Body });
                 }
                 Surface::Arc { centre_m, radius_m, .. } => {
                     let centre = ground(view, centre_m) * plane.scale;
@@ -1039,6 +1069,9 @@ impl Teller<'_, '_> {
         };
         self.say(name, &[("angle", &say::text(self.view, direction_deg, "°"))])
     }
+    fn straight(&self, line: Straight) -> String {
+        line.on.map_or_else(|| self.line(line.direction_deg), |on| self.called(on))
+    }
     fn joint(&self, kind: JointKind) -> String {
         match kind {
             JointKind::Pin { at, place_m } => {
@@ -1048,9 +1081,9 @@ impl Teller<'_, '_> {
                 let name = if turned_deg.is_some() { "weld" } else { "hinge" };
                 self.say(name, &[("one", &self.called(one)), ("other", &self.called(other))])
             }
-            JointKind::Guide { at, direction_deg, one_sided, .. } => {
+            JointKind::Guide { at, line, one_sided, .. } => {
                 let what = if one_sided { "touches" } else { "guide" };
-                self.say(what, &[("point", &self.called(at)), ("line", &self.line(direction_deg))])
+                self.say(what, &[("point", &self.called(at)), ("line", &self.straight(line))])
             }
             JointKind::Contact { at, radius_m, surface, rolls, teeth } => {
                 let what = match rolls {
@@ -1060,7 +1093,8 @@ impl Teller<'_, '_> {
                     false => "slides",
                 };
                 let on = match surface {
-                    Surface::Line { direction_deg, .. } => {
+                    Surface::Line(Straight { on: Some(on), .. }) => self.called(on),
+                    Surface::Line(Straight { direction_deg, .. }) => {
                         let line =
                             self.say("sloped", &[("angle", &say::text(self.view, direction_deg, "°"))]);
                         self.say("surface", &[("line", &line)])

@@ -4,7 +4,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Tie};
+use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Straight, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -226,7 +226,12 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::Friction, Some(kind)) if kind.is_level() => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
         // To the left of the guide.
-        (Q::Normal, Some(JointKind::Guide { direction_deg: Num::Fixed(along), .. })) => {
+        (
+            Q::Normal,
+            Some(JointKind::Guide {
+                line: Straight { on: None, direction_deg: Num::Fixed(along), .. }, ..
+            }),
+        ) => {
             let sign = |angle: f64| match angle.rem_euclid(360.0) {
                 at if at % 180.0 == 0.0 => 0,
                 at => sign(at < 180.0),

@@ -3,7 +3,7 @@ use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
     Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
-    Spot, SpringTie, Strut, StrutEnd, Surface, Tie,
+    Spot, SpringTie, Straight, Strut, StrutEnd, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -296,13 +296,20 @@ impl Scene {
         Some((self.bodies[spot.body].name.as_str(), point.as_str()))
     }
     /// The body that leads the others in the plane: the first that turns, or moves on a cylinder, and whose angle at the start is
-    /// given.
+    /// given; the first of all where none turns.
     pub fn lead(&self) -> Option<usize> {
         let on_arc = |body: usize| {
             self.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { at, surface: Surface::Arc { .. }, .. } if at.body == body))
         };
         let starts = |b: &Body| b.planar.as_ref().is_some_and(|p| p.start_deg.is_some());
-        self.bodies.iter().enumerate().position(|(i, b)| starts(b) && (b.turns || on_arc(i)))
+        // Where no body turns and each is told where it is, none hangs on another.
+        let still = |b: &Body| !b.turns && b.planar.as_ref().is_some_and(|p| p.origin_m.is_some());
+        let all_still = || self.bodies.iter().all(still).then_some(0).filter(|_| !self.bodies.is_empty());
+        self.bodies
+            .iter()
+            .enumerate()
+            .position(|(i, b)| starts(b) && (b.turns || on_arc(i)))
+            .or_else(all_still)
     }
     /// Does the leading angle tell where the centre of a body is on the cylinder of this joint, and not the body's own angle? Of what
     /// rolls there or does not turn; of another body unless more holds it to the ground.
@@ -359,9 +366,13 @@ impl Scene {
             match (found, joint.kind) {
                 (
                     None,
-                    JointKind::Guide { direction_deg: Num::Fixed(d), mu_k: None, .. }
+                    JointKind::Guide {
+                        line: Straight { on: None, direction_deg: Num::Fixed(d), .. },
+                        mu_k: None,
+                        ..
+                    }
                     | JointKind::Contact {
-                        surface: Surface::Line { direction_deg: Num::Fixed(d), .. },
+                        surface: Surface::Line(Straight { on: None, direction_deg: Num::Fixed(d), .. }),
                         rolls: false,
                         ..
                     },

@@ -3,7 +3,7 @@
 use crate::scene::Rule::{self, Angle, Finite, Inside, NotAbove, NotNegative, Positive, Stretch, Unlike};
 use crate::scene::{
     Attach, Body, CordEnd, Degree, End, Far, JointKind, Mass, Num, Place, Rest, RotaryInertia, Scene, Shape,
-    Slope, Start, StrutEnd, Surface, Tie,
+    Slope, Start, Straight, StrutEnd, Surface, Tie,
 };
 
 /// Degrees, and the slope of a surface.
@@ -204,6 +204,11 @@ macro_rules! walks {
                 end.tilt_deg.$iter().for_each(|tilt| tell(tilt, ANGLE));
             }
 
+            fn line(line: &$($change)? Straight, tell: &mut Tell) {
+                line.through_m.$iter().for_each(|x| tell(x, PLACE));
+                tell(&$($change)? line.direction_deg, ANGLE);
+            }
+
             /// The numbers of a joint of a body, which may be solid.
             fn joint(kind: &$($change)? JointKind, solid: bool, tell: &mut Tell) {
                 match kind {
@@ -212,10 +217,9 @@ macro_rules! walks {
                         place_m.$iter().for_each(|x| tell(x, PLACE));
                     }
                     JointKind::Contact { radius_m, surface, .. } => match surface {
-                        Surface::Line { through_m, direction_deg } => {
+                        Surface::Line(at) => {
                             tell(radius_m, ("m", &[NotNegative]));
-                            through_m.$iter().for_each(|x| tell(x, PLACE));
-                            tell(direction_deg, ANGLE);
+                            line(at, tell);
                         }
                         Surface::Arc { centre_m, radius_m: arc, inside } => {
                             // A hoop may hang on a smaller cylinder, as may what the bank tells no shape of.
@@ -225,9 +229,8 @@ macro_rules! walks {
                             tell(arc, RADIUS);
                         }
                     },
-                    JointKind::Guide { through_m, direction_deg, mu_k, .. } => {
-                        through_m.$iter().for_each(|x| tell(x, PLACE));
-                        tell(direction_deg, ANGLE);
+                    JointKind::Guide { line: at, mu_k, .. } => {
+                        line(at, tell);
                         mu_k.$iter().for_each(|mu| tell(mu, FRICTION));
                     }
                 }

@@ -147,11 +147,9 @@ pub enum JointKind {
     Guide {
         /// The point.
         at: Spot,
-        /// A place on the line, m.
-        through_m: [Num; 2],
-        /// Direction of the line, degrees counter-clockwise from the right.
-        direction_deg: Num,
-        /// Is that the direction as it was written turned about, so that it pushes to the left of it? What lies ahead on the line lies
+        /// Where the line is.
+        line: Straight,
+        /// Is its direction the one that was written turned about, so that it pushes to the left of it? What lies ahead on the line lies
         /// ahead as written.
         reversed: bool,
         /// Can it only push, so that the point can leave it?
@@ -183,16 +181,22 @@ pub enum JointKind {
     },
 }
 
-/// A fixed surface.
+/// A straight line, fixed in space or in a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Straight {
+    /// A point of the body that carries it, through which it goes; `None`: it is fixed in space.
+    pub on: Option<Spot>,
+    /// A place on a line that is fixed in space, m.
+    pub through_m: [Num; 2],
+    /// Its direction, degrees counter-clockwise from the right, or from the axis of the body that carries it.
+    pub direction_deg: Num,
+}
+
+/// A surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Surface {
     /// A line, whose left side is free.
-    Line {
-        /// A place on it, m.
-        through_m: [Num; 2],
-        /// Its direction, degrees counter-clockwise from the right.
-        direction_deg: Num,
-    },
+    Line(Straight),
     /// A cylinder. The angle of a body that leads on it is that of the line from the axis of the cylinder to its centre.
     Arc {
         /// Its axis, m.
@@ -225,13 +229,7 @@ impl JointKind {
     }
     /// Is it a level line in every draw?
     pub const fn is_level(&self) -> bool {
-        match self {
-            Self::Guide { direction_deg: Num::Fixed(at), .. }
-            | Self::Contact { surface: Surface::Line { direction_deg: Num::Fixed(at), .. }, .. } => {
-                *at % 180.0 == 0.0
-            }
-            _ => false,
-        }
+        matches!(self.line(), Some(Straight { on: None, direction_deg: Num::Fixed(at), .. }) if at % 180.0 == 0.0)
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {
@@ -248,6 +246,29 @@ impl JointKind {
             _ => None,
         }
     }
+    /// The point that it holds at a surface, the radius of the wheel whose centre that is (0 of a point alone), and the surface.
+    pub const fn surface(&self) -> Option<(Spot, Num, Surface)> {
+        match *self {
+            Self::Guide { at, line, .. } => Some((at, Num::Fixed(0.0), Surface::Line(line))),
+            Self::Contact { at, radius_m, surface, .. } => Some((at, radius_m, surface)),
+            _ => None,
+        }
+    }
+    /// Does it hold a wheel that rolls, and by teeth?
+    pub const fn rolls(&self) -> [bool; 2] {
+        if let Self::Contact { rolls, teeth, .. } = *self { [rolls, teeth] } else { [false; 2] }
+    }
+    /// The straight line at which it holds its point.
+    pub const fn line(&self) -> Option<Straight> {
+        match self.surface() {
+            Some((_, _, Surface::Line(line))) => Some(line),
+            _ => None,
+        }
+    }
+    /// The line that another body carries, on which it holds its point: a point of that body.
+    pub fn carrier(&self) -> Option<Spot> {
+        self.line()?.on
+    }
     /// The points that it holds.
     pub fn spots(&self) -> impl Iterator<Item = Spot> {
         let (one, other) = match *self {
@@ -255,7 +276,7 @@ impl JointKind {
             Self::Pin { at, .. }
             | Self::Guide { at, .. }
             | Self::Contact { at, .. }
-            | Self::Cord { at, .. } => (at, None),
+            | Self::Cord { at, .. } => (at, self.carrier()),
         };
         std::iter::once(one).chain(other)
     }

@@ -14,8 +14,8 @@ use crate::num::plant::plant;
 use crate::num::{Jet, Real, U, root, trig};
 use crate::scene::pose::plan::Planner;
 use crate::scene::{
-    Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Strut,
-    Surface,
+    Coordinate, Degree, End, Joint, JointKind, Num, Numbers, Place, Planar, Ray, Rest, Scene, Spot, Straight,
+    Strut, Surface,
 };
 use smallvec::{SmallVec, smallvec};
 use std::borrow::Cow;
@@ -54,7 +54,19 @@ impl<X: Copy> Pose<X> {
     }
 }
 
+impl<T: Real> Pose<T> {
+    /// The distances of a place from the origin of the axis, along it and to its left.
+    pub fn within(&self, place: [T; 2]) -> [T; 2] {
+        let from = less(place, self.origin);
+        [dot(from, self.axis), dot(from, left(self.axis))]
+    }
+}
+
 impl<T: Real> Pose<Jet<T>> {
+    /// Where it is, without the derivatives.
+    pub fn here(&self) -> Pose<T> {
+        Pose { origin: self.origin.map(|x| x.value), axis: self.axis.map(|x| x.value) }
+    }
     /// Rate and second derivative of the angle of the axis, counter-clockwise positive.
     pub fn turn(&self) -> (T, T) {
         let [c, s] = self.axis;
@@ -267,7 +279,7 @@ pub struct Layout<'a, T: Real> {
     n: &'a Numbers<'a, T>,
     lead: usize,
     start: Half<T>,
-    /// For each joint: the direction of its line; zero where it has none.
+    /// For each joint: the direction of its line, seen from the axis of the body that carries it; zero where it has none.
     pub lines: SmallVec<[[T; 2]; 4]>,
     /// For each force: its direction, in space or from the axis of its body.
     pub pushes: SmallVec<[[T; 2]; 2]>,
@@ -357,6 +369,9 @@ enum Step<T> {
     Orbits(Held<T>, T, [T; 2]),
     /// Another point of it is guided, on this side.
     Rod(Held<T>, Guided<T>, f64),
+    /// A line of it goes through a known place: its direction from the axis, how far that place is to its left of where the body is
+    /// held, and on this side.
+    Slot(Held<T>, Known<T>, ([T; 2], T), f64),
     /// It is hinged to a second rod, at these distances of the hinge from where they are held, on this side.
     Pair(Held<T>, usize, Held<T>, [[T; 2]; 2], f64),
 }
@@ -374,6 +389,9 @@ impl<T: Real> Step<T> {
                 (Self::Slides([one, other], -branch), at)
             }
             Self::Rod(held, guide, branch) => (Self::Rod(held, guide, -branch), guide.at),
+            Self::Slot(held, through, line, branch) => {
+                (Self::Slot(held, through, line, -branch), plus(held.at, line.0))
+            }
             Self::Pair(held, other, far, own, branch) => {
                 (Self::Pair(held, other, far, own, -branch), plus(held.at, own[0]))
             }
@@ -504,13 +522,7 @@ impl<'a, T: Real> Layout<'a, T> {
     pub fn new(scene: &'a Scene, n: &'a Numbers<'a, T>) -> Option<Self> {
         let lead = scene.lead()?;
         let none = [T::zero(); 2];
-        let line = |kind: &JointKind| match *kind {
-            JointKind::Guide { direction_deg, .. }
-            | JointKind::Contact { surface: Surface::Line { direction_deg, .. }, .. } => {
-                direction(n, direction_deg)
-            }
-            _ => none,
-        };
+        let line = |kind: &JointKind| kind.line().map_or(none, |line| direction(n, line.direction_deg));
         let leads = |(joint, j): (usize, &Joint)| {
             let first = j.kind.spots().next().filter(|at| at.body == lead && scene.leads_on_arc(joint));
             first.and_then(|_| Arc::of(scene, n, joint))
@@ -537,7 +549,7 @@ impl<'a, T: Real> Layout<'a, T> {
                 let from =
                     |at: Spot, place| less(first[at.body].point(of_spot(scene, n, at)), ground(n, place));
                 layout.starts[j] = match joint.kind {
-                    JointKind::Contact { at, surface: Surface::Line { through_m, .. }, .. } => {
+                    JointKind::Contact { at, surface: Surface::Line(Straight { through_m, .. }), .. } => {
                         dot(from(at, through_m), layout.lines[j])
                     }
                     JointKind::Cord { at, place_m, .. } => {
@@ -566,7 +578,9 @@ impl<'a, T: Real> Layout<'a, T> {
         let held = Planner { layout: self, at_start: true, placed, steps: Steps::new() }.held(self.lead);
         // The direction of each guide, and how much the way bends there to its left: across a cord about its fixed end.
         let mut lines = self.scene.joints.iter().enumerate().filter_map(|(j, joint)| match joint.kind {
-            JointKind::Guide { at, .. } if at.body == self.lead => Some((self.lines[j], T::zero())),
+            JointKind::Guide { at, line: Straight { on: None, .. }, .. } if at.body == self.lead => {
+                Some((self.lines[j], T::zero()))
+            }
             JointKind::Cord { at, place_m, .. } if at.body == self.lead => {
                 let near = self.first.as_ref()?[at.body].point(of_spot(self.scene, self.n, at));
                 let per = T::of(1.0) / self.starts[j];
@@ -727,10 +741,12 @@ impl<'a, T: Real> Layout<'a, T> {
     /// the length that it has at the start. There a joint must leave a body where it is said to be placed.
     pub fn parted(&self, poses: &Poses<T>, at_start: bool) -> Option<(usize, f64)> {
         let place = |spot: Spot| poses[spot.body].point(of_spot(self.scene, self.n, spot));
-        let aside = |line: [T; 2], at, through| dot(left(line), less(place(at), ground(self.n, through)));
+        let aside = |j: usize, at, line: Straight| {
+            let through = line.on.map_or_else(|| ground(self.n, line.through_m), place);
+            dot(left(self.line(j, poses)), less(place(at), through))
+        };
         let size = size(self.scene, self.n);
-        let parts = self.scene.joints.iter().zip(&self.lines).enumerate();
-        let parts = parts.map(|(j, (joint, line))| match joint.kind {
+        let parts = self.scene.joints.iter().enumerate().map(|(j, joint)| match joint.kind {
             JointKind::Pin { at, place_m } => off(place(at), ground(self.n, place_m)),
             JointKind::Hinge { one, other, turned_deg } => {
                 let turned = turned_deg.map_or(0.0, |by| {
@@ -739,9 +755,9 @@ impl<'a, T: Real> Layout<'a, T> {
                 });
                 off(place(one), place(other)) + turned
             }
-            JointKind::Guide { at, through_m, .. } => aside(*line, at, through_m).size(),
-            JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
-                (aside(*line, at, through_m) - self.n.get(radius_m)).size()
+            JointKind::Guide { at, line, .. } => aside(j, at, line).size(),
+            JointKind::Contact { at, radius_m, surface: Surface::Line(line), .. } => {
+                (aside(j, at, line) - self.n.get(radius_m)).size()
             }
             JointKind::Contact { at, surface: Surface::Arc { centre_m: middle, .. }, .. }
             | JointKind::Cord { at, place_m: middle, .. } => {
@@ -770,17 +786,21 @@ impl<'a, T: Real> Layout<'a, T> {
             _ => None,
         }
     }
-    /// How a body touches the surface of a joint with its centre at this place.
-    pub fn touch(&self, joint: usize, centre: [T; 2]) -> Option<Touch<T>> {
-        let JointKind::Contact { radius_m, surface, teeth, .. } = self.scene.joints[joint].kind else {
-            return None;
-        };
+    /// The direction of the line of a joint.
+    pub fn line<X: Followed<T>>(&self, joint: usize, poses: &Poses<X>) -> [X; 2] {
+        let unit = self.lines[joint];
+        match self.scene.joints[joint].kind.carrier() {
+            Some(on) => from_origin(poses[on.body].axis, unit),
+            None => fixed(unit),
+        }
+    }
+    /// How a body touches the surface of a joint with its centre at this place; `line` is the direction of a straight one.
+    pub fn touch(&self, joint: usize, centre: [T; 2], line: [T; 2]) -> Option<Touch<T>> {
+        let kind = &self.scene.joints[joint].kind;
+        let ((_, radius_m, surface), [_, teeth]) = (kind.surface()?, kind.rolls());
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
-            Surface::Line { .. } => {
-                let [c, s] = self.lines[joint];
-                ([-s, c], T::zero(), own)
-            }
+            Surface::Line(_) => (left(line), T::zero(), own),
             Surface::Arc { centre_m, radius_m, inside } => {
                 // A hoop hangs on its inner side.
                 let radius = if inside && self.n.get(radius_m).below(own) { -own } else { own };
@@ -1007,6 +1027,14 @@ impl<'a, T: Real> Layout<'a, T> {
                     None => toward(way, reach, guide.unit, branch * reach.sign()),
                 };
                 Pose::through(axis_of(along, apart), held.at, place)
+            }
+            Step::Slot(held, through, (unit, aside), branch) => {
+                let place = place(held, poses);
+                let way = less(through.among(poses), place);
+                let square = dot(way, way);
+                let ahead = open(square, X::still(aside.square())).square_root().by(T::of(*branch));
+                let line = less(scaled(way, ahead), times(left(way), *aside)).map(|x| x / square);
+                Pose::through(from_origin(line, [unit[0], -unit[1]]), held.at, place)
             }
             Step::Pair(held, other, far, [own, other_own], branch) => {
                 let (first, second) = (reach(*own), reach(*other_own));

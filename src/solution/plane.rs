@@ -6,8 +6,8 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Rest,
-    RotaryInertia, Spot, Strut, StrutEnd, Surface,
+    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Ray, Rest,
+    RotaryInertia, Spot, Straight, Strut, StrutEnd, Surface,
 };
 use crate::solution::account::{START_NAMES, of_body, stored};
 use crate::solution::asked;
@@ -303,6 +303,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// Reads the scene.
     pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
         let Some(lead) = draft.scene.lead() else { return unfound() };
+        let carriers = draft.scene.joints.iter().filter_map(|j| j.kind.carrier());
+        if carriers.into_iter().any(|on| draft.scene.bodies[on.body].turns) {
+            return Err(Beyond::Mechanism.into());
+        }
         let g = terms::gravity(draft);
         let carrier = Carrying::of(draft);
         let mut page = Page::new(draft);
@@ -400,7 +404,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn glide_to(&mut self, i: usize) -> Option<Expr> {
         let (speed, [c, s]) = (self.glides.clone()?, self.gliding()?);
         let guide = self.scene.joints.iter().find_map(|j| match j.kind {
-            JointKind::Guide { direction_deg, .. } => Some(direction_deg),
+            JointKind::Guide { line: Straight { direction_deg, .. }, .. } => Some(direction_deg),
             _ => None,
         })?;
         let unit = self.direction(guide);
@@ -624,6 +628,18 @@ impl<'d, 'a> Plane<'d, 'a> {
         [cosine(&angle), sine(angle)].map(|e| e.factors())
     }
 
+    /// The direction of a line, which a body that does not turn may carry.
+    fn line(&mut self, line: Straight) -> [Factors; 2] {
+        let [c, s] = self.direction(line.direction_deg);
+        let ray = line.on.and_then(|on| self.scene.planar(on.body)).map(|planar| planar.from);
+        match ray.unwrap_or(Ray::Right) {
+            Ray::Right => [c, s],
+            Ray::Up => [s.opposite(), c],
+            Ray::Left => [c.opposite(), s.opposite()],
+            Ray::Down => [s, c.opposite()],
+        }
+    }
+
     // -- places ---------------------------------------------------------------------------------------------------------
 
     fn add_turn(&mut self, body: usize, at: [Expr; 2], rate: [Expr; 2]) -> usize {
@@ -753,15 +769,15 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point, [Factors; 2])> {
         let scene = self.scene;
         let mut all = Vec::new();
-        for joint in &scene.joints {
+        for joint in scene.joints.iter().filter(|j| j.kind.carrier().is_none()) {
             let (at, through, unit) = match joint.kind {
-                JointKind::Guide { at, through_m, direction_deg, .. } => {
+                JointKind::Guide { at, line: Straight { through_m, direction_deg, .. }, .. } => {
                     (at, self.ground(through_m), self.direction(direction_deg))
                 }
                 JointKind::Contact {
                     at,
                     radius_m,
-                    surface: Surface::Line { through_m, direction_deg },
+                    surface: Surface::Line(Straight { through_m, direction_deg, .. }),
                     ..
                 } => {
                     let unit = self.direction(direction_deg);
@@ -794,7 +810,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             JointKind::Contact {
                 at,
                 radius_m,
-                surface: Surface::Line { through_m, direction_deg },
+                surface: Surface::Line(Straight { on: None, through_m, direction_deg }),
                 rolls: true,
                 ..
             } if at.body == body => Some((
@@ -1596,9 +1612,9 @@ impl<'d, 'a> Plane<'d, 'a> {
                         self.holds.push(Hold::of(j, couple, both.collect()));
                     }
                 }
-                JointKind::Guide { at, direction_deg, mu_k, .. } => {
+                JointKind::Guide { at, line, mu_k, .. } => {
                     let force = named(self, ["N", "J"], "");
-                    let line = self.direction(direction_deg);
+                    let line = self.line(line);
                     self.add_hold(j, force, &[(at, vector(&left(&line)))], None);
                     if let Some(mu) = mu_k {
                         self.rub(j, at, &line, mu, force);
@@ -1654,7 +1670,7 @@ impl<'d, 'a> Plane<'d, 'a> {
     ) {
         let own = self.number(radius_m, "r", "m").factors();
         let (normal, bend, radius): (Vector, Option<Factors>, Factors) = match surface {
-            Surface::Line { direction_deg, .. } => (vector(&left(&self.direction(direction_deg))), None, own),
+            Surface::Line(line) => (vector(&left(&self.line(line))), None, own),
             Surface::Arc { centre_m, radius_m: arc, inside } => {
                 let arc = self.number(arc, "R", "m").factors();
                 let apart = self.apart(&own, &arc, inside);
@@ -1683,8 +1699,8 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.add_hold(joint, force, &[(at, along)], None);
             let turn = Sum::one(&radius);
             if let Some(hold) = self.holds.last_mut() {
-                for pull in &mut hold.pulls {
-                    pull.turn = pull.turn.plus(&turn);
+                for (pull, sense) in hold.pulls.iter_mut().zip([1, -1]) {
+                    pull.turn = pull.turn.plus(&turn.signed(sense));
                 }
             }
         }
@@ -1707,6 +1723,10 @@ impl<'d, 'a> Plane<'d, 'a> {
                 inward = inward.plus(&product(&v, &v).times(toward));
             }
         }
+        if let (Some(on), [(at, u)]) = (self.scene.joints[joint].kind.carrier(), ends) {
+            let (point, back) = (self.spot(*at), u.each_ref().map(|x| x.signed(-1)));
+            pulls.push(self.pull(on.body, &point, force.factors(), back));
+        }
         self.holds.push(Hold { joint, unknown: force, pulls, inward, given: ZERO });
     }
 
@@ -1724,7 +1744,12 @@ impl<'d, 'a> Plane<'d, 'a> {
         let sense = if way < 0.0 { -1 } else { 1 };
         let along = line.each_ref().map(|f| Sum::one(f.signed(sense)));
         let point = self.spot(at);
-        self.add_pull(at.body, &point, mu.factors().times(normal), along);
+        let size = mu.factors().times(normal);
+        if let Some(on) = self.scene.joints[joint].kind.carrier() {
+            let back = along.each_ref().map(|x| x.signed(-1));
+            self.add_pull(on.body, &point, size.clone(), back);
+        }
+        self.add_pull(at.body, &point, size, along);
         let name = tagged("F", &names::joint(self.scene, joint));
         let force = self.named(&[&name], "N");
         self.frictions.push((joint, force, in_sense(mu * normal, f64::from(sense) * up)));
@@ -1948,7 +1973,9 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
         let scene = self.scene;
         scene.joints.iter().find_map(|j| match j.kind {
-            JointKind::Guide { at, direction_deg, .. } if at.body == body && !scene.bodies[body].turns => {
+            JointKind::Guide { at, line: Straight { direction_deg, .. }, .. }
+                if at.body == body && !scene.bodies[body].turns =>
+            {
                 Some(self.direction(direction_deg))
             }
             _ => None,

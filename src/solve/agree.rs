@@ -114,7 +114,7 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
     let (regime, mut checks, words) = physical::judge_road(scene, &road);
-    // A force that was measured to be 0 is at its limit: rounding does not decide whether it presses.
+    // A force that was measured to be 0 is at its limit, and meant to be: no margin keeps it from there.
     let nothing = |label: Label| entries.iter().any(|e| e.label == label && e.value() == 0.0);
     if let Some(found) =
         scene.formulas.found.filter(|f| f.label.quantity == Quantity::Normal && nothing(f.label))
@@ -124,7 +124,7 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Ref
             matches!(c.kind, CheckKind::Pressed | CheckKind::Taut) && of(c) == found.label.of
         };
         for check in checks.iter_mut().filter(presses) {
-            *check = Check { ok: true, available: 0.0, margin: 0.0, ..*check };
+            *check = Check { ok: true, available: 0.0, margin: f64::INFINITY, ..*check };
         }
     }
     let next = scene.formulas.others.iter().find(|(how, _)| *how == AsIf::Next);

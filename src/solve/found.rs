@@ -41,7 +41,7 @@ fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
 /// # Errors
 /// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
 pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Result<Road<T>, Refusal> {
-    let root = search(found, data, forward).ok_or(Refusal::NotFound)?;
+    let root = search(found, data, forward).ok_or_else(|| nowhere(found, data, forward))?;
     let mut at = data.to_vec();
     let unknown = found.unknown.datum;
     if T::ENCLOSES {
@@ -69,6 +69,19 @@ pub fn road<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Resul
     };
     near.said.iter_mut().for_each(correct);
     Ok(near)
+}
+
+/// Why no value is found: what the road refuses alike at both ends of the range and between them has nothing to do with it.
+fn nowhere<T: Real>(found: &Found, data: &[f64], forward: &Forward<T>) -> Refusal {
+    let [low, high] = found.range;
+    let [one, middle, other] = [low, f64::midpoint(low, high), high].map(|x| {
+        let mut at = data.to_vec();
+        at[found.unknown.datum] = x;
+        (forward.rough)(&at, Scope::only([found.label.quantity])).err()
+    });
+    let alike = |why: &Option<Refusal>| why.as_ref().map(std::mem::discriminant);
+    one.filter(|why| [&middle, &other].into_iter().all(|w| alike(w) == Some(std::mem::discriminant(why))))
+        .unwrap_or(Refusal::NotFound)
 }
 
 /// The root to a few units of doubles, in the first place of the range where the sign changes.

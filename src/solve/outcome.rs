@@ -518,6 +518,24 @@ pub fn unplaced(scene: &Scene, body: usize) -> Refusal {
     }
 }
 
+/// The senses in which points slide, with those of points that only the friction of others sets off; `None` where it sets off none.
+pub fn set_off(slides: &[f64], now: &[f64]) -> Option<SmallVec<[f64; 4]>> {
+    let both = || slides.iter().zip(now);
+    let more = both().any(|(before, now)| *before == 0.0 && *now != 0.0);
+    more.then(|| both().map(|(before, now)| if *before == 0.0 { *now } else { *before }).collect())
+}
+
+/// Friction that would turn a sliding about holds everything at rest. Errors: it holds a point that another body carries, or one
+/// beside others that slide.
+pub fn holds_still(scene: &Scene, slides: &[f64], now: &[f64]) -> Result<(), Refusal> {
+    let carried = |joint: &Joint| joint.kind.rubs().is_some() && joint.kind.carrier().is_some();
+    let goes_on = slides.iter().zip(now).any(|(before, now)| *before != 0.0 && before == now);
+    if goes_on || scene.joints.iter().any(carried) {
+        return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
+    }
+    Ok(())
+}
+
 /// Friction has a sense only where a point slides. Errors: one that rubs is at rest in its guide.
 pub fn all_slide(scene: &Scene, slides: &[f64]) -> Result<(), Refusal> {
     let stuck = |(joint, sense): (&Joint, &f64)| joint.kind.rubs().is_some() && *sense == 0.0;

@@ -3,7 +3,7 @@ use crate::num::plant;
 use crate::scene::{
     Acts, Attach, Body, Carrier, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, GivenForce,
     Growth, Joint, JointKind, Law, Line, Made, Mass, Num, Particle, Place, Planar, Push, Ray, Rest,
-    RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Strut, StrutEnd, Surface, Tie,
+    RotaryInertia, Scene, Side, Slope, Span, Spot, Start, Straight, Strut, StrutEnd, Surface, Tie,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -107,12 +107,14 @@ fn spot(body: usize, point: usize) -> Spot {
     Spot { body, point }
 }
 
+fn line(on: Option<Spot>, direction: f64) -> Straight {
+    Straight { on, through_m: [f(0.0), f(0.0)], direction_deg: f(direction) }
+}
+
 fn guide(at: Spot, direction: f64, mu_k: Option<f64>) -> Joint {
-    let through_m = [f(0.0), f(0.0)];
     joint(JointKind::Guide {
         at,
-        through_m,
-        direction_deg: f(direction),
+        line: line(None, direction),
         reversed: false,
         one_sided: false,
         mu_k: mu_k.map(f),
@@ -209,6 +211,39 @@ fn rolling(surface: Surface, start: f64, spin: f64, end: f64) -> Scene {
     let turn = Coordinate { body: 0, degree: Degree::Turn };
     scene.start.extend((spin != 0.0).then_some(Start::Speed(turn, f(spin))));
     scene.end = End::Angle(turn, f(end));
+    scene
+}
+
+/// A wheel on a bar that turns about a pin, and a bead that rubs on it.
+fn on_a_bar() -> Scene {
+    let bar = line(Some(spot(1, 0)), 0.0);
+    let mut scene = rolling(Surface::Line(bar), 70.0, 0.0, 0.0);
+    let mut bead = rod("bead", None);
+    (bead.inertia, bead.turns) = (None, false);
+    scene.bodies.extend([rod("bar", Some(20.0)), bead]);
+    let (s, c) = 20.0_f64.to_radians().sin_cos();
+    for (body, [along, aside]) in [(0, [0.7, 0.4]), (2, [0.3, 0.0])] {
+        if let Some(planar) = &mut scene.bodies[body].planar {
+            planar.origin_m = Some([f(along * c - aside * s), f(along * s + aside * c)]);
+        }
+    }
+    scene.joints.push(joint(JointKind::Pin { at: spot(1, 0), place_m: [f(0.0), f(0.0)] }));
+    let bead =
+        JointKind::Guide { at: spot(2, 0), line: bar, reversed: false, one_sided: false, mu_k: Some(f(0.1)) };
+    scene.joints.push(joint(bead));
+    scene.end = End::AtOnce;
+    scene
+}
+
+/// A crank whose end slides in the slot of an arm about a pin.
+fn slotted() -> Scene {
+    let mut scene = scene(vec![rod("crank", Some(70.0)), rod("arm", None)], Vec::new(), 1.0);
+    let pin = |body, place: [f64; 2]| joint(JointKind::Pin { at: spot(body, 0), place_m: place.map(f) });
+    scene.joints = vec![pin(0, [0.0, 0.0]), pin(1, [0.2, -1.5]), guide(spot(0, 2), 0.0, None)];
+    if let JointKind::Guide { line, .. } = &mut scene.joints[2].kind {
+        line.on = Some(spot(1, 0));
+    }
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(45.0));
     scene
 }
 
@@ -455,11 +490,13 @@ fn joined() -> Vec<(&'static str, Scene)> {
         ("rod in two guides at rest", Scene { end: End::Equilibrium, ..guided(None, 38.0) }),
         ("two rods welded together", welded()),
         ("wheel off its centre rolls", {
-            let slope = Surface::Line { through_m: [f(0.0), f(0.0)], direction_deg: f(-10.0) };
+            let slope = Surface::Line(line(None, -10.0));
             rolling(slope, 20.0, -5.0, -50.0)
         }),
         ("wheel off its centre rolls on a cylinder", rolling(cylinder(0.7, false), 70.0, -2.0, 60.0)),
         ("wheel rolls off a cylinder from rest", rolling(cylinder(0.7, false), 70.0, 0.0, 60.0)),
+        ("wheel and bead on a bar that turns", on_a_bar()),
+        ("crank in a slotted arm", slotted()),
         ("hoop on a peg", rolling(cylinder(0.15, true), -70.0, -5.0, -100.0)),
     ]
 }

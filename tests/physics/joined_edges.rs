@@ -4,7 +4,7 @@ use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
 use slipstick::scene::pose::{self, Layout};
-use slipstick::scene::{JointKind, Numbers, Spot};
+use slipstick::scene::{JointKind, Numbers, Spot, Straight};
 use slipstick::solve::agree;
 use slipstick::solve::outcome::{CheckKind, Refusal, Unsupported};
 use std::path::Path;
@@ -546,7 +546,7 @@ fn every_joint_of_every_scene_holds() {
                     let (to, from, normal) = match joint.kind {
                         JointKind::Pin { at, place_m } => (place(at), pose::ground(&numbers, place_m), None),
                         JointKind::Hinge { one, other, .. } => (place(one), place(other), None),
-                        JointKind::Guide { at, through_m, direction_deg, .. } => {
+                        JointKind::Guide { at, line: Straight { through_m, direction_deg, .. }, .. } => {
                             let [c, s] = pose::direction(&numbers, direction_deg);
                             (place(at), pose::ground(&numbers, through_m), Some([-s, c]))
                         }

@@ -32,6 +32,7 @@ mod lagrange;
 mod limits;
 mod links;
 mod meshes;
+mod moving_lines;
 mod next;
 mod pinned_bits;
 mod pinned_draws;

@@ -863,6 +863,13 @@ fn a_force_may_be_measured_to_be_nothing() {
         assert_eq!(ran.exit, Exit::Fine, "{mass}: {}{}", ran.out, ran.err);
         assert!(ran.out.contains("2.94300000000"), "{}", ran.out);
     }
+    // Why no value leads there has nothing to do with the value.
+    fs::write(room.path("bank.yaml"), crate_on("40").replace("at: [-0.3 m, 0 m]", "at: [0 m, 0 m]")).unwrap();
+    let ran = room.run(&["solve", &room.path("bank.yaml"), "p"]);
+    assert!(ran.err.contains("cannot be met") && !ran.err.contains("in its range"), "{}", ran.err);
+    // What is meant to be at its limit has no margin from it.
+    let told = room.lint(&crate_on("40"));
+    assert!(told.contains("100 %"), "{told}");
 }
 
 /// What an instructor is told of questions the other way round, of units within an expression, and of coefficients.
@@ -895,6 +902,21 @@ fn what_misled_an_instructor_is_told_plainly() {
     assert!(told.contains(text), "{told}");
     let told = block("5 kg*(x^2/2)", "rolls: {body: b, on its: rim}");
     assert!(told.contains("hint: a number within an expression has no unit"), "{told}");
+    let told = room.lint(&constant(
+        "deg, draw: always 30",
+        "bodies: {rod: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane, angle: from hanging}}\njoints: {O: {pins: rod.A}}\n\
+         start: {rod: {angle: 0 deg}}\nend: {angle: {of: rod, reaches: 90 deg - x}}",
+        "{value: x, ask: the angle, unit: '1'}",
+    ));
+    assert!(told.contains("angles count in radians there, as `pi/2 - x`"), "{told}");
+    let told = room.lint(&constant(
+        "N*s, draw: always 2",
+        "bodies: {rod: {mass: 3 kg, shape: {rod: 1 m}, moves: in the plane}, bullet: {mass: 1 kg, moves: in the plane}}\n\
+         joints: {O: {pins: rod.A}, P: {welds: [rod.B, bullet]}}\n\
+         forces: [impulse: {on: rod.B, magnitude: x, direction: right}]\nstart: {rod: {angle: 0 deg}}\nend: at once",
+        "{quantity: rod.omega, ask: the angular speed, unit: rad/s}",
+    ));
+    assert!(told.contains("a particle is stuck on with `hinges`"), "{told}");
 }
 
 /// What was told of these scenes was no help, or was wrong: a drive of 0 times what holds, an angle with the other sign, a constant that

@@ -68,9 +68,10 @@ impl SceneReader<'_> {
         match measure::constant(text, need.unit) {
             Ok(value) => self.constant(node, text, value, need),
             Err(message) => {
-                let hint = match WHOLE && text.contains('(') {
+                let hint = match WHOLE && (text.contains('(') || text.contains(" - ") || text.contains(" + "))
+                {
                     true => told!(
-                        "a number within an expression has no unit: make it a datum and write its symbol"
+                        "a number within an expression has no unit: make it a datum and write its symbol; angles count in radians there, as `pi/2 - x`"
                     ),
                     false => told!("{} is written like `{}`", need.words, need.example),
                 };

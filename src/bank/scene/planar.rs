@@ -4,8 +4,8 @@ use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
 use crate::finding::{only_told, told};
 use crate::scene::{
-    Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Strut, StrutEnd,
-    Surface, on_axis,
+    Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Straight, Strut,
+    StrutEnd, Surface, on_axis,
 };
 use crate::units::spell;
 
@@ -212,7 +212,7 @@ impl SceneReader<'_> {
                     return self.faults.refuse(node, "a hinge or a weld joins two bodies");
                 }
                 if welded && ![one, other].iter().all(|spot| bodies[spot.body].turns) {
-                    let hint = "give both a shape or another inertia";
+                    let hint = "give both a shape or another inertia; a particle is stuck on with `hinges`";
                     return self.faults.refuse_with(node, "a weld joins bodies that turn", hint);
                 }
                 let turned_deg = turned?.or(welded.then_some(Num::Fixed(0.0)));
@@ -242,8 +242,9 @@ impl SceneReader<'_> {
             }
             None => Some(Num::Fixed(0.0)),
         };
-        let [outside, inside, along] = fields.each(["outside", "inside", "along"]);
-        let surface = match (outside, inside, along) {
+        let [outside, inside, along, on] = fields.each(["outside", "inside", "along", "on"]);
+        let mu_k = if rolls { Some(None) } else { self.optional(fields, "mu_k", Need::FRICTION) };
+        let surface = match (outside, inside, on.or(along)) {
             (Some(n), None, None) | (None, Some(n), None) => {
                 let centre = self.ground(fields.get("axis"));
                 let arc = self.number(n, Need::RADIUS);
@@ -252,19 +253,40 @@ impl SceneReader<'_> {
                     Surface::Arc { centre_m, radius_m, inside }
                 })
             }
-            (None, None, Some(n)) => {
-                let through = self.ground(fields.get("through"));
-                through
-                    .zip(self.direction(n, &LINES))
-                    .map(|(through_m, direction_deg)| Surface::Line { through_m, direction_deg })
-            }
+            (None, None, Some(_)) => self.straight((on, along), fields, bodies).map(Surface::Line),
             _ => f.refuse_with(
                 node,
                 "it has to say on what it rolls or slides",
-                "`along: horizontal` or an angle for a plane, `outside: R` or `inside: R` for a cylinder",
+                "`along: horizontal` or an angle for a plane, `outside: R` or `inside: R` for a cylinder, `on: cart.A` for a body",
             ),
         };
-        Some(JointKind::Contact { at: at?, radius_m: radius?, surface: surface?, rolls, teeth })
+        let (at, radius_m, surface, mu_k) = (at?, radius?, surface?, mu_k?);
+        match (surface, mu_k) {
+            (_, None) => Some(JointKind::Contact { at, radius_m, surface, rolls, teeth }),
+            (Surface::Line(line), _) if radius_m == Num::Fixed(0.0) => {
+                Some(JointKind::Guide { at, line, reversed: false, one_sided: true, mu_k })
+            }
+            _ => f.refuse_with(
+                node,
+                "only a point rubs, on a straight line",
+                "remove `mu_k`, or let a point of the body slide without `radius`",
+            ),
+        }
+    }
+
+    /// A straight line: fixed in space, or in a body through one of its points, with its direction from the axis of that.
+    fn straight(
+        &self,
+        (on, along): (Option<&Node>, Option<&Node>),
+        fields: &mut Fields,
+        bodies: &[Body],
+    ) -> Option<Straight> {
+        let direction_deg = along.map_or(Some(Num::Fixed(0.0)), |n| self.direction(n, &LINES));
+        let (on, through) = match on {
+            Some(n) => (Some(self.spot(n, bodies)?), None),
+            None => (None, fields.get("through")),
+        };
+        Some(Straight { on, through_m: self.ground(through)?, direction_deg: direction_deg? })
     }
 
     /// A direction, in one of these words or as an angle.
@@ -279,17 +301,17 @@ impl SceneReader<'_> {
     fn guide(&self, node: &Node, fields: &mut Fields, bodies: &[Body]) -> Option<JointKind> {
         let f = self.faults;
         let at = self.spot(node, bodies);
-        let through = self.ground(fields.get("through"));
-        let along_node = fields.need("along", "horizontal");
-        let along = along_node.and_then(|n| self.direction(n, &LINES));
+        let on = fields.get("on");
+        let along_node = if on.is_some() { fields.get("along") } else { fields.need("along", "horizontal") };
+        let mut line = self.straight((on, along_node), fields, bodies)?;
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
-        let (mut direction_deg, mut reversed) = (along?, false);
+        let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
-            match (direction_deg, pushes) {
+            match (line.direction_deg, pushes) {
                 (Num::Fixed(d), pushes) => {
                     let (sine, cosine) = crate::num::trig::sin_cos_degrees(d);
                     let [x, y] = pushes.components();
@@ -298,7 +320,7 @@ impl SceneReader<'_> {
                         let hint = "a level line pushes up or down, a vertical one right or left";
                         f.hint(node, "the line cannot push that way", hint);
                     } else if along_push < 0.0 {
-                        direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
+                        line.direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
                         reversed = true;
                     }
                 }
@@ -315,8 +337,8 @@ impl SceneReader<'_> {
             }
         }
         let one_sided = pushes.is_some();
-        let (at, through_m, mu_k) = (at?, through?, mu_k?);
-        Some(JointKind::Guide { at, through_m, direction_deg, reversed, one_sided, mu_k })
+        let (at, mu_k) = (at?, mu_k?);
+        Some(JointKind::Guide { at, line, reversed, one_sided, mu_k })
     }
 
     /// A force on a point of a body in the plane, or a blow.

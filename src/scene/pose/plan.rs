@@ -2,10 +2,10 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::pose::{
-    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, less,
-    of_spot, off, parallel,
+    Arc, Guided, Held, Known, Layout, MET, Pose, Step, Steps, Track, axis, direction, dot, ground, left,
+    less, of_spot, off, parallel,
 };
-use crate::scene::{Branch, JointKind, Planar, Spot, Surface, pose};
+use crate::scene::{Branch, JointKind, Planar, Spot, Straight, Surface, pose};
 use smallvec::SmallVec;
 
 /// Where a body lies by default, and the other side.
@@ -54,15 +54,16 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
     fn guided(&self, body: usize) -> impl Iterator<Item = Guided<T>> {
         let joints = self.layout.scene.joints.iter().zip(&self.layout.lines).enumerate();
         joints.filter_map(move |(j, (joint, unit))| {
-            let (at, through) = match joint.kind {
-                JointKind::Cord { at, place_m, .. } if !self.at_start => (at, ground(self.layout.n, place_m)),
-                JointKind::Guide { at, through_m, .. } => (at, ground(self.layout.n, through_m)),
-                // The centre of a wheel is a radius off the line.
-                JointKind::Contact { at, radius_m, surface: Surface::Line { through_m, .. }, .. } => {
+            let (at, through) = match (joint.kind, joint.kind.surface()) {
+                (JointKind::Cord { at, place_m, .. }, _) if !self.at_start => {
+                    (at, ground(self.layout.n, place_m))
+                }
+                // The centre of a wheel is a radius off the line. One that another body carries has no place yet.
+                (_, Some((at, radius_m, Surface::Line(Straight { on: None, through_m, .. })))) => {
                     let ([x, y], radius) = (ground(self.layout.n, through_m), self.layout.n.get(radius_m));
                     (at, [x - unit[1] * radius, y + unit[0] * radius])
                 }
-                JointKind::Contact { at, rolls: false, surface: Surface::Arc { centre_m, .. }, .. } => {
+                (JointKind::Contact { rolls: false, .. }, Some((at, _, Surface::Arc { centre_m, .. }))) => {
                     (at, ground(self.layout.n, centre_m))
                 }
                 _ => return None,
@@ -100,7 +101,7 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             JointKind::Contact {
                 at,
                 radius_m,
-                surface: Surface::Line { through_m, .. },
+                surface: Surface::Line(Straight { on: None, through_m, .. }),
                 rolls: true,
                 ..
             } if at.body == body => {
@@ -220,6 +221,17 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         })
     }
 
+    /// How a body is placed on a line of which a body slides or rolls that has a place.
+    fn slotted(&self, body: usize, held: Held<T>) -> Option<Step<T>> {
+        self.layout.scene.joints.iter().zip(&self.layout.lines).find_map(|(joint, unit)| {
+            let (at, radius, Surface::Line(line)) = joint.kind.surface()? else { return None };
+            let on = line.on.filter(|on| on.body == body && self.placed[at.body])?;
+            let aside = dot(left(*unit), less(self.spot(on), held.at)) + self.layout.n.get(radius);
+            let through = Known::Of(at.body, self.spot(at));
+            self.sided(body, SIDES.map(|side| Step::Slot(held, through, (*unit, aside), side)))
+        })
+    }
+
     /// How a body is placed beside those that have a place, if its joints do.
     pub fn follow(&self, body: usize) -> Option<Step<T>> {
         let planar = self.planar(body)?;
@@ -228,17 +240,17 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             return Some(step);
         }
         let held = self.held(body);
+        let place = || Some(Known::Fixed(ground(self.layout.n, planar.origin_m.filter(|_| self.at_start)?)));
+        let placed = || Some(Held { at: [T::zero(); 2], place: place()? });
         if !scene.bodies[body].turns {
-            return Some(Step::Still(held?, planar.from.components().map(T::of)));
+            return Some(Step::Still(held.or_else(placed)?, planar.from.components().map(T::of)));
         }
         let start = || {
             axis(planar, &Half::of_degrees(planar.start_deg.map_or_else(T::zero, |x| self.layout.n.get(x))))
         };
         if self.at_start && planar.start_deg.is_some() {
             // What leads elsewhere moves it: its own angle is known at the start alone.
-            let place = || Some(Known::Fixed(ground(self.layout.n, planar.origin_m?)));
-            let held = held.or_else(|| Some(Held { at: [T::zero(); 2], place: place()? }))?;
-            return Some(Step::Still(held, start()));
+            return Some(Step::Still(held.or_else(placed)?, start()));
         }
         let held = held?;
         if let Some(track) = self.rolls(body)
@@ -256,6 +268,9 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
         }
         if let Some(guide) = self.guided(body).next() {
             return self.sided(body, SIDES.map(|side| Step::Rod(held, guide, side)));
+        }
+        if let Some(step) = self.slotted(body, held) {
+            return Some(step);
         }
         // The other rod of the pair, where both are hinged, and where that one is held.
         scene.joints.iter().find_map(|joint| {

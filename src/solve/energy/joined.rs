@@ -69,10 +69,7 @@ impl<T: Real> Between<'_, T> {
         if let Some((_, pose)) = self.swung.as_ref().filter(|(lead, _)| *lead == body) {
             return pose.point(at);
         }
-        let [from, to] = [self.from, self.to].map(|poses| {
-            let Pose { origin, axis } = &poses[body];
-            Pose { origin: origin.map(|x| x.value), axis: axis.map(|x| x.value) }.point(at)
-        });
+        let [from, to] = [self.from, self.to].map(|poses| poses[body].here().point(at));
         [to[0] - from[0], to[1] - from[1]]
     }
 }
@@ -419,12 +416,17 @@ impl<'a, T: Real> Account<'a, T> {
 
     /// For each joint: in which sense its point slides in a guide that rubs, by a motion.
     fn sliding(&self, poses: &Poses<T>, motion: &Motion<T>) -> SmallVec<[f64; 4]> {
-        let sense = |(joint, u): (&Joint, &Vector<T>)| {
+        let sense = |(j, joint): (usize, &Joint)| {
             let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
-            let v = self.of_spot(poses, motion, at);
-            (v[0] * u[0]).balance(v[1] * u[1]).sign()
+            let (u, v) = (self.line(poses, j), self.of_spot(poses, motion, at));
+            let from = joint.kind.carrier().map_or([T::zero(); 2], |on| self.of_spot(poses, motion, on));
+            (v[0].balance(-from[0]) * u[0]).balance(v[1].balance(-from[1]) * u[1]).sign()
         };
-        self.scene.joints.iter().zip(&self.layout.lines).map(sense).collect()
+        self.scene.joints.iter().enumerate().map(sense).collect()
+    }
+    /// The direction of the line of a joint.
+    fn line(&self, poses: &Poses<T>, joint: usize) -> Vector<T> {
+        self.layout.line(joint, poses).map(|x| x.value)
     }
 
     /// Notes to which side guides push that hold on both and rub, by the normal forces that result.
@@ -465,28 +467,25 @@ impl<'a, T: Real> Account<'a, T> {
         let mut of_joint = OfJoint::new();
         let mut count = 0;
         for (j, (joint, rubs)) in self.scene.joints.iter().zip(&self.rubs).enumerate() {
-            let mut rim = T::zero();
+            let (mut rim, [rolls, teeth]) = (T::zero(), joint.kind.rolls());
             let ground: Option<(Spot, SmallVec<[Vector<T>; 2]>)> = match joint.kind {
                 JointKind::Pin { at, .. } => {
                     Some((at, smallvec![[T::of(1.0), T::zero()], [T::zero(), T::of(1.0)]]))
                 }
-                JointKind::Contact { at, rolls, teeth, .. } => {
-                    let centre = self.point(poses, at).map(|x| x.value);
-                    self.layout.touch(j, centre).map(|touch| {
-                        rim = plant!("energy: radius of a rolling wheel", touch.radius);
-                        let both = [touch.normal, touch.along];
-                        (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
-                    })
-                }
-                JointKind::Guide { at, mu_k, .. } => {
-                    let [c, s] = self.layout.lines[j];
-                    let rub = match mu_k {
-                        Some(mu) if virtually && *rubs != 0.0 => {
+                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
+                    let rub = match joint.kind {
+                        JointKind::Guide { mu_k: Some(mu), .. } if virtually && *rubs != 0.0 => {
                             plant!("energy: friction in a guide", self.n.get(mu)).signed(*rubs)
                         }
                         _ => T::zero(),
                     };
-                    Some((at, smallvec![[-s - rub * c, c - rub * s]]))
+                    let centre = self.point(poses, at).map(|x| x.value);
+                    self.layout.touch(j, centre, self.line(poses, j)).map(|touch| {
+                        rim = plant!("energy: radius of a rolling wheel", touch.radius);
+                        let [x, y] = touch.normal;
+                        let both = [[x - rub * y, y + rub * x], touch.along];
+                        (at, both[usize::from(teeth)..1 + usize::from(rolls)].iter().copied().collect())
+                    })
                 }
                 JointKind::Cord { at, place_m, .. } => {
                     let (near, far) = (self.point(poses, at), pose::ground(self.n, place_m));
@@ -499,23 +498,30 @@ impl<'a, T: Real> Account<'a, T> {
             let mut own: SmallVec<[usize; 2]> = SmallVec::new();
             let mut add = |ends: &[(Spot, Vector<T>, T)]| {
                 let row = rows.row();
-                for (spot, u, rim) in ends {
+                let mut end = |body: usize, r: Vector<T>, u: Vector<T>, rim: T| {
                     // Velocities of the point by those of the origin and the turn.
-                    let r = pose::of_spot(self.scene, self.n, *spot);
-                    let at = 3 * spot.body;
+                    let at = 3 * body;
                     row[at] = row[at] + u[0];
                     row[at + 1] = row[at + 1] + u[1];
                     row[at + 2] = row[at + 2]
-                        + plant!("energy: turn about the origin of the axis", about(poses, spot.body, r, *u))
-                        + *rim;
+                        + plant!("energy: turn about the origin of the axis", about(poses, body, r, u))
+                        + rim;
+                };
+                for (spot, u, rim) in ends {
+                    end(spot.body, pose::of_spot(self.scene, self.n, *spot), *u, *rim);
+                    if let Some(on) = joint.kind.carrier() {
+                        // What carries the line moves under it, at the same place.
+                        let place = self.point(poses, *spot).map(|x| x.value);
+                        let back = u.map(|x| plant!("energy: velocity of what carries a line", -x));
+                        end(on.body, poses[on.body].here().within(place), back, -*rim);
+                    }
                 }
                 own.push(count);
                 count += 1;
             };
             match (ground, joint.kind) {
                 // The last condition of a wheel that rolls is that its rim does not slip.
-                (Some((at, directions)), kind) => {
-                    let rolls = matches!(kind, JointKind::Contact { rolls: true, .. });
+                (Some((at, directions)), _) => {
                     for (i, u) in directions.iter().enumerate() {
                         let slips = rolls && i + 1 == directions.len();
                         add(&[(at, *u, if slips { rim } else { T::zero() })]);
@@ -882,17 +888,23 @@ impl<'a, T: Real> Account<'a, T> {
         // What starts from rest slides as it would without friction, if friction lets it.
         let mut sum = self.sets_off(&poses, false)?;
         self.slides = self.sliding(&poses, &sum);
-        if self.slides.iter().any(|s| *s != 0.0) {
+        while self.slides.iter().any(|s| *s != 0.0) {
             self.press(&|account, joint| {
                 let sum = account.sets_off(&poses, false)?;
                 let moves = |b: usize, along: T| account.velocity(&poses, &sum, b, along);
                 Ok(account.reaction(&poses, joint, &moves, false).map(|force| force[0].0))
             })?;
             sum = self.sets_off(&poses, false)?;
-            if self.sliding(&poses, &sum) != self.slides {
+            let now = self.sliding(&poses, &sum);
+            if now == self.slides {
+                break;
+            }
+            let Some(more) = outcome::set_off(&self.slides, &now) else {
+                outcome::holds_still(self.scene, &self.slides, &now)?;
                 road.course = Some(Course::at_rest());
                 return Ok(());
-            }
+            };
+            self.slides = more;
         }
         let moves = |b: usize, along: T| self.velocity(&poses, &sum, b, along);
         let turning = |b: usize| sum[b][2];

@@ -13,8 +13,7 @@ use crate::num::gauss::{self, PerNode, Rule, Unsettled};
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, root, trig};
-use crate::scene::pose;
-use crate::scene::{End, JointKind, Numbers, Owner, Quantity, Scene, Spot};
+use crate::scene::{End, Joint, Numbers, Owner, Quantity, Scene, Spot};
 use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route, pace};
 use crate::solve::eom::pendulum::Pendulum;
@@ -259,7 +258,7 @@ fn follow<T: Real>(teller: &mut Teller<T>) -> Result<(), Refusal> {
     };
     let first = a.balance(b * spin.square()).cleared(turning);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
-    let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
+    let slides = sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v.signed(sense)));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
     let rubbed = slides.iter().any(|s| *s != 0.0);
     let factor = if rubbed { T::of(1.0) } else { mechanism.inertia(&state) };
@@ -300,16 +299,21 @@ fn look<T: Real>() -> T {
 }
 
 /// The senses in which points slide in guides that rub, by their velocities (or accelerations from rest).
-fn sliding<T: Real>(mechanism: &Mechanism<T>, moves: &dyn Fn(Spot) -> [T; 2]) -> SmallVec<[f64; 4]> {
-    let of = |kind: &JointKind| match *kind {
-        JointKind::Guide { at, direction_deg, mu_k: Some(_), .. } => {
-            let [c, s] = pose::direction(mechanism.n, direction_deg);
-            let [x, y] = moves(at);
-            (x * c).balance(y * s).sign()
-        }
-        _ => 0.0,
+fn sliding<T: Real>(
+    mechanism: &Mechanism<T>,
+    state: &State<T>,
+    moves: &dyn Fn(Spot) -> [T; 2],
+) -> SmallVec<[f64; 4]> {
+    let of = |(j, joint): (usize, &Joint)| {
+        let Some((at, _)) = joint.kind.rubs() else { return 0.0 };
+        let [c, s] = mechanism.line(state, j);
+        let [x, y] = moves(at);
+        let along = (x * c).balance(y * s);
+        // A turn of what carries the line has no part along it.
+        let Some([x, y]) = joint.kind.carrier().map(moves) else { return along.sign() };
+        along.balance(-(x * c)).balance(-(y * s)).sign()
     };
-    mechanism.scene.joints.iter().map(|j| of(&j.kind)).collect()
+    mechanism.scene.joints.iter().enumerate().map(of).collect()
 }
 
 /// The senses of friction per normal force: those of sliding, turned about where a guide that holds on both sides presses to its
@@ -407,7 +411,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
     /// Do all points that rub slide as at the start?
     fn slides_on(&self, state: &State<T>) -> bool {
         let now = |at| self.mechanism.speed(state, at).map(|v| v.signed(self.sense));
-        sliding(self.mechanism, &now) == self.slides
+        sliding(self.mechanism, state, &now) == self.slides
     }
     /// Does this normal force press to the side to which it pressed at the start?
     fn presses_on(&self, joint: usize, force: T) -> bool {

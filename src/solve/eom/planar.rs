@@ -110,8 +110,10 @@ struct Row<T> {
     joint: usize,
     /// Curvature of the way of its point toward its direction.
     toward: T,
-    /// Direction of friction per normal force; zero where nothing rubs.
-    rubs: Vector<T>,
+    /// Does it keep its point at a line that another body carries, and turns?
+    turns: bool,
+    /// Friction to the right of its direction per normal force.
+    rubs: T,
 }
 
 /// What a row is for one body.
@@ -135,7 +137,7 @@ impl<T: Real> End<T> {
 impl<T: Real> Row<T> {
     fn new(joint: usize, one: End<T>, other: Option<End<T>>, toward: T) -> Self {
         let ends = ([one, other.unwrap_or(one)], 1 + usize::from(other.is_some()));
-        Self { ends, joint, toward, rubs: [T::zero(); 2] }
+        Self { ends, joint, toward, turns: false, rubs: T::zero() }
     }
     fn ends(&self) -> &[End<T>] {
         &self.ends.0[..self.ends.1]
@@ -302,19 +304,20 @@ impl<'a, T: Real> Mechanism<'a, T> {
                         rows.push(Row::new(joint, one, Some(other), zero));
                     }
                 }
-                JointKind::Guide { at, .. } => {
-                    let [c, s] = self.layout.lines[joint];
-                    rows.push(Row::new(joint, end(at, [-s, c], zero), None, zero));
-                }
-                JointKind::Contact { at, rolls, teeth, .. } => {
+                JointKind::Guide { at, .. } | JointKind::Contact { at, .. } => {
                     // The centre keeps its distance; rolling, its speed along the surface is the radius times the turn.
-                    let Some(touch) = self.layout.touch(joint, self.place(poses, at)) else { continue };
+                    let line = self.layout.line(joint, poses);
+                    let Some(touch) = self.layout.touch(joint, self.place(poses, at), line) else { continue };
+                    let [rolls, teeth] = held.kind.rolls();
                     if !teeth {
-                        rows.push(Row::new(joint, end(at, touch.normal, zero), None, -touch.bend));
+                        let (one, other) = self.against(joint, poses, end(at, touch.normal, zero));
+                        let turns = other.is_some();
+                        rows.push(Row { turns, ..Row::new(joint, one, other, -touch.bend) });
                     }
                     if rolls {
                         let radius = plant!("eom: radius of a rolling wheel", touch.radius);
-                        rows.push(Row::new(joint, end(at, touch.along, radius), None, zero));
+                        let (one, other) = self.against(joint, poses, end(at, touch.along, radius));
+                        rows.push(Row::new(joint, one, other, zero));
                     }
                 }
                 JointKind::Cord { at, place_m, .. } => {
@@ -325,6 +328,17 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 }
             }
         }
+    }
+
+    /// What a row is for the body that moves on a line, and for that which carries the line: the opposite force at the same place.
+    fn against(&self, joint: usize, poses: &Poses<T>, one: End<T>) -> (End<T>, Option<End<T>>) {
+        let Some(on) = self.scene.joints[joint].kind.carrier() else { return (one, None) };
+        let [own, its] = [one.body, on.body].map(|body| self.centre(poses, body));
+        let apart = [own[0] - its[0], own[1] - its[1]];
+        let lever = [one.lever[0] + apart[0], one.lever[1] + apart[1]];
+        let along = one.along.map(|x| plant!("eom: force on what carries a line", -x));
+        let other = End { body: on.body, along, lever, radius: -one.radius };
+        (one, Some(other))
     }
 
     /// What moves with the leading angle: the turn of the body, or its centre about the axis of a cylinder; or its way along guides. The
@@ -488,6 +502,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
         if clockwise { -1.0 } else { 1.0 }
     }
 
+    /// The direction of the line of a joint.
+    pub fn line(&self, state: &State<T>, joint: usize) -> Vector<T> {
+        self.layout.line(joint, &state.poses)
+    }
     /// Direction of the axis of a body.
     pub fn axis(&self, state: &State<T>, body: usize) -> Vector<T> {
         state.poses[body].axis
@@ -566,10 +584,16 @@ impl<'a, T: Real> Mechanism<'a, T> {
         for End { body, along, lever: r, .. } in row.ends() {
             let [vx, vy, spin] = state.rates[*body];
             sum = sum + dot(*along, *r) * spin.square();
+            let v = [vx - spin * r[1], vy + spin * r[0]];
             if !row.toward.is_zero() {
                 // A point on a circle is drawn toward its middle by the square of its speed over the radius.
-                let v = [vx - spin * r[1], vy + spin * r[0]];
                 sum = sum + dot(v, v) * row.toward;
+            }
+            if row.turns {
+                // Coriolis: what moves along the line turns with it.
+                let carrier = state.rates[row.ends.0[1].body][2];
+                let along = v[0] * along[1] - v[1] * along[0];
+                sum = sum + plant!("eom: Coriolis acceleration", (carrier * along).scale2(1));
             }
         }
         plant!("eom: centripetal acceleration at a joint", sum)
@@ -584,7 +608,7 @@ impl<'a, T: Real> Mechanism<'a, T> {
                 (self.scene.joints[row.joint].kind, sense != 0.0)
             {
                 let share = plant!("eom: kinetic friction in a guide", self.n.get(mu)).signed(-sense);
-                row.rubs = self.layout.lines[row.joint].map(|x| x * share);
+                row.rubs = share;
             }
         }
         rows
@@ -592,11 +616,12 @@ impl<'a, T: Real> Mechanism<'a, T> {
 
     /// Force and moment of a unit reaction on a body.
     fn reacts(row: &Row<T>, end: &End<T>) -> [T; 3] {
-        let (u, f) = (end.along, row.rubs);
+        let (u, rubs) = (end.along, row.rubs);
         let turn = plant!("eom: lever of a reaction", end.turn());
-        if f[0].is_zero() && f[1].is_zero() {
+        if rubs.is_zero() {
             return [u[0], u[1], turn];
         }
+        let f = [u[1] * rubs, -u[0] * rubs];
         [u[0] + f[0], u[1] + f[1], turn + cross(end.lever, f)]
     }
 
@@ -928,9 +953,11 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let margin = T::of(PIERCED * self.size());
         self.scene.joints.iter().zip(&self.layout.lines).any(|(joint, [c, s])| {
             let (at, through) = match joint.kind {
-                JointKind::Guide { at, through_m, one_sided: true, .. }
-                | JointKind::Contact { at, surface: Surface::Line { through_m, .. }, teeth: false, .. } => {
-                    (at, pose::ground(self.n, through_m))
+                JointKind::Guide { at, line, one_sided: true, .. }
+                | JointKind::Contact { at, surface: Surface::Line(line), teeth: false, .. }
+                    if line.on.is_none() =>
+                {
+                    (at, pose::ground(self.n, line.through_m))
                 }
                 _ => return false,
             };

@@ -233,10 +233,9 @@ impl<T: Real> Account<'_, T> {
             for (quantity, (force, _)) in quantities.iter().zip(&forces) {
                 self.say(road, *quantity, of, *force);
             }
-            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [(normal, _)]) =
-                (joint.kind, forces.as_slice())
+            if let (JointKind::Guide { mu_k: Some(mu), .. }, [(normal, _)]) = (joint.kind, forces.as_slice())
             {
-                let up = pose::upward(pose::direction(self.n, direction_deg));
+                let up = pose::upward(self.line(poses, j));
                 let most = plant!("energy: friction that is told", self.n.get(mu)) * *normal;
                 self.say(road, Quantity::Friction, of, -most.signed(self.rubs[j]).signed(up));
             }

@@ -2,6 +2,7 @@
 use crate::num::Real;
 use crate::scene::{Owner, Quantity};
 use crate::solve::eom::joined::{Teller, rubbing, sliding};
+use crate::solve::eom::planar::Response;
 use crate::solve::outcome::{self, Course, Refusal};
 
 /// The instant of the start, from this rate.
@@ -19,21 +20,30 @@ pub fn at_once<T: Real>(teller: &mut Teller<T>, spin: T, nothing: &[f64]) -> Res
     }
     let smooth = mechanism.respond(&state, nothing)?;
     // What starts from rest slides as it would without friction, if friction lets it.
-    let from_rest = |response| sliding(mechanism, &|at| mechanism.pull_off(&state, response, at));
-    let slides = if spin.is_zero() {
+    let from_rest =
+        |response: &Response<T>| sliding(mechanism, &state, &|at| mechanism.pull_off(&state, response, at));
+    let mut slides = if spin.is_zero() {
         from_rest(&smooth)
     } else {
-        sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * spin))
+        sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v * spin))
     };
     if !spin.is_zero() {
         outcome::all_slide(scene, &slides)?;
     }
-    let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
-    let response = mechanism.respond(&state, &rubs)?;
-    if spin.is_zero() && from_rest(&response) != slides {
-        teller.road.course = Some(Course::at_rest());
-        return Ok(());
-    }
+    let (rubs, response) = loop {
+        let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| mechanism.respond(&state, rubs))?;
+        let response = mechanism.respond(&state, &rubs)?;
+        let now = if spin.is_zero() { from_rest(&response) } else { slides.clone() };
+        if now == slides {
+            break (rubs, response);
+        }
+        let Some(more) = outcome::set_off(&slides, &now) else {
+            outcome::holds_still(scene, &slides, &now)?;
+            teller.road.course = Some(Course::at_rest());
+            return Ok(());
+        };
+        slides = more;
+    };
     teller.watch(&response, spin.square());
     let lead = mechanism.leading(&response);
     teller.tell(&state, &response, (spin, lead), &rubs)
@@ -44,7 +54,7 @@ fn driven<T: Real>(teller: &mut Teller<T>, alpha: T, spin: T) -> Result<(), Refu
     let (scene, mechanism) = (teller.scene, teller.mechanism);
     let way = if spin.is_zero() { alpha / mechanism.ratio() } else { spin };
     let state = mechanism.state(T::zero(), true)?;
-    let slides = sliding(mechanism, &|at| mechanism.speed(&state, at).map(|v| v * way));
+    let slides = sliding(mechanism, &state, &|at| mechanism.speed(&state, at).map(|v| v * way));
     outcome::all_slide(scene, &slides)?;
     let driven = |rubs: &[f64]| mechanism.driven(&state, rubs, (alpha, spin.square()));
     let rubs = rubbing(mechanism, &slides, spin.square(), &|rubs| Ok(driven(rubs)?.0))?;

@@ -306,10 +306,8 @@ impl<T: Real> Teller<'_, '_, T> {
             for (quantity, force) in quantities.iter().zip(&force) {
                 self.say_scaled(*quantity, of, *force, beside(force.size() + pulls, loads));
             }
-            if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [normal]) =
-                (joint.kind, force.as_slice())
-            {
-                let up = pose::upward(pose::direction(self.n, direction_deg));
+            if let (JointKind::Guide { mu_k: Some(mu), .. }, [normal]) = (joint.kind, force.as_slice()) {
+                let up = pose::upward(mechanism.line(state, j));
                 let most = plant!("eom: friction that is told", self.n.get(mu)) * *normal;
                 let friction = -most.signed(sliding[j]).signed(up);
                 self.say_scaled(Quantity::Friction, of, friction, force[0].size() + pulls);

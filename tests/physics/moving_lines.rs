@@ -1,0 +1,191 @@
+//! Contacts whose line another body carries: planks, carts, wedges and bars at the instant at which they set off, and slotted arms, against
+//! formulas by hand. Both roads take where the line is from the same poses; the formulas know no poses.
+use slipstick::bank::{Bank, labels, load};
+use slipstick::finding::Finding;
+use slipstick::solve::agree;
+use slipstick::solve::outcome::{Refusal, Unsupported};
+
+const G: f64 = 9.81;
+
+fn read(bodies: &str, joints: &str, more: &str) -> Result<Bank, Vec<String>> {
+    let text = format!(
+        "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {{}}
+    scene:
+      bodies:
+{bodies}
+      joints:
+{joints}
+{more}{}
+    questions: {{q: {{value: 1*1, ask: none, unit: '1'}}}}
+",
+        if more.contains(" end:") { "" } else { "\n      end: at once" }
+    );
+    load::scenes_only(&text, "t.yaml").map_err(|found| found.iter().map(Finding::to_string).collect())
+}
+
+/// What both methods tell of these quantities, enclosed.
+fn told<const N: usize>(bodies: &str, joints: &str, more: &str, names: [&str; N]) -> [f64; N] {
+    let bank = read(bodies, joints, more).unwrap_or_else(|found| panic!("{found:?}"));
+    let scene = &bank.problems[0].cases[0].scene;
+    let solved = agree::solve(scene, &[G]).unwrap_or_else(|e| panic!("{e:?}"));
+    names.map(|name| {
+        let label = labels::named(scene, name).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let entry = solved.get(label).unwrap_or_else(|| panic!("no {name}"));
+        assert!(entry.eom.is_some() && entry.energy.is_some(), "{name}");
+        entry.value()
+    })
+}
+
+fn near<const N: usize>(found: [f64; N], expected: [f64; N]) {
+    for (i, (a, b)) in found.iter().zip(expected).enumerate() {
+        assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{i}: {a} against {b}");
+    }
+}
+
+const PLANK: &str = "        plank: {mass: 10 kg, moves: in the plane, placed: [0 m, 0 m]}";
+
+/// `P = (M + m/3) a`: a cylinder that rolls on the plank gains a third of its acceleration, `2 a/3` less being its turn.
+#[test]
+fn a_cylinder_on_a_plank_that_is_pulled() {
+    let bodies = format!(
+        "{PLANK}\n        cylinder: {{mass: 6 kg, shape: {{cylinder: 0.2 m}}, moves: in the plane, placed: [0 m, 0.2 m]}}"
+    );
+    let joints = "        floor: {guides: plank, along: horizontal, pushes: up}
+        top: {rolls: cylinder, radius: 0.2 m, on: plank}";
+    let more = "      forces: [force: {on: plank, magnitude: 60 N, direction: right}]
+      start: {cylinder: {angle: 0 deg}}";
+    let names = ["plank.a_x", "cylinder.a_x", "cylinder.alpha", "top.friction", "top.normal", "floor.normal"];
+    let found = told(&bodies, joints, more, names);
+    let a = 60.0 / (10.0 + 6.0 / 3.0);
+    near(found, [a, a / 3.0, a / 1.5 / 0.2, 6.0 * a / 3.0, 6.0 * G, 16.0 * G]);
+}
+
+/// Kinetic friction is all that drives the cart.
+#[test]
+fn a_block_that_slides_on_a_cart() {
+    let bodies = format!("{PLANK}\n        block: {{mass: 5 kg, moves: in the plane, placed: [0.3 m, 0 m]}}");
+    let joints = "        floor: {guides: plank, along: horizontal, pushes: up}
+        top: {slides: block, on: plank, mu_k: 0.3}";
+    let force = |of: &str| format!("      forces: [force: {{on: block, magnitude: {of}, direction: right}}]");
+    let found =
+        told(&bodies, joints, &force("40 N"), ["plank.a_x", "block.a_x", "top.friction", "floor.normal"]);
+    let friction = 0.3 * 5.0 * G;
+    near(found, [friction / 10.0, (40.0 - friction) / 5.0, -friction, 15.0 * G]);
+    // With less than mu (M + m) m g/M both go on together: which friction that takes, kinetic friction does not tell.
+    let bank = read(&bodies, joints, &force("20 N")).unwrap();
+    let solved = agree::solve(&bank.problems[0].cases[0].scene, &[G]);
+    assert!(matches!(solved, Err(Refusal::Unsupported(Unsupported::FrictionTurns))), "{solved:?}");
+}
+
+/// `A = m g sin cos/(M + m sin^2)`, to the right, of a wedge that rises to the right and has a block sliding down on it.
+#[test]
+fn a_block_on_a_wedge_that_is_free() {
+    let bodies = format!("{PLANK}\n        block: {{mass: 2 kg, moves: in the plane, placed: [0 m, 0 m]}}");
+    let joints = "        floor: {guides: plank, along: horizontal, pushes: up}
+        slope: {slides: block, on: plank, along: 30 deg}";
+    let found = told(&bodies, joints, "", ["plank.a_x", "block.a_x", "block.a_y", "slope.normal"]);
+    let (s, c) = 30_f64.to_radians().sin_cos();
+    let wedge = 2.0 * G * s * c / (10.0 + 2.0 * s * s);
+    // Its acceleration down the wedge, seen from that.
+    let down = G * s + wedge * c;
+    near(found, [wedge, wedge - down * c, -down * s, 10.0 * wedge / s]);
+}
+
+/// A bead without friction and a cylinder that rolls, each on a bar about a pin: by Lagrange, `(I + m s^2) theta'' = -(M L/2 + m s) g cos`
+/// in both; the bead gains `-g sin` along the bar, the cylinder two thirds of that.
+#[test]
+fn a_bead_and_a_cylinder_on_a_bar_that_turns() {
+    let (mass, long, own, s, radius, angle) = (3.0, 1.5, 0.8, 0.6, 0.1, 25_f64);
+    let (sine, cosine) = angle.to_radians().sin_cos();
+    let place = |s: f64, h: f64| format!("[{:?} m, {:?} m]", s * cosine - h * sine, s * sine + h * cosine);
+    let bar = format!(
+        "        bar: {{mass: {mass:?} kg, shape: {{rod: {long:?} m}}, moves: in the plane, angle: from right}}"
+    );
+    let alpha = -(mass * long / 2.0 + own * s) * G * cosine / (mass * long * long / 3.0 + own * s * s);
+    let normal = own * (G * cosine + s * alpha);
+    let start = "      start: {bar: {angle: 25 deg}}";
+
+    let bead =
+        format!("{bar}\n        bead: {{mass: {own:?} kg, moves: in the plane, placed: {}}}", place(s, 0.0));
+    let joints = "        O: {pins: bar.A}\n        slot: {guides: bead, on: bar.A}";
+    let names = ["bar.alpha", "bead.a_x", "bead.a_y", "slot.normal"];
+    let [along, across] = [-G * sine, s * alpha];
+    let expected = [alpha, along * cosine - across * sine, along * sine + across * cosine, normal];
+    near(told(&bead, joints, start, names), expected);
+
+    let wheel = format!(
+        "{bar}\n        wheel: {{mass: {own:?} kg, shape: {{cylinder: {radius:?} m}}, moves: in the plane, placed: {}}}",
+        place(s, radius)
+    );
+    let joints = "        O: {pins: bar.A}\n        top: {rolls: wheel, radius: 0.1 m, on: bar.A}";
+    let start = "      start: {bar: {angle: 25 deg}, wheel: {angle: 0 deg}}";
+    let names = ["bar.alpha", "wheel.alpha", "top.normal", "top.friction"];
+    let expected = [alpha, 2.0 / 3.0 * G * sine / radius, normal, own * G * sine / 3.0];
+    near(told(&wheel, joints, start, names), expected);
+}
+
+#[test]
+fn what_a_line_is_not() {
+    let bodies = format!("{PLANK}\n        block: {{mass: 5 kg, moves: in the plane, placed: [0.3 m, 0 m]}}");
+    let joints = "        floor: {guides: plank, along: horizontal, pushes: up}
+        top: {slides: block, radius: 0.1 m, on: plank, mu_k: 0.3}";
+    let found = read(&bodies, joints, "").unwrap_err();
+    assert!(found.iter().any(|f| f.contains("only a point rubs, on a straight line")), "{found:?}");
+}
+
+/// A crank whose pin slides in the slot of an arm that is pinned below it: the arm's angle is that of the line from its pin to the crank's.
+#[test]
+fn a_crank_in_a_slotted_arm() {
+    let (r, d, long, spin) = (0.2, 0.5, 0.9, 6.0);
+    let bodies = |plane: &str| {
+        format!(
+            "        crank: {{mass: 2 kg, shape: {{rod: {r:?} m}}, moves: {plane}, angle: from right}}
+        arm: {{mass: 3 kg, shape: {{rod: {long:?} m}}, moves: {plane}, angle: from right}}"
+        )
+    };
+    let joints = "        O: {pins: crank.A}\n        C: {pins: arm.A, at: [0 m, -0.5 m]}\n        slot: {guides: crank.B, on: arm.A}";
+    let of = |degrees: f64| {
+        let (s, c) = degrees.to_radians().sin_cos();
+        let square = r * r + d * d + 2.0 * r * d * s;
+        (s, c, square, r * (r + d * s) / square)
+    };
+    let (_, c, square, ratio) = of(35.0);
+    let alpha = spin * spin * r * d * c * (d * d - r * r) / square / square;
+    let inertia = 3.0 * long * long / 3.0;
+    let start = "      start: {crank: {angle: 35 deg, spin: 6 rad/s, alpha: 0 rad/s^2}}";
+    let names = ["arm.omega", "arm.alpha", "slot.normal", "drive"];
+    let found = told(&bodies("in a horizontal plane"), joints, start, names);
+    near(found, [spin * ratio, alpha, -inertia * alpha / square.sqrt(), inertia * alpha * ratio]);
+
+    // It falls: the work of the weights, and the arm's share of the energy by the ratio of the spins.
+    let text = |end: &str| format!("      start: {{crank: {{angle: 60 deg}}}}\n      end: {end}");
+    let end = text("{angle: {of: crank, reaches: -20 deg}}");
+    let found = told(&bodies("in the plane"), joints, &end, ["crank.omega", "arm.omega"]);
+    let height = |degrees: f64| {
+        let (s, _, square, _) = of(degrees);
+        2.0 * r / 2.0 * s + 3.0 * long / 2.0 * (r * s + d) / square.sqrt()
+    };
+    let (.., ratio) = of(-20.0);
+    let work = G * (height(60.0) - height(-20.0));
+    let omega = (2.0 * work / (2.0 * r * r / 3.0 + inertia * ratio * ratio)).sqrt();
+    near(found, [omega, (omega * ratio).abs()]);
+}
+
+/// Schaum's Outline of Engineering Mechanics, problem 16.33: 0.544 m/s^2 and 114 N. The lower block lies on a rough floor, too: it is the
+/// friction of the upper one alone that sets it off.
+#[test]
+fn a_block_that_is_drawn_along_on_a_rough_floor() {
+    let bank = load::scenes_only(include_str!("../support/schaum-16-33.yaml"), "schaum").unwrap();
+    let scene = &bank.problems[0].cases[0].scene;
+    let data = [30.0, 45.0, 0.333_333_33, 0.1, 150.0, 9.8];
+    let solved = agree::solve(scene, &data).unwrap_or_else(|e| panic!("{e:?}"));
+    let value = |name: &str| solved.get(labels::named(scene, name).unwrap()).unwrap().value();
+    assert!((value("B.a_x") - 0.544).abs() < 5e-4, "{}", value("B.a_x"));
+    assert!((value("limit") - 114.0).abs() < 0.5, "{}", value("limit"));
+}
