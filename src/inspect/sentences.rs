@@ -362,18 +362,14 @@ fn velocity(scene: &Scene, of: Coordinate) -> String {
 #[rustfmt::skip] // a table
 const fn unsupported(what: Unsupported) -> &'static str {
     match what {
-        Unsupported::SpringWithTwoFreedoms => "a spring where two coordinates are free is not solved",
-        Unsupported::SpeedWithTwoFreedoms => "a start with a speed where two coordinates are free is not solved",
+        Unsupported::SpringWithTwoFreedoms => "a spring where two coordinates are free is solved at an instant alone",
         Unsupported::StartHeld => "the start gives a speed to what the ties hold at rest; take it away, or one of the ties",
-        Unsupported::SpringWithSlip => "a spring where something slips is not solved",
-        Unsupported::SpeedWithSlip => "a body that slips starts from rest, or is thrown alone with its speed and its spin both given",
+        Unsupported::SpringWithSlip => "a spring where something slips is solved at an instant alone",
         Unsupported::SlipShared => "a contact is said to slip where other ties hold it, too: what friction it would need is open",
         Unsupported::EqualByChance => "two data are equal, and only so the ties leave another number of freedoms: such data are not solved",
         Unsupported::SlidesInTurn => "of the bodies that slide here one stays or moves on account of what another does, or is not pressed on its surface; that is not solved",
         Unsupported::SlackBetween => "the cord of the spring is slack where the motion ends, and the one that follows draws it tight; end the motion before the cord goes slack, or leave the spring out under `next`",
-        Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
-        Unsupported::ThrownEnd => "a body thrown with slip on a surface ends where it begins to roll, or after a time",
-        Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
+        Unsupported::NotThrown => "only a body that slips and starts with a speed or a spin begins to roll",
         Unsupported::MovingLamina => "of a body of particles only what holds at the instant can be asked; write `end: at once`",
         Unsupported::PinnedInCompany => "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point",
         Unsupported::Overwound => "a torsion spring may be wound by less than half a turn, from the start to the end",

@@ -86,7 +86,7 @@ pub fn force(scene: &Scene) -> Force {
         Force::Pendulum
     } else if scene.pinned().is_some() {
         Force::Irregular
-    } else if scene.thrown().is_some() {
+    } else if scene.goes_in_phases() {
         Force::Switched
     } else if !scene.growths.is_empty() {
         Force::OfTime
