@@ -32,7 +32,10 @@ impl Scene {
         let constant = self.growths.is_empty() && (!self.is_sprung() || matches!(self.end, End::AtOnce));
         let lines = |b: &Body| b.pin.is_none() && b.planar.is_none() && b.particles.is_empty();
         let slips = || self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-        !self.start.is_empty() && constant && self.bodies.iter().all(lines) && (slips() || self.freedoms() > 1)
+        !self.start.is_empty()
+            && constant
+            && self.bodies.iter().all(lines)
+            && (slips() || self.freedoms() > 1)
     }
 
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.

@@ -543,6 +543,17 @@ pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), R
     }
 }
 
+/// What is known of the forces at an instant: nothing where that combination is not solved, and velocities alone are told of bodies that
+/// start with some or stand beside a spring.
+///
+/// Errors: other refusals, and those of what has nothing else to tell.
+pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result<Option<W>, Refusal> {
+    match forces {
+        Err(Refusal::Unsupported(_)) if scene.goes_in_phases() || scene.is_sprung() => Ok(None),
+        forces => forces,
+    }
+}
+
 /// The sides to which guides press that hold on both, 1 or -1 each: the one combination that `fits`. The friction of a point that
 /// rubs hangs on the size of the normal force, so its sense per normal force on the side.
 ///

@@ -90,7 +90,8 @@ fn at_once<T: Real>(scene: &Scene, n: Numbers<T>) -> Result<Road<T>, Refusal> {
         return Ok(road);
     }
     let settle = || {
-        let mut ledger = Ledger::open(scene, n)?;
+        let ledger = Ledger::open(scene, n).map(Some);
+        let Some(mut ledger) = outcome::or_motion(scene, ledger)? else { return Ok(road) };
         ledger.road = road;
         let n = &ledger.n;
         let pulls = at_start(scene, n);

@@ -189,6 +189,7 @@ impl<T: Real> Phases<T> {
     /// The most friction that a contact which could rub needs while it holds.
     pub fn needed(&self, tie: usize) -> Option<T> {
         let holding = self.legs.iter().filter(|leg| leg.kinetic[tie].is_none());
+        let holding = holding.filter(|leg| !leg.held.is_open(tie));
         holding.map(|leg| leg.held[tie].abs()).reduce(T::larger)
     }
 }
@@ -231,7 +232,11 @@ impl<T: Real> Follower<'_, '_, T> {
     }
 
     /// The contacts at the start: what slips rubs, what is at rest holds if it can be held.
-    fn onset(&mut self, from: &Mode<T>, rolled: &mut SmallVec<[Rolled<T>; 1]>) -> Result<Reactions<T>, Refusal> {
+    fn onset(
+        &mut self,
+        from: &Mode<T>,
+        rolled: &mut SmallVec<[Rolled<T>; 1]>,
+    ) -> Result<Reactions<T>, Refusal> {
         let mut at_rest: SmallVec<[usize; 2]> = SmallVec::new();
         let slips: SmallVec<[(usize, Rubbing, T); 2]> = self
             .rubbing()
@@ -274,7 +279,11 @@ impl<T: Real> Follower<'_, '_, T> {
         for t in ties {
             let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
             if held.is_open(*t) {
-                return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                match rub.radius_m {
+                    Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
+                    // No power is lost where the ties hold it.
+                    None => continue,
+                }
             }
             let normal = balance::normal(self.scene, self.n, rub.body);
             holds &= held[*t].abs().at_most(self.n.get(rub.mu_s) * normal);
@@ -337,7 +346,8 @@ impl<T: Real> Follower<'_, '_, T> {
             End::AtOnce => return Some(T::zero()),
             End::Time(_, t) => return Some(self.n.get(t) - self.spent).filter(in_time),
             End::Rolling(_) => {
-                let rolls = |(t, rub): &(usize, Rubbing)| rub.radius_m.is_some() && self.kinetic[*t].is_none();
+                let rolls =
+                    |(t, rub): &(usize, Rubbing)| rub.radius_m.is_some() && self.kinetic[*t].is_none();
                 return (self.spent.is_zero() && own.iter().any(rolls)).then(T::zero);
             }
             // It ends where the contact comes to rest.

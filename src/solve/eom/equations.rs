@@ -17,9 +17,7 @@ use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
 use crate::scene::pose;
-use crate::scene::{
-    Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Scene, Tie,
-};
+use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Scene, Tie};
 use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
 

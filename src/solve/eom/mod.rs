@@ -139,15 +139,15 @@ fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
 /// An instant: velocities and energies, and where the scene could go on, accelerations and forces.
 fn at_once<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
     let mut road = instant::road(scene, &n, asked)?;
-    if !scene.tells_rates() {
+    let walk = scene.tells_rates().then(|| Walk::new(scene, n.clone(), asked)).transpose();
+    let Some(mut walk) = outcome::or_motion(scene, walk)? else {
         if asked.held {
             let normals = normals(scene, &n);
             let pressed = |b| Held::Pressed(b, n.publish(Quantity::Normal, normals[b]).f64());
             road.held.extend(with_normals(scene).map(pressed));
         }
         return Ok(road);
-    }
-    let mut walk = Walk::new(scene, n, asked)?;
+    };
     walk.road = road;
     let pulls = walk.pulls_at(T::zero());
     walk.contacts_if_rolled(&pulls);
@@ -519,8 +519,7 @@ impl<'a, T: Real> Walk<'a, T> {
             c.degree == Degree::Turn
                 || self.response.acceleration(c, CONSTANT).size() * NEAR_BALANCE < self.n.gravity.size()
         };
-        let alone =
-            self.springs.is_empty() && self.rolled.is_empty() && (grows || !scene.starts_from_rest());
+        let alone = self.springs.is_empty() && self.rolled.is_empty() && (grows || !scene.starts_from_rest());
         if alone && scene.coordinates().all(tiny) {
             let mut weightless = self.n.clone();
             weightless.gravity = T::zero();
@@ -1026,7 +1025,11 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// The most friction that a contact which could rub needs while it holds, if it does.
     fn needed(&self, tie: usize) -> Option<T> {
-        let legs = self.phases.iter().flat_map(|phases| &phases.legs).filter(|leg| leg.holds[tie]);
+        let legs = self
+            .phases
+            .iter()
+            .flat_map(|phases| &phases.legs)
+            .filter(|leg| leg.holds[tie] && !leg.response.is_open(tie));
         legs.map(|leg| leg.response.reaction(tie, CONSTANT).abs()).reduce(T::larger)
     }
 
@@ -1409,7 +1412,10 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         // With a spring it may be the small rest of large works, which what is printed does not determine.
         if self.springs.is_empty() && self.scene.carried.is_none() {
-            self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", sums.work));
+            // In phases it may be the small rest of two energies.
+            let rest = if self.phases.is_some() { sums.energy.size() } else { 0.0 };
+            let work = plant!("eom: work of all forces", sums.work);
+            self.say_scaled(Quantity::Work, Owner::Scene, work, work.size() + rest);
         }
     }
 

@@ -79,7 +79,10 @@ impl<T: Real> Onset<'_, '_, T> {
 
     /// Bodies that slide: against the motion, which is that of the start if there is one, else the one that would set in without
     /// friction.
-    pub fn slides(&mut self, velocity: Option<&dyn Fn(&Response<T>, Coordinate) -> T>) -> Result<(), Refusal> {
+    pub fn slides(
+        &mut self,
+        velocity: Option<&dyn Fn(&Response<T>, Coordinate) -> T>,
+    ) -> Result<(), Refusal> {
         let ties = self.scene.ties.len();
         for t in 0..ties {
             let Some(c) = sliding(self.scene, t) else { continue };

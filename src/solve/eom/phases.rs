@@ -15,8 +15,8 @@ use crate::num::ode::{Count, Formula, Run};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Numbers, Scene, Tie};
 use crate::solve::eom::equations::{Response, Setting, respond};
-use crate::solve::eom::travel::{Leg, Travel};
 use crate::solve::eom::instant::{self, Each};
+use crate::solve::eom::travel::{Leg, Travel};
 use crate::solve::eom::{Gone, Rolled, under};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{Refusal, Unsupported};
@@ -205,7 +205,11 @@ impl<'a, T: Real> Phases<'a, T> {
         for t in ties {
             let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
             if response.is_open(*t) {
-                return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                match rub.radius_m {
+                    Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
+                    // The ties hold it, whatever its friction.
+                    None => continue,
+                }
             }
             let needed = under(pulls, |k| response.reaction(*t, k)).abs();
             holds &= needed.at_most(self.n.get(rub.mu_s) * response.normal(rub.body));
@@ -392,7 +396,9 @@ impl<'a, T: Real> Phases<'a, T> {
                         let sense = -v.sign();
                         run.until(&|_, y| sense * y[1], v.size(), &|_, _| -1.0).map(|_| ())
                     }
-                    Stop::Place(s) => run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0).map(|_| ()),
+                    Stop::Place(s) => {
+                        run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0).map(|_| ())
+                    }
                 };
                 landed.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
                 let count = run.count();
@@ -407,14 +413,23 @@ impl<'a, T: Real> Phases<'a, T> {
                 !leg.holds[*t] && self.until[*t].is_some_and(|t| t.apart(ends).is_zero())
             };
             let closing = (0..leg.holds.len()).find(closes).filter(|_| i < last || self.after.is_some());
-            let time = match (closing.and_then(|t| Some((self.at_contact(t, &speeds)?, self.at_contact(t, &leg.rates)?))), self.scene.end) {
+            let time = match (
+                closing.and_then(|t| Some((self.at_contact(t, &speeds)?, self.at_contact(t, &leg.rates)?))),
+                self.scene.end,
+            ) {
                 (Some(([v, rim], [a, turned])), _) => run(v - rim, a - turned, &Stop::Rest)?[0],
                 (None, End::Time(..)) => total.f64() - starts.f64(),
                 (None, _) => {
                     let v = self.of(&speeds, end.body, end.degree);
                     let a = self.of(&leg.rates, end.body, end.degree);
                     let way = v.f64() * lasts + 0.5 * a.f64() * lasts * lasts;
-                    if matches!(self.scene.end, End::TurningPoint(_)) { run(v, a, &Stop::Rest)?[0] } else if way != 0.0 { run(v, a, &Stop::Place(way))?[0] } else { lasts }
+                    if matches!(self.scene.end, End::TurningPoint(_)) {
+                        run(v, a, &Stop::Rest)?[0]
+                    } else if way != 0.0 {
+                        run(v, a, &Stop::Place(way))?[0]
+                    } else {
+                        lasts
+                    }
                 }
             };
             let (mut ways, mut next) = (Each::new(), Each::new());
