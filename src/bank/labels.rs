@@ -199,7 +199,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
     }
     let phases = scene.goes_in_phases();
     all.add(moves && !scene.grows_with_place(), Owner::Scene, &[Q::T]);
-    all.add(moves && !scene.is_sprung() && !(phases && scene.carried.is_some()), Owner::Scene, &[Q::Work]);
+    all.add(moves && !scene.is_sprung() && !phases, Owner::Scene, &[Q::Work]);
     all.add(scene.coordinates().next().is_some(), Owner::Scene, &[Q::RotationalFraction]);
     if !rates {
         return;

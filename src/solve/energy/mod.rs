@@ -567,16 +567,14 @@ impl<'a, T: Real> Ledger<'a, T> {
         let [first, last] = phases.ends();
         let own = if reached { last } else { first }.of(self.end).sign();
         let sense = if own == 0.0 { phases.sense } else { own };
-        let energies = [first, last].map(|mode| balance::inertia(&self.n, mode, mode).scale2(-1));
-        let (doubled, time) = (energies[1].scale2(1), phases.time());
+        let (doubled, time) = (balance::inertia(&self.n, last, last), phases.time());
         self.road.course = Some(Course::moving(sense, reached));
         self.if_rolled();
         self.grip(&[Pulls::new()]);
         if reached {
             let (s, one) = (T::zero(), T::of(1.0));
-            let there = Summed { energy: energies[1], u: one, time };
-            let work = energies[1].balance(-energies[0]);
-            self.arrived(&Ended { s, there, sense: 1.0, u0: one, doubled, work }, &[]);
+            let there = Summed { energy: doubled.scale2(-1), u: one, time };
+            self.arrived(&Ended { s, there, sense: 1.0, u0: one, doubled, work: s }, &[]);
         } else {
             self.standing(&[]);
         }
@@ -1003,7 +1001,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         if let Some(heat) = heat.reduce(|a, b| a + b) {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
-        if !self.scene.is_sprung() && self.scene.carried.is_none() {
+        if !self.scene.is_sprung() && self.phases.is_none() && self.scene.carried.is_none() {
             self.say(Quantity::Work, Owner::Scene, plant!("energy: work of all forces", end.work));
         }
     }

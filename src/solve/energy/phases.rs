@@ -94,7 +94,7 @@ impl<T: Real> Phases<T> {
     ///
     /// Errors: a start that contradicts the ties or leaves something open; what holds does so in a way that is left open.
     pub fn follow(scene: &Scene, n: &Numbers<T>, pulls: &[T]) -> Result<Self, Refusal> {
-        let zero = T::zero();
+        let (zero, at_once) = (T::zero(), scene.end == End::AtOnce);
         let mut from = speeds::at_start(scene, n)?;
         let kinetic = smallvec![None; scene.ties.len()];
         let mut now =
@@ -104,7 +104,8 @@ impl<T: Real> Phases<T> {
         let first = now.kinetic.clone();
         loop {
             let (modes, rate) = (now.modes(), now.rate());
-            let rests = now.comes_to_rest(&modes, &from);
+            // At an instant nothing hangs on what comes after it.
+            let rests = if at_once { SmallVec::new() } else { now.comes_to_rest(&modes, &from) };
             let first = rests.iter().copied().reduce(|a, b| if b.1.below(a.1) { b } else { a });
             let next = first.map(|first| first.1);
             let end = if all.ended { None } else { now.end_in(&from, &rate, next) };
@@ -115,7 +116,7 @@ impl<T: Real> Phases<T> {
                 all.legs.push(Phase { to, time, ..leg.clone() });
                 all.ended = true;
             }
-            let Some(time) = next.filter(|_| scene.end != End::AtOnce) else {
+            let Some(time) = next else {
                 if !all.ended {
                     all.legs.push(leg);
                 }
@@ -224,7 +225,7 @@ impl<T: Real> Follower<'_, '_, T> {
         })
     }
     fn after(&self, modes: &[Mode<T>], from: &Mode<T>, time: T) -> Mode<T> {
-        self.gained(modes, &self.kinetic, from, time)
+        if time.is_zero() { from.clone() } else { self.gained(modes, &self.kinetic, from, time) }
     }
     /// The same where contacts have just come to rest that rubbed with this friction.
     fn after_with(&self, kinetic: &[Option<T>], from: &Mode<T>, time: T) -> Mode<T> {

@@ -1410,12 +1410,9 @@ impl<'a, T: Real> Walk<'a, T> {
         if let Some(heat) = heat {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
-        // With a spring it may be the small rest of large works, which what is printed does not determine.
-        if self.springs.is_empty() && self.scene.carried.is_none() {
-            // In phases it may be the small rest of two energies.
-            let rest = if self.phases.is_some() { sums.energy.size() } else { 0.0 };
-            let work = plant!("eom: work of all forces", sums.work);
-            self.say_scaled(Quantity::Work, Owner::Scene, work, work.size() + rest);
+        // With a spring and in phases it may be the small rest of large works, which what is printed does not determine.
+        if self.springs.is_empty() && self.phases.is_none() && self.scene.carried.is_none() {
+            self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", sums.work));
         }
     }
 

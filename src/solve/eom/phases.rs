@@ -353,7 +353,6 @@ impl<'a, T: Real> Phases<'a, T> {
             all.moved = all.moved.balance(way);
             all.path = all.path + plant!("eom: path of the centre", path(u0, u1, leg.lasts));
             all.change = all.change.balance(gain);
-            all.work = all.work.balance(rate * way);
             (all.speed, all.unit) = (u1, u1);
         }
         all
