@@ -544,12 +544,12 @@ pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), R
 }
 
 /// What is known of the forces at an instant: nothing where that combination is not solved, and velocities alone are told of bodies that
-/// start with some or stand beside a spring.
+/// start with some.
 ///
 /// Errors: other refusals, and those of what has nothing else to tell.
 pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result<Option<W>, Refusal> {
     match forces {
-        Err(Refusal::Unsupported(_)) if scene.goes_in_phases() || scene.is_sprung() => Ok(None),
+        Err(Refusal::Unsupported(_)) if scene.goes_in_phases() => Ok(None),
         forces => forces,
     }
 }
