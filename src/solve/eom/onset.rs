@@ -22,6 +22,9 @@ pub struct Onset<'s, 'a, T: Real> {
     pub rolled: Rolled<T>,
 }
 
+/// The velocity of a coordinate at the start, as a response gives it.
+pub type Velocity<'f, T> = &'f dyn Fn(&Response<T>, Coordinate) -> T;
+
 /// The line of a body that slides at this tie.
 fn sliding(scene: &Scene, tie: usize) -> Option<Coordinate> {
     match scene.ties[tie] {
@@ -79,10 +82,7 @@ impl<T: Real> Onset<'_, '_, T> {
 
     /// Bodies that slide: against the motion, which is that of the start if there is one, else the one that would set in without
     /// friction.
-    pub fn slides(
-        &mut self,
-        velocity: Option<&dyn Fn(&Response<T>, Coordinate) -> T>,
-    ) -> Result<(), Refusal> {
+    pub fn slides(&mut self, velocity: Option<Velocity<'_, T>>) -> Result<(), Refusal> {
         let ties = self.scene.ties.len();
         for t in 0..ties {
             let Some(c) = sliding(self.scene, t) else { continue };

@@ -22,6 +22,9 @@ use crate::solve::method::Rung;
 use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
+/// What hangs linearly on the coordinates, from the value of each.
+pub type Linear<'f, T> = &'f dyn Fn(&dyn Fn(Coordinate) -> T) -> T;
+
 /// A stretch of the motion with constant accelerations.
 #[derive(Debug, Clone)]
 pub struct Phase<T> {
@@ -336,7 +339,7 @@ impl<'a, T: Real> Phases<'a, T> {
     }
 
     /// How what hangs linearly on the coordinates has gone: its velocity, its way.
-    pub fn gone(&self, of: &dyn Fn(&dyn Fn(Coordinate) -> T) -> T) -> Gone<T> {
+    pub fn gone(&self, of: Linear<'_, T>) -> Gone<T> {
         let value = |values: &[T]| of(&|c: Coordinate| self.of(values, c.body, c.degree));
         let zero = T::zero();
         let mut all = Gone { unit: zero, speed: zero, moved: zero, path: zero, change: zero, work: zero };
@@ -359,7 +362,7 @@ impl<'a, T: Real> Phases<'a, T> {
     }
 
     /// How far a contact slides, which does not change its sense while it rubs.
-    pub fn slid(&self, tie: usize, of: &dyn Fn(&dyn Fn(Coordinate) -> T) -> T) -> T {
+    pub fn slid(&self, tie: usize, of: Linear<'_, T>) -> T {
         let mut all = T::zero();
         for leg in self.legs.iter().filter(|leg| !leg.holds[tie]) {
             let [slip0, rate] = [&leg.speeds, &leg.rates].map(|values| {
