@@ -1,6 +1,6 @@
 //! How many freedoms the ties leave, whatever the data: for telling what is no scene that is solved, not for solving.
 use crate::num::eliminate::Equations;
-use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Num, Scene, Side, Tie};
+use crate::scene::{Attach, Body, Coordinate, CordEnd, Degree, End, Far, Num, Scene, Side, Tie};
 
 /// A number in the place of a datum that is not known: of no simple ratio to those of the other data.
 fn stand_in(datum: usize) -> f64 {
@@ -20,16 +20,22 @@ impl Scene {
         })
     }
 
-    /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Where a scene that goes
-    /// on is solved too; beside springs, of one freedom and where nothing rubs.
+    /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Not of particles, nor of a
+    /// pinned body.
     pub fn tells_rates(&self) -> bool {
-        let slips = self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-        let slides = self.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
-        let bodies = self.bodies.iter().all(|b| b.planar.is_none() && b.particles.is_empty());
-        let alone = self.freedoms() <= 1;
-        let still = self.start.is_empty();
-        let pulled = !self.is_sprung() || alone && !slips && !slides;
-        bodies && pulled && (alone || still) && (!slips || still)
+        self.bodies.iter().all(|b| b.planar.is_none() && b.particles.is_empty())
+    }
+
+    /// Is it followed in phases, each of which lasts until a contact that rubs comes to rest? With a speed at the start under constant
+    /// forces, where a contact is said to slip or several freedoms are left.
+    pub fn goes_in_phases(&self) -> bool {
+        let constant = self.growths.is_empty() && (!self.is_sprung() || matches!(self.end, End::AtOnce));
+        let lines = |b: &Body| b.planar.is_none() && b.particles.is_empty();
+        let slips = || self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        !self.start.is_empty()
+            && constant
+            && self.bodies.iter().all(lines)
+            && (slips() || self.freedoms() > 1)
     }
 
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.

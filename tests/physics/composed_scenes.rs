@@ -196,8 +196,6 @@ fn named(messages: &[String]) -> Option<String> {
     const NAMES: &[(&str, &str)] = &[
         ("the ties leave nothing free to move", "no freedom"),
         ("a spring holds a scene with", "spring with two freedoms"),
-        ("freedoms starts from rest", "speed with two freedoms"),
-        ("so its speed and its spin at the start are both given", "speed where something slips"),
         ("slips, and there is a spring", "spring where something slips"),
         ("the start and the ties leave", "start that leaves a velocity open"),
         ("the rest of the start already give", "start that says a velocity twice"),

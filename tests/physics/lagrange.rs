@@ -735,13 +735,15 @@ impl<'s> System<'s> {
                 }
             }
         };
-        if slips && !self.springs.is_empty() {
+        // On the way; at an instant a spring is a force like others.
+        let sprung = !self.springs.is_empty() && s.event != Event::AtOnce;
+        if slips && sprung {
             return Verdict::Beyond("a spring where something slips");
         }
         if slips && !s.start.is_empty() {
             return Verdict::Beyond("a speed where something slips");
         }
-        if freedoms > 1 && !self.springs.is_empty() {
+        if freedoms > 1 && sprung {
             return Verdict::Beyond("a spring with two freedoms");
         }
         let mut velocities = Vec::new();
@@ -801,11 +803,6 @@ impl<'s> System<'s> {
         };
         if self.contacts.iter().zip(&grips).any(|(c, g)| c.said == Said::Slips && *g == Grip::Sticks) {
             return Verdict::CouldRoll;
-        }
-        let rubs = self.contacts.iter().any(|c| c.said != Said::Rolls);
-        if s.event == Event::AtOnce && !self.springs.is_empty() && rubs {
-            // Where a spring pulls what rubs, an instant has velocities and energies only.
-            return Verdict::Told(Told { values: velocities, ..Told::default() });
         }
         let Some(now) = self.instant(&grips, &tensions) else { return Verdict::Undetermined };
         let mut told = Told::default();

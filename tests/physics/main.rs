@@ -33,6 +33,7 @@ mod limits;
 mod links;
 mod meshes;
 mod next;
+mod phases;
 mod pinned_bits;
 mod pinned_draws;
 mod published;
