@@ -8,7 +8,8 @@ mod lists;
 pub mod plain;
 
 use rustc_hash::FxHashMap;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -44,7 +45,7 @@ pub struct Words {
 }
 
 /// Phrases by name in one language, as they are handed to a page.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Phrases {
     /// Code of the language.
     pub language: String,
@@ -68,10 +69,13 @@ impl Words {
             other => other,
         }
     }
-    /// Phrases that are handed in, as [`Words::phrases`] gives them.
-    pub fn given(phrases: Phrases) -> Self {
-        let Phrases { language, decimal, phrases } = phrases;
-        Self { language: Cow::Owned(language), decimal, phrases: phrases.into_iter().collect() }
+    /// Phrases that are handed to a page, from what [`Phrases`] are in JSON; `None` where they are none.
+    pub fn handed(phrases: &Value) -> Option<Self> {
+        let language = Cow::Owned(phrases["language"].as_str()?.to_owned());
+        let decimal = phrases["decimal"].as_str()?.chars().next()?;
+        let named = |(name, text): (&String, &Value)| Some((name.clone(), text.as_str()?.to_owned()));
+        let phrases = phrases["phrases"].as_object()?.iter().map(named).collect::<Option<_>>()?;
+        Some(Self { language, decimal, phrases })
     }
 
     /// The phrases whose names begin so (`feedback`, `report.verdict`), to be handed on.

@@ -4,8 +4,7 @@ use crate::misconception::MethodWords;
 use crate::page::check::{self, CheckedProblem};
 use crate::page::echo;
 use crate::page::sheet_file::SheetFile;
-use crate::words::{Phrases, Words};
-use serde::Deserialize as _;
+use crate::words::Words;
 use serde_json::{Value, json};
 
 /// A sheet that is open in a page, solved.
@@ -25,14 +24,13 @@ impl Session {
     pub fn open(text: &str) -> Result<Self, Finding> {
         let mut opening: Value = serde_json::from_str(text).map_err(|_| Finding::new("", "is no sheet"))?;
         let sheet = SheetFile::of(&opening["sheet"])?;
-        let phrases = Phrases::deserialize(&opening["phrases"]);
-        let phrases = phrases.map_err(|_| Finding::new("phrases", "are none"))?;
+        let words = Words::handed(&opening["phrases"]).ok_or_else(|| Finding::new("phrases", "are none"))?;
         let problems = sheet.problems.iter().map(|problem| {
             let fault = |_| Finding::new("scene", format!("problem {} cannot be checked", problem.number));
             check::solve(problem, "sheet").map_err(fault)
         });
         let problems = problems.collect::<Result<_, _>>()?;
-        Ok(Self { problems, words: Words::given(phrases), methods: opening["methods"].take() })
+        Ok(Self { problems, words, methods: opening["methods"].take() })
     }
 
     /// The answer to a request, `{"read": [part, cell]}` or `{"check": [[part, cell], ...]}`; `null` to what is none.
