@@ -215,21 +215,29 @@ impl<T: Real> Follower<'_, '_, T> {
         balance::reactions(self.scene, self.n, &|c: Coordinate| rate.of(c), self.pulls, &self.kinetic)
     }
 
-    /// The velocities after a time, from what each mode has gained of momentum.
-    fn gained(&self, modes: &[Mode<T>], kinetic: &[Option<T>], from: &Mode<T>, time: T) -> Mode<T> {
+    /// The motion of the momenta that a motion `had`, if one is given, with what each mode has gained after a time.
+    fn gained(
+        &self,
+        modes: &[Mode<T>],
+        kinetic: &[Option<T>],
+        had: Option<&Mode<T>>,
+        time: T,
+    ) -> Mode<T> {
         motion(self.n, modes, |mode| {
             let (power, size) = self.power(kinetic, mode);
+            let (gain, size) = (plant!("energy: impulse in a mode", power * time), size * time.size());
+            let Some(from) = had else { return (gain, size) };
             let had = plant!("energy: momentum of a mode", balance::inertia(self.n, mode, from));
-            let gain = plant!("energy: impulse in a mode", power * time);
-            (had.balance(gain), had.size() + size * time.size())
+            (had.balance(gain), had.size() + size)
         })
     }
+    /// The velocities after a time. What gains nothing goes on as it is, whatever the rounding of a start that fits the ties.
     fn after(&self, modes: &[Mode<T>], from: &Mode<T>, time: T) -> Mode<T> {
-        if time.is_zero() { from.clone() } else { self.gained(modes, &self.kinetic, from, time) }
+        if time.is_zero() { from.clone() } else { from.plus(&self.gained(modes, &self.kinetic, None, time)) }
     }
     /// The same where contacts have just come to rest that rubbed with this friction.
     fn after_with(&self, kinetic: &[Option<T>], from: &Mode<T>, time: T) -> Mode<T> {
-        self.gained(&self.modes(), kinetic, from, time)
+        self.gained(&self.modes(), kinetic, Some(from), time)
     }
 
     /// The contacts at the start: what slips rubs, what is at rest holds if it can be held.

@@ -28,6 +28,11 @@ impl<T: Real> Mode<T> {
     pub fn still(bodies: usize) -> Self {
         Self { v: smallvec![T::zero(); bodies], w: smallvec![T::zero(); bodies] }
     }
+    /// Both motions at once.
+    pub fn plus(&self, other: &Self) -> Self {
+        let sum = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| a.balance(*b)).collect();
+        Self { v: sum(&self.v, &other.v), w: sum(&self.w, &other.w) }
+    }
     /// Puts a coordinate to rest.
     pub fn stop(&mut self, c: Coordinate) {
         match c.degree {
