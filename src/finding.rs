@@ -19,6 +19,11 @@ macro_rules! told {
 }
 pub(crate) use told;
 
+/// A text of a table that only findings say, of which a page tells none.
+pub(crate) const fn only_told(text: &'static str) -> &'static str {
+    if cfg!(feature = "program") { text } else { "" }
+}
+
 /// One fault in a file that a person wrote. Faults are collected, never thrown one by one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {

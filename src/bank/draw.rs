@@ -30,7 +30,7 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
         return Ok(Draw::OneOf { values, decimals });
     }
     let Some((low, rest)) = text.split_once(" to ") else {
-        return Err((told!("`{}` is no draw", shorten(text)), FORMS.to_owned()));
+        return Err((told!("`{}` is no draw", shorten(text)), told!("{FORMS}")));
     };
     let Some((high, step)) = rest.split_once(" step ") else {
         return Err((
@@ -67,7 +67,7 @@ pub fn parse(text: &str) -> Result<Draw, (String, String)> {
 
 fn too_long() -> (String, String) {
     (
-        "these numbers have too many digits".to_owned(),
+        told!("these numbers have too many digits"),
         told!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
     )
 }
@@ -79,10 +79,10 @@ fn word<'t>(text: &'t str, start: &str) -> Option<&'t str> {
 fn number(text: &str) -> Result<Decimal, (String, String)> {
     Decimal::read(text).map_err(|why| {
         let hint = match why.contains("too many") {
-            true => "round it: the printed number is the number used",
-            false => "write digits with a point, such as 0.30, without a unit",
+            true => told!("round it: the printed number is the number used"),
+            false => told!("write digits with a point, such as 0.30, without a unit"),
         };
-        (why, hint.to_owned())
+        (why, hint)
     })
 }
 

@@ -178,13 +178,13 @@ struct Parser<'a> {
 
 impl Parser<'_> {
     fn trouble(&self, message: impl Into<String>) -> ExpressionFault {
-        ExpressionFault { column: self.at + 1, message: message.into(), hint: None }
+        ExpressionFault { column: self.at + 1, message: told!("{}", message.into()), hint: None }
     }
     fn unexpected(&self, found: char) -> ExpressionFault {
         let mut fault = self.trouble(told!("`{found}` is not expected here"));
         if found.is_alphabetic() || found == '(' {
             let hint = "factors are joined by `*`, and numbers of an expression have no unit: make a datum of one that has";
-            fault.hint = Some(hint.to_owned());
+            fault.hint = Some(told!("{hint}"));
         }
         fault
     }

@@ -1,6 +1,6 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
 
-use crate::finding::told;
+use crate::finding::{only_told, told};
 
 /// What a number is used for: it decides unit and admissible values.
 #[derive(Debug, Clone, Copy)]
@@ -32,7 +32,8 @@ const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees", "
 const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees", "");
 
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
-    Need { words, unit, range, example }
+    let (admits, rule, instead) = range;
+    Need { words, unit, range: (admits, only_told(rule), only_told(instead)), example: only_told(example) }
 }
 
 #[rustfmt::skip] // a table

@@ -43,6 +43,25 @@ impl Node {
             _ => None,
         }
     }
+    /// The same, to change it.
+    pub fn field_mut(&mut self, name: &str) -> Option<&mut Self> {
+        match &mut self.value {
+            Value::Map(fields) => fields.iter_mut().find(|(k, _)| k.text() == Some(name)).map(|(_, v)| v),
+            _ => None,
+        }
+    }
+    /// A text without a place.
+    pub fn of_text(text: &str) -> Self {
+        Self { value: Value::Text(text.to_owned()), line: 0, column: 0, path: String::new() }
+    }
+    /// Gives a map this text as a field, in the place of what stands there.
+    pub fn set(&mut self, name: &str, text: &str) {
+        if let Some(field) = self.field_mut(name) {
+            *field = Self::of_text(text);
+        } else if let Value::Map(fields) = &mut self.value {
+            fields.push((Self::of_text(name), Self::of_text(text)));
+        }
+    }
     /// The same fields with those of another node in their places; `None` where one of the two has no fields.
     pub fn overlaid(&self, changes: &Self) -> Option<Self> {
         let (Value::Map(old), Value::Map(new)) = (&self.value, &changes.value) else { return None };
@@ -163,7 +182,9 @@ impl Faults {
     /// All findings in the order of the file.
     pub fn into_sorted(self, file: &str) -> Findings {
         let mut list: Findings = self.list.into_inner().in_file(file);
-        list.sort_by_key(|f| f.at.unwrap_or((usize::MAX, 0)));
+        if WHOLE {
+            list.sort_by_key(|f| f.at.unwrap_or((usize::MAX, 0)));
+        }
         list
     }
 }

@@ -596,8 +596,9 @@ impl SceneReader<'_> {
                 Some(s) => (s.slope, true),
                 None => {
                     let hint = if surfaces.is_empty() {
-                        "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`"
-                            .to_owned()
+                        told!(
+                            "name it under `surfaces`, for example `surfaces: {{incline: {{slope: theta}}}}`"
+                        )
                     } else {
                         spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };

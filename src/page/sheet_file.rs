@@ -1,7 +1,7 @@
 //! sheet.json as it is read: the file, and the problem that it puts, as the tree of a bank with the drawn data in their place.
-use crate::bank::node::{self, Node};
+use crate::bank::node::{self, Node, WHOLE};
 use crate::finding::{Finding, Findings, told};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 /// Version of the layout.
 pub const FORMAT: u32 = 1;
@@ -28,10 +28,10 @@ pub struct SheetProblem {
     pub number: usize,
     /// Id.
     pub id: String,
-    /// The bank of this problem; null if the instructor does not want self-checks.
-    pub scene: Value,
-    /// The drawn data.
-    pub data: Map<String, Value>,
+    /// The bank of this problem; nothing if the instructor does not want self-checks.
+    pub scene: Node,
+    /// The drawn data by symbol: value and unit, where both are texts.
+    pub data: Vec<(String, Option<[String; 2]>)>,
     /// What is asked.
     pub parts: Vec<SheetPart>,
 }
@@ -95,7 +95,7 @@ const HINT: &str = "give the file sheet.json that came with your sheet";
 type FieldPath<'p> = &'p dyn Fn(&str) -> String;
 
 fn wanted(place: FieldPath, name: &str, what: &str) -> Finding {
-    Finding::new(place(name), format!("is no sheet file: {what} is expected here")).hint(HINT)
+    Finding::new(told!("{}", place(name)), told!("is no sheet file: {what} is expected here")).hint(HINT)
 }
 
 fn text(value: &Value, name: &str, place: FieldPath) -> Result<String, Finding> {
@@ -127,12 +127,16 @@ impl SheetProblem {
             Some(_) => list(value, "parts", &place)?,
         };
         let number = value.get("number").and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
-        let data = value.get("data").and_then(Value::as_object);
+        let datum = |(symbol, datum): (&String, &Value)| {
+            let text = |name| Some(datum.get(name)?.as_str()?.to_owned());
+            (symbol.clone(), text("value").zip(text("unit")).map(|(value, unit)| [value, unit]))
+        };
+        let data = value.get("data").and_then(Value::as_object).map(|all| all.iter().map(datum).collect());
         Ok(Self {
             number: number.ok_or_else(|| wanted(&place, "number", "a whole number"))?,
             id: text(value, "id", &place)?,
-            scene: value.get("scene").cloned().unwrap_or_default(),
-            data: data.ok_or_else(|| wanted(&place, "data", "the drawn data"))?.clone(),
+            scene: value.get("scene").map_or(Node { value: node::Value::Empty, ..Node::of_text("") }, node),
+            data: data.ok_or_else(|| wanted(&place, "data", "the drawn data"))?,
             parts: parts.iter().map(|part| SheetPart::of(part, &place)).collect::<Result<_, _>>()?,
         })
     }
@@ -142,55 +146,44 @@ impl SheetProblem {
     /// # Errors
     /// The drawn data are not those of the scene.
     pub fn bank_tree(&self) -> Result<Option<Node>, Findings> {
-        if self.scene.is_null() {
+        if matches!(self.scene.value, node::Value::Empty) {
             return Ok(None);
         }
-        let path = |rest: &str| format!("problems[{}].{rest}", self.number.saturating_sub(1));
+        let path = |rest: &str| told!("problems[{}].{rest}", self.number.saturating_sub(1));
         let mut faults = Findings::default();
         let mut bank = self.scene.clone();
-        let said = |symbol: &str, what: &str| {
-            self.data.get(symbol).and_then(|d| d.get(what)).and_then(Value::as_str)
-        };
-        if let (Some(value), Some(unit)) = (said("g", "value"), said("g", "unit"))
-            && let Some(fields) = bank.as_object_mut()
-        {
-            fields.insert("gravity".to_owned(), Value::from(format!("{value} {unit}")));
+        let said = |symbol: &str| self.data.iter().find(|(name, _)| name == symbol).map(|(_, said)| said);
+        if let Some(Some([value, unit])) = said("g") {
+            bank.set("gravity", &format!("{value} {unit}"));
         }
-        let data = bank
-            .pointer_mut("/problems")
-            .and_then(|p| p.get_mut(self.id.as_str()))
-            .and_then(|p| p.get_mut("data"));
-        let Some(Value::Object(data)) = data else {
-            return Err(Finding::new(path("scene"), "holds no data of this problem").into());
+        let data = bank.field_mut("problems").and_then(|p| p.field_mut(&self.id)?.field_mut("data"));
+        let Some(Node { value: node::Value::Map(data), .. }) = data else {
+            return Err(Finding::new(path("scene"), told!("holds no data of this problem")).into());
         };
-        for (symbol, fields) in data.iter_mut() {
-            let field = path(&format!("data.{symbol}"));
-            match (said(symbol, "value"), said(symbol, "unit"), fields) {
-                (Some(value), Some(unit), Value::Object(fields)) => {
-                    fields.insert("draw".to_owned(), Value::from(format!("always {value}")));
-                    fields.insert("unit".to_owned(), Value::from(unit));
+        for (symbol, fields) in data {
+            let symbol = symbol.text().unwrap_or_default();
+            match (said(symbol), &fields.value) {
+                (Some(Some([value, unit])), node::Value::Map(_)) => {
+                    fields.set("draw", &format!("always {value}"));
+                    fields.set("unit", unit);
                 }
                 // What this student is not given is not there: a particle, a slope.
-                (_, _, Value::Object(fields)) if !self.data.contains_key(symbol) => {
-                    fields.insert("draw".to_owned(), Value::from("none"));
-                }
-                _ => faults.push(Finding::new(field, "needs a value and a unit, as texts")),
+                (None, node::Value::Map(_)) => fields.set("draw", "none"),
+                _ => faults.push(Finding::new(
+                    path(&told!("data.{symbol}")),
+                    told!("needs a value and a unit, as texts"),
+                )),
             }
         }
-        let mut tree = node(&bank);
-        tree.name_paths("");
-        faults.into_result(Some(tree))
+        if WHOLE {
+            bank.name_paths("");
+        }
+        faults.into_result(Some(bank))
     }
 }
 
 /// What JSON holds, as texts without places.
 fn node(value: &Value) -> Node {
-    let text = |text: &str| Node {
-        value: node::Value::Text(text.to_owned()),
-        line: 0,
-        column: 0,
-        path: String::new(),
-    };
     let value = match value {
         Value::Null => node::Value::Empty,
         Value::String(written) => node::Value::Text(written.clone()),
@@ -199,8 +192,8 @@ fn node(value: &Value) -> Node {
         }
         Value::Array(items) => node::Value::List(items.iter().map(node).collect()),
         Value::Object(fields) => {
-            node::Value::Map(fields.iter().map(|(name, value)| (text(name), node(value))).collect())
+            node::Value::Map(fields.iter().map(|(name, value)| (Node::of_text(name), node(value))).collect())
         }
     };
-    Node { value, line: 0, column: 0, path: String::new() }
+    Node { value, ..Node::of_text("") }
 }

@@ -119,7 +119,7 @@ impl SceneReader<'_> {
             };
             let symbol = &self.symbols[datum];
             if symbol.absent {
-                return Err((told!("`{name}` is not drawn"), Some("draw it, or leave it out".to_owned())));
+                return Err((told!("`{name}` is not drawn"), Some(told!("draw it, or leave it out"))));
             }
             let powers = symbol.unit.as_ref().map_or([0; 3], measure::powers);
             Ok((Name::Datum(datum, false), powers))

@@ -2,7 +2,7 @@
 use crate::bank::need::Need;
 use crate::bank::node::{Fields, Node, Value, WHOLE, named, shorten};
 use crate::bank::scene::{SceneReader, plain_name};
-use crate::finding::told;
+use crate::finding::{only_told, told};
 use crate::scene::{
     Acts, Body, Branch, Joint, JointKind, Num, Place, Planar, Push, Ray, Rest, Spot, Strut, StrutEnd,
     Surface, on_axis,
@@ -17,15 +17,15 @@ const ORIGIN: [Place; 2] = [Place::At(Num::Fixed(0.0)); 2];
 
 /// Kinds of joints: field that names what is held, and what it is.
 const JOINTS: [(&str, &str); 9] = [
-    ("pins", "a point that stays in its place"),
-    ("hinges", "two points that stay together"),
-    ("welds", "two points that stay together, with the angle between their bodies"),
-    ("guides", "a point that stays on a line"),
-    ("ties", "a point at the end of a cord"),
-    ("links", "a point at the end of a light rod"),
-    ("rolls", "a wheel that rolls, by its centre"),
-    ("meshes", "a gear that meshes with a fixed one, by its centre"),
-    ("slides", "a wheel or a point on a smooth surface"),
+    ("pins", only_told("a point that stays in its place")),
+    ("hinges", only_told("two points that stay together")),
+    ("welds", only_told("two points that stay together, with the angle between their bodies")),
+    ("guides", only_told("a point that stays on a line")),
+    ("ties", only_told("a point at the end of a cord")),
+    ("links", only_told("a point at the end of a light rod")),
+    ("rolls", only_told("a wheel that rolls, by its centre")),
+    ("meshes", only_told("a gear that meshes with a fixed one, by its centre")),
+    ("slides", only_told("a wheel or a point on a smooth surface")),
 ];
 
 /// Directions of lines in words, degrees.

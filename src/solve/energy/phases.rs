@@ -216,13 +216,7 @@ impl<T: Real> Follower<'_, '_, T> {
     }
 
     /// The motion of the momenta that a motion `had`, if one is given, with what each mode has gained after a time.
-    fn gained(
-        &self,
-        modes: &[Mode<T>],
-        kinetic: &[Option<T>],
-        had: Option<&Mode<T>>,
-        time: T,
-    ) -> Mode<T> {
+    fn gained(&self, modes: &[Mode<T>], kinetic: &[Option<T>], had: Option<&Mode<T>>, time: T) -> Mode<T> {
         motion(self.n, modes, |mode| {
             let (power, size) = self.power(kinetic, mode);
             let (gain, size) = (plant!("energy: impulse in a mode", power * time), size * time.size());
