@@ -216,6 +216,7 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
     if WHOLE {
         let own = Faults::default();
         soundness::structure(&other, node, &own);
+        soundness::instant(&other, &[], node, &own);
         if let Some(why) = own.into_sorted("").iter().next() {
             let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
             return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));

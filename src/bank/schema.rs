@@ -115,8 +115,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         figure: FigureLabels::Values,
     };
     let common = usual.with(&mut fields);
-    let grading = Policy::default();
-    let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
+    let grading = fields.get("grading").map_or_else(Policy::default, |n| settings(n, faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
@@ -147,14 +146,14 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
 
 /// The settings that bear on marks.
 #[cfg(feature = "program")]
-fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
-    course::read(node, base, faults)
+fn settings(node: &Node, faults: &Faults) -> Policy {
+    course::read(node, &Policy::default(), faults)
 }
 
 /// Of the settings that bear on marks a sheet carries only what its page tells of wrong methods.
 #[cfg(not(feature = "program"))]
-fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
-    let mut policy = base.clone();
+fn settings(node: &Node, faults: &Faults) -> Policy {
+    let mut policy = Policy::default();
     if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
         fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
     }

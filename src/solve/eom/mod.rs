@@ -25,7 +25,7 @@ use crate::scene::{
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::onset::Onset;
-use crate::solve::eom::phases::Phases;
+use crate::solve::eom::phases::{Linear, Phases};
 use crate::solve::eom::travel::{Leg, State, Travel};
 use crate::solve::found::{self, Forward};
 use crate::solve::method::{Method, Rung};
@@ -599,9 +599,9 @@ impl<'a, T: Real> Walk<'a, T> {
         if present { self.ratio(c) } else { T::zero() }
     }
     /// How something has gone at the end that hangs linearly on the coordinates.
-    fn gone(&self, end: &Ended<T>, of: impl Fn(&dyn Fn(Coordinate) -> T) -> T) -> Gone<T> {
+    fn gone(&self, end: &Ended<T>, of: Linear<'_, T>) -> Gone<T> {
         if let Some(phases) = &self.phases {
-            return phases.gone(&of);
+            return phases.gone(of);
         }
         let ratio = of(&|c| self.ratio_of(c));
         let signed = |x: T| (ratio * x).signed(end.sense);
@@ -1100,7 +1100,7 @@ impl<'a, T: Real> Walk<'a, T> {
             self.hold(|walk| Held::Pressed(b, walk.n.publish(Quantity::Normal, normal).f64()));
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
-            if self.moments(places).any(|(r, _)| r.is_open(t)) {
+            let Some(forces) = self.reactions(t, places) else {
                 if let Tie::Roll { body, .. } = tie
                     && self.scene.bodies[*body].line.is_some_and(|l| l.surface)
                 {
@@ -1110,12 +1110,10 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.hold(|_| Held::Open(t));
                 }
                 continue;
-            }
+            };
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
-                    let frictions =
-                        self.moments(places).map(|(r, pulls)| under(pulls, |k| r.reaction(t, k)).abs());
-                    let most = frictions.reduce(T::larger).unwrap_or_else(T::zero);
+                    let most = forces.iter().map(|f| f.abs()).reduce(T::larger).unwrap_or_else(T::zero);
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
@@ -1127,13 +1125,13 @@ impl<'a, T: Real> Walk<'a, T> {
                     });
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && c.made == Made::Cord => {
+                    let least =
+                        (0..forces.len()).reduce(|i, j| if forces[j].below(forces[i]) { j } else { i });
                     self.hold(|walk| {
-                        let tension = |r: &Response<T>, pulls: &[T]| under(pulls, |k| r.reaction(t, k));
-                        let tensions = walk.moments(places).map(|(r, pulls)| (tension(r, pulls), r, pulls));
-                        let least = tensions.reduce(|one, next| if next.0.below(one.0) { next } else { one });
-                        let (least, r, at) = least.unwrap_or((T::zero(), &walk.response, &[]));
-                        let force = walk.n.publish(Quantity::Tension, least).f64();
-                        Held::Cord(t, force, walk.share_of_tension((t, c), least, (r, at)))
+                        let least = least.unwrap_or(0);
+                        let force = walk.n.publish(Quantity::Tension, forces[least]).f64();
+                        let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
+                        Held::Cord(t, force, walk.share_of_tension((t, c), forces[least], at))
                     });
                 }
                 Tie::Slide { body, mu_s, mu_k } => {
@@ -1149,6 +1147,14 @@ impl<'a, T: Real> Walk<'a, T> {
                 _ => {}
             }
         }
+    }
+
+    /// The reaction of a tie at each of the moments up to the end; `None` where it is open at one of them.
+    fn reactions(&self, tie: usize, places: &[Pulls<T>]) -> Option<Pulls<T>> {
+        let known = |(r, pulls): (&Response<T>, &[T])| {
+            (!r.is_open(tie)).then(|| under(pulls, |k| r.reaction(tie, k)))
+        };
+        self.moments(places).map(known).collect()
     }
 
     /// The responses up to the end, each with what varies.
@@ -1419,7 +1425,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// The way of a body along its line.
     fn line_at_end(&mut self, c: Coordinate, end: &Ended<T>, pulls: &[T], sums: &mut Sums<T>) {
         let (n, of, time) = (self.n.bodies[c.body], Owner::Body(c.body), end.state.time);
-        let gone = self.gone(end, |of| of(c));
+        let gone = self.gone(end, &|of| of(c));
         let mut v = gone.speed;
         let mut moved = plant!("eom: displacement of the centre", gone.moved);
         let mut sizes = [v.size(), gone.path.size()];
@@ -1452,7 +1458,7 @@ impl<'a, T: Real> Walk<'a, T> {
     /// The turn of a body.
     fn turn_at_end(&mut self, c: Coordinate, end: &Ended<T>, pulls: &[T], sums: &mut Sums<T>) {
         let (n, of) = (self.n.bodies[c.body], Owner::Body(c.body));
-        let gone = self.gone(end, |of| of(c));
+        let gone = self.gone(end, &|of| of(c));
         let w = gone.speed.abs();
         self.leaves(c, gone.speed);
         self.say(Quantity::Omega, of, w);
@@ -1489,10 +1495,10 @@ impl<'a, T: Real> Walk<'a, T> {
             let slip = |of: &dyn Fn(Coordinate) -> T| of(v) - c * of(w);
             let slid = match &self.phases {
                 Some(phases) => phases.slid(t, &slip),
-                None => self.gone(end, slip).path,
+                None => self.gone(end, &slip).path,
             };
             if rub.radius_m.is_some() || scene.carried.is_some() {
-                let [centre, wound] = [self.gone(end, |of| of(v)), self.gone(end, |of| c * of(w))];
+                let [centre, wound] = [self.gone(end, &|of| of(v)), self.gone(end, &|of| c * of(w))];
                 let scale = centre.path.size() + wound.path.size();
                 self.say_scaled(Quantity::SlipDistance, of, slid, scale);
             }
@@ -1505,7 +1511,7 @@ impl<'a, T: Real> Walk<'a, T> {
         if !given && !matches!(cord.to, Far::Spring { .. }) {
             return None;
         }
-        let gone = self.gone(end, |of| {
+        let gone = self.gone(end, &|of| {
             take_up(&self.n, &cord.from, |degree| of(Coordinate { body: cord.from.body, degree }))
         });
         if cord.from.tilt_deg.is_none() {
