@@ -281,8 +281,8 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     tell(&rules, node, faults);
 }
 
-/// The start of a scene of which only an instant is asked, or that goes in phases: with the ties it gives each velocity, and none twice. What depends
-/// on the numbers is left to the solvers: constants that agree with the ties may be given besides.
+/// The start of a scene of which only an instant is asked, or that goes in phases: with the ties it gives each velocity, and none
+/// twice. What depends on the numbers is left to the solvers: constants that agree with the ties may be given besides.
 pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
     let given = matches!(scene.end, End::AtOnce) || scene.goes_in_phases();
     if !given || scene.lead().is_some() || scene.start_speeds().next().is_none() {

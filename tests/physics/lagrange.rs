@@ -281,7 +281,7 @@ struct Spring {
 pub enum Verdict {
     /// The motion is not determined: something without inertia is free to move.
     Undetermined,
-    /// More freedoms than one, and a spring or a start speed: not for this judge, nor for the program.
+    /// More freedoms than one, and a spring or a start speed, or what comes after the first phase: not for this judge.
     Beyond(&'static str),
     /// A start speed that the ties do not allow.
     Contradiction,
@@ -740,8 +740,11 @@ impl<'s> System<'s> {
         if slips && sprung {
             return Verdict::Beyond("a spring where something slips");
         }
-        if slips && !s.start.is_empty() {
-            return Verdict::Beyond("a speed where something slips");
+        // What goes in phases is followed here up to the end of the first, where its contact comes to rest.
+        let phases = slips && !s.start.is_empty();
+        let later = Verdict::Beyond("a speed where something slips");
+        if phases && !started {
+            return later;
         }
         if freedoms > 1 && sprung {
             return Verdict::Beyond("a spring with two freedoms");
@@ -813,6 +816,11 @@ impl<'s> System<'s> {
                 ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
             told.values.retain(|v| at_once.contains(&v.0) || v.0.starts_with("pin_"));
             told.values.extend(velocities);
+        } else if phases {
+            if !told.reached {
+                return later;
+            }
+            told.values.retain(|v| !["work", "v_max", "D_at_v_max", "D_turn"].contains(&v.0));
         }
         Verdict::Told(told)
     }
