@@ -447,7 +447,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn in_phases(scene: &'a Scene, n: Numbers<'a, T>, asked: Scope) -> Result<Self, Refusal> {
         let springs = springs(scene, &n);
         let pulls: Pulls<T> = springs.iter().map(|s| s.stiffness * s.stretch).collect();
-        let mut phases = Phases::follow(scene, n.clone(), &pulls)?;
+        let mut phases = Phases::follow(scene, &n, &pulls)?;
         let at = if phases.ended { phases.legs.len() - 1 } else { 0 };
         let response = phases.legs[at].response.clone();
         let mut walk = Self::still((scene, n), (springs, response), asked);
@@ -521,9 +521,10 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let alone = self.springs.is_empty() && self.rolled.is_empty() && (grows || !scene.starts_from_rest());
         if alone && scene.coordinates().all(tiny) {
-            let mut weightless = self.n.clone();
-            weightless.gravity = T::zero();
-            let given = accelerated(&respond(scene, &weightless, &setting)?);
+            let gravity = std::mem::replace(&mut self.n.gravity, T::zero());
+            let weightless = respond(scene, &self.n, &setting);
+            self.n.gravity = gravity;
+            let given = accelerated(&weightless?);
             let all = given.iter().zip(accelerated(&self.response));
             self.balanced = all.into_iter().all(|(given, a)| given.apart(*given - a).is_zero());
         }

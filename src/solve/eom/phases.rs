@@ -44,7 +44,8 @@ pub struct Phase<T> {
 /// A motion in phases, up to its end if it gets there.
 pub struct Phases<'a, T: Real> {
     scene: &'a Scene,
-    n: Numbers<'a, T>,
+    /// Of each tie the radius on which it slips, if it is such a contact.
+    rims: Each<Option<T>>,
     coordinates: SmallVec<[Coordinate; 6]>,
     /// Its phases: those up to the end, or all of them.
     pub legs: SmallVec<[Phase<T>; 2]>,
@@ -81,12 +82,13 @@ impl<'a, T: Real> Phases<'a, T> {
     /// Follows the motion. `pulls` is what springs pull, at an instant.
     ///
     /// Errors: those of the equations and of the start; what holds does so in a way that is left open.
-    pub fn follow(scene: &'a Scene, n: Numbers<'a, T>, pulls: &[T]) -> Result<Self, Refusal> {
-        let (coordinates, mut speeds) = instant::start(scene, &n)?;
+    pub fn follow(scene: &'a Scene, n: &Numbers<T>, pulls: &[T]) -> Result<Self, Refusal> {
+        let (coordinates, mut speeds) = instant::start(scene, n)?;
         let ties = scene.ties.len();
+        let rims = scene.ties.iter().map(|tie| tie.rubbing()?.radius_m.map(|c| n.get(c))).collect();
         let mut all = Self {
             scene,
-            n,
+            rims,
             coordinates,
             legs: SmallVec::new(),
             ended: false,
@@ -99,7 +101,7 @@ impl<'a, T: Real> Phases<'a, T> {
             ends: Each::new(),
             after: None,
         };
-        let (mut setting, mut response) = all.onset(&speeds, pulls)?;
+        let (mut setting, mut response) = all.onset(n, &speeds, pulls)?;
         let first = setting.clone();
         let mut starts = T::zero();
         loop {
@@ -109,7 +111,7 @@ impl<'a, T: Real> Phases<'a, T> {
             let holds = setting.holds.clone();
             let lasts = rest.unwrap_or_else(T::zero);
             let leg = Phase { response, holds, speeds, rates, starts, lasts, ways: None };
-            let end = if all.ended { None } else { all.end_in(&leg, rest) };
+            let end = if all.ended { None } else { all.end_in(n, &leg, rest) };
             speeds = leg.after(lasts);
             if !all.ended {
                 all.legs.push(leg);
@@ -121,8 +123,8 @@ impl<'a, T: Real> Phases<'a, T> {
             let Some(time) = rest.filter(|_| scene.end != End::AtOnce) else { break };
             starts = starts + time;
             let closed = all.close(&mut setting, starts);
-            response = respond(scene, &all.n, &setting)?;
-            let held = all.holding(&closed, &response, pulls)?;
+            response = respond(scene, n, &setting)?;
+            let held = all.holding(n, &closed, &response, pulls)?;
             if !all.ended && all.ends_at_rest(&closed, held) {
                 all.ended = true;
                 all.after = Some(response.clone());
@@ -146,7 +148,7 @@ impl<'a, T: Real> Phases<'a, T> {
             if matches!(tie, Tie::Slip { .. }) && all.rolled.iter().all(|(known, _)| *known != t) {
                 let mut setting = first.clone();
                 setting.holds[t] = true;
-                let response = respond(scene, &all.n, &setting)?;
+                let response = respond(scene, n, &setting)?;
                 if response.is_open(t) {
                     return Err(Refusal::Unsupported(Unsupported::SlipShared));
                 }
@@ -164,8 +166,8 @@ impl<'a, T: Real> Phases<'a, T> {
     /// Velocity of the centre and of the rim at a contact that can rub, or their rates.
     fn at_contact(&self, tie: usize, values: &[T]) -> Option<[T; 2]> {
         let rub = self.scene.ties[tie].rubbing()?;
-        let rim = rub.radius_m.map_or_else(T::zero, |c| {
-            plant!("eom: speed of the rim", self.n.get(c) * self.of(values, rub.body, Degree::Turn))
+        let rim = self.rims[tie].map_or_else(T::zero, |c| {
+            plant!("eom: speed of the rim", c * self.of(values, rub.body, Degree::Turn))
         });
         Some([self.of(values, rub.body, Degree::Along), rim])
     }
@@ -178,7 +180,12 @@ impl<'a, T: Real> Phases<'a, T> {
 
     /// How the contacts are at the start: what slips rubs, what is at rest holds. One that is at rest and cannot be held begins to slip
     /// against the friction that it would need.
-    fn onset(&mut self, speeds: &[T], pulls: &[T]) -> Result<(Setting, Response<T>), Refusal> {
+    fn onset(
+        &mut self,
+        n: &Numbers<T>,
+        speeds: &[T],
+        pulls: &[T],
+    ) -> Result<(Setting, Response<T>), Refusal> {
         let mut setting = Setting::loose(self.scene);
         let mut at_rest: SmallVec<[usize; 4]> = SmallVec::new();
         for t in 0..self.scene.ties.len() {
@@ -190,20 +197,26 @@ impl<'a, T: Real> Phases<'a, T> {
                 at_rest.push(t);
             }
         }
-        let response = respond(self.scene, &self.n, &setting)?;
-        if self.holding(&at_rest, &response, pulls)? {
+        let response = respond(self.scene, n, &setting)?;
+        if self.holding(n, &at_rest, &response, pulls)? {
             at_rest.into_iter().for_each(|t| self.until[t] = Some(T::zero()));
             return Ok((setting, response));
         }
         let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
         setting.holds[one] = false;
         setting.friction_sense[one] = under(pulls, |k| response.reaction(one, k)).sign();
-        let response = respond(self.scene, &self.n, &setting)?;
+        let response = respond(self.scene, n, &setting)?;
         Ok((setting, response))
     }
 
     /// Can static friction hold these contacts? Of those that are said to slip it is told what they need.
-    fn holding(&mut self, ties: &[usize], response: &Response<T>, pulls: &[T]) -> Result<bool, Refusal> {
+    fn holding(
+        &mut self,
+        n: &Numbers<T>,
+        ties: &[usize],
+        response: &Response<T>,
+        pulls: &[T],
+    ) -> Result<bool, Refusal> {
         let mut holds = true;
         for t in ties {
             let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
@@ -215,7 +228,7 @@ impl<'a, T: Real> Phases<'a, T> {
                 }
             }
             let needed = under(pulls, |k| response.reaction(*t, k)).abs();
-            holds &= needed.at_most(self.n.get(rub.mu_s) * response.normal(rub.body));
+            holds &= needed.at_most(n.get(rub.mu_s) * response.normal(rub.body));
             if rub.radius_m.is_some() {
                 self.rolled.push((*t, response.clone()));
             }
@@ -267,7 +280,7 @@ impl<'a, T: Real> Phases<'a, T> {
     }
 
     /// When the end comes in this phase, from its start, which a contact that comes to rest ends.
-    fn end_in(&mut self, leg: &Phase<T>, rest: Option<T>) -> Option<T> {
+    fn end_in(&mut self, n: &Numbers<T>, leg: &Phase<T>, rest: Option<T>) -> Option<T> {
         let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time));
         let end = self.scene.ending_coordinate();
         let slides = |t: usize| {
@@ -275,7 +288,7 @@ impl<'a, T: Real> Phases<'a, T> {
             rub.map(|rub| (rub.radius_m.is_some(), leg.holds[t]))
         };
         match self.scene.end {
-            End::Time(_, t) => return Some(self.n.get(t) - leg.starts).filter(by_then),
+            End::Time(_, t) => return Some(n.get(t) - leg.starts).filter(by_then),
             End::AtOnce => return Some(T::zero()),
             End::Rolling(_) => {
                 let rolls = |t| slides(t) == Some((true, true)) && leg.starts.is_zero();
@@ -300,9 +313,9 @@ impl<'a, T: Real> Phases<'a, T> {
         let travel = Travel { u0: v.abs(), legs: &legs };
         let turning = travel.turning();
         let s = match self.scene.end {
-            End::Travel(_, d) => Some(self.n.get(d) - self.gone),
-            End::Position(_, x) => Some(self.n.get(x).signed(sense) - self.gone),
-            End::Speed(_, u) => travel.reaching(self.n.get(u).abs()),
+            End::Travel(_, d) => Some(n.get(d) - self.gone),
+            End::Position(_, x) => Some(n.get(x).signed(sense) - self.gone),
+            End::Speed(_, u) => travel.reaching(n.get(u).abs()),
             End::TurningPoint(_) => turning,
             _ => None,
         };
