@@ -24,6 +24,13 @@ pub(crate) const fn only_told(text: &'static str) -> &'static str {
     if cfg!(feature = "program") { text } else { "" }
 }
 
+/// Adds to a list what it does not hold yet.
+pub fn push_new<T: PartialEq>(list: &mut Vec<T>, item: T) {
+    if !list.contains(&item) {
+        list.push(item);
+    }
+}
+
 /// One fault in a file that a person wrote. Faults are collected, never thrown one by one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
@@ -117,6 +124,14 @@ impl Findings {
     pub fn or_in_file(mut self, file: &str) -> Self {
         for finding in self.iter_mut().filter(|f| f.file.is_none()) {
             finding.file = Some(file.to_owned());
+        }
+        self
+    }
+    /// Adds what would be right to the last, if it does not say so itself.
+    #[must_use]
+    pub fn hint_last(mut self, hint: &str) -> Self {
+        if let Some(last) = self.last_mut() {
+            last.hint.get_or_insert_with(|| hint.to_owned());
         }
         self
     }

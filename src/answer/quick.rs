@@ -18,15 +18,6 @@ pub struct KnownSpelling {
     pub case_forgiven: bool,
 }
 
-/// Which spelling stands behind a number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Behind {
-    /// None: the number alone.
-    Nothing,
-    /// One, by its number in [`Spellings`].
-    Unit(u16),
-}
-
 /// Spellings of units met so far.
 #[derive(Debug)]
 pub struct Spellings {
@@ -50,15 +41,15 @@ impl Default for Spellings {
 }
 
 impl Spellings {
-    /// A number and what stands behind it; `None`: to be read the long way.
+    /// A number and the spelling that stands behind it, if it does not stand alone; `None`: to be read the long way.
     #[inline]
-    pub fn number(&mut self, cell: &[u8]) -> Option<(f64, Behind)> {
+    pub fn number(&mut self, cell: &[u8]) -> Option<(f64, Option<u16>)> {
         let (value, end, raised) = leading_number(cell)?;
         let rest = &cell[end..];
         if rest.is_empty() || rest.iter().all(u8::is_ascii_whitespace) {
-            return Some((value, Behind::Nothing));
+            return Some((value, None));
         }
-        Some((value, Behind::Unit(self.spelling(rest, raised)?)))
+        Some((value, Some(self.spelling(rest, raised)?)))
     }
 
     pub fn unit(&self, spelling: u16) -> Option<&KnownSpelling> {
@@ -193,10 +184,7 @@ mod tests {
         };
         assert_eq!(number.value.to_bits(), value.to_bits(), "{cell:?}");
         assert!(!number.is_interpreted(), "{cell:?}");
-        let quick = match behind {
-            Behind::Nothing => None,
-            Behind::Unit(spelling) => known.unit(spelling),
-        };
+        let quick = behind.and_then(|spelling| known.unit(spelling));
         assert_eq!(quick.map(|q| q.unit.as_ref()), number.unit.as_deref(), "{cell:?}");
         assert_eq!(quick.is_some_and(|q| q.case_forgiven), number.case_forgiven, "{cell:?}");
         true

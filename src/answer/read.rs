@@ -182,46 +182,25 @@ fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnrea
     if let Some(why) = looks_like(text) {
         return Err(why);
     }
-    let read = quantity(text, units)?;
-    if let Some(after) = read.word {
-        if word.is_some_and(|w| w != after) {
+    let (negative, mut number) = quantity(text, (bracketed || plain.foreign, about), units)?;
+    if let (Some(before), Some(after)) = (word, number.word)
+        && before != after
+    {
+        return Err(WhyUnreadable::OddWord);
+    }
+    number.word = number.word.or(word);
+    if let Some(word) = number.word {
+        if !AnswerWord::DIRECTIONS.contains(&word) {
             return Err(WhyUnreadable::OddWord);
         }
-        word = Some(after);
-    }
-    if let Some(w) = word {
-        if !AnswerWord::DIRECTIONS.contains(&w) {
-            return Err(WhyUnreadable::OddWord);
-        }
-        if read.negative {
-            let unit = read.unit.as_ref().map_or("", |u| u.unit.ascii());
-            return Err(WhyUnreadable::SignAndWord {
-                size: read.value.to_string(),
-                unit: unit.to_owned(),
-                word: w,
-            });
+        if negative {
+            let unit = number.unit.as_ref().map_or("", |unit| unit.ascii()).to_owned();
+            return Err(WhyUnreadable::SignAndWord { size: number.value.to_string(), unit, word });
         }
     }
-    let sign = if read.negative { -1.0 } else { 1.0 };
-    let told = read.told || bracketed || plain.foreign;
-    let notes = [
-        (read.comma, ReadingNote::Comma),
-        (told, ReadingNote::ReadAs),
-        (read.uncertain, ReadingNote::Uncertainty),
-        (about, ReadingNote::About),
-        (read.per_cent, ReadingNote::PerCent),
-    ];
-    let mut number = Number {
-        value: sign * read.value,
-        grouped: read.grouped.map(|g| sign * g),
-        word,
-        notes: notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect(),
-        ..Number::default()
-    };
-    if let Some(spelled) = read.unit {
-        number.unit = Some(spelled.unit);
-        number.case_forgiven = spelled.case_forgiven;
-        number.otherwise = spelled.otherwise;
+    if negative {
+        number.value = -number.value;
+        number.grouped = number.grouped.map(|g| -g);
     }
     Ok(Reading::Number(number))
 }
@@ -277,25 +256,15 @@ fn without_brackets(text: &str) -> (&str, bool) {
     (text, found)
 }
 
-/// A number with what belongs to it.
-struct CellQuantity {
-    negative: bool,
-    /// Without its sign, in the unit.
-    value: f64,
-    grouped: Option<f64>,
-    comma: bool,
-    told: bool,
-    uncertain: bool,
-    /// See [`ReadingNote::PerCent`].
-    per_cent: bool,
-    unit: Option<SpelledUnit>,
-    word: Option<AnswerWord>,
-}
-
-/// Reads `-12,876.9 mm`, `3/4 m`, `42 ft 3 in`, `34.65 ± 0.1 N`, `(34.65 ± 0.1) N`, `62.6 N up`.
-fn quantity(text: &str, units: &mut UnitCache) -> Result<CellQuantity, WhyUnreadable> {
+/// Reads `-12,876.9 mm`, `3/4 m`, `42 ft 3 in`, `34.65 ± 0.1 N`, `(34.65 ± 0.1) N`, `62.6 N up`: the number without its sign, and
+/// whether that is a minus. Of what stood around it is known whether it has to be told, and whether the number is `about` right.
+fn quantity(
+    text: &str,
+    (mut told, about): (bool, bool),
+    units: &mut UnitCache,
+) -> Result<(bool, Number), WhyUnreadable> {
     let (negative, body) = unsigned(text);
-    let (mut sign, mut told, mut spread_inside, mut per_cent) = (negative, false, false, false);
+    let (mut sign, mut spread_inside, mut per_cent) = (negative, false, false);
     let (number, behind) = match numeral(body) {
         Err(WhyUnreadable::NoNumber) if body.starts_with('(') => {
             // The number in brackets, its unit behind them.
@@ -369,17 +338,19 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<CellQuantity, WhyUnread
     if !value.is_finite() {
         return Err(WhyUnreadable::NotFinite);
     }
-    Ok(CellQuantity {
-        negative: sign,
-        value,
-        grouped: number.grouped,
-        comma: number.comma,
-        told: told || number.told,
-        uncertain: spread.is_some() || spread_inside,
-        per_cent,
-        unit,
-        word,
-    })
+    let notes = [
+        (number.comma, ReadingNote::Comma),
+        (told || number.told, ReadingNote::ReadAs),
+        (spread.is_some() || spread_inside, ReadingNote::Uncertainty),
+        (about, ReadingNote::About),
+        (per_cent, ReadingNote::PerCent),
+    ];
+    let notes = notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect();
+    let mut read = Number { value, grouped: number.grouped, word, notes, ..Number::default() };
+    if let Some(SpelledUnit { unit, case_forgiven, otherwise }) = unit {
+        (read.unit, read.case_forgiven, read.otherwise) = (Some(unit), case_forgiven, otherwise);
+    }
+    Ok((sign, read))
 }
 
 /// What several numbers with ever smaller units come to in the first of these, and what follows: `42 ft 3 in`, `10° 3'`.

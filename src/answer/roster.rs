@@ -55,32 +55,28 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
         }
         if !empty(header.fields.len()) {
             let odd = format!("{} fields where the header has {}", r.len(), header.fields.len());
-            findings.push(
-                Finding::new("record", odd).at(place(line), 1).hint("put a name with a comma in quotes"),
-            );
+            let odd = Finding::new("record", odd).at(place(line), 1);
+            findings.push(odd.hint("put a name with a comma in quotes"));
             return;
         }
         let id = text(student);
+        let mut refuse = |what: String, hint: &str| {
+            let odd = Finding::new("student", what).at(place(line), student + 1);
+            findings.push(if hint.is_empty() { odd } else { odd.hint(hint) });
+        };
         // A quote that is not closed in its line, where the lines after it look like records: the id was on two lines.
         let broken = r.quote_left_open() && raw(student).trim_start().starts_with('"');
         if broken || raw(student).contains(line_break) {
-            let odd = format!("`{}` has a line break", raw(student).escape_debug());
-            let odd = Finding::new("student", odd).at(place(line), student + 1);
-            findings.push(odd.hint("write the id on one line, without a quote that is left open"));
+            let what = format!("`{}` has a line break", raw(student).escape_debug());
+            refuse(what, "write the id on one line, without a quote that is left open");
         } else if id.is_empty() {
-            findings.push(Finding::new("student", "the id is blank").at(place(line), student + 1));
+            refuse("the id is blank".to_owned(), "");
         } else if id.chars().any(char::is_control) {
-            findings.push(
-                Finding::new("student", format!("`{}` has a control character", id.escape_debug()))
-                    .at(place(line), student + 1),
-            );
+            refuse(format!("`{}` has a control character", id.escape_debug()), "");
         } else if id.len() > 100 {
-            findings.push(
-                Finding::new("student", "the id is longer than 100 bytes").at(place(line), student + 1),
-            );
+            refuse("the id is longer than 100 bytes".to_owned(), "");
         } else if let Some(first) = seen.get(&id) {
-            let twice = Finding::new("student", format!("`{id}` stands on lines {first} and {line}"));
-            findings.push(twice.at(place(line), student + 1).hint("keep one of them"));
+            refuse(format!("`{id}` stands on lines {first} and {line}"), "keep one of them");
         } else {
             seen.insert(id.clone(), line);
             all.push((id, name.map(text).unwrap_or_default()));

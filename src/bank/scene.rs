@@ -253,6 +253,19 @@ impl SceneReader<'_> {
             formulas: Formulas { numbers: self.derived.take(), stays, below, ..Formulas::default() },
         };
         scene.still_turns();
+        if WHOLE
+            && let Some(lead) = scene.lead()
+            && !matches!(scene.end, End::Time(..))
+            && scene.ending_coordinate().body != lead
+        {
+            let [asked, leads] =
+                [scene.ending_coordinate().body, lead].map(|body| scene.bodies[body].name.as_str());
+            f.hint(
+                end_node.unwrap_or(node),
+                told!("the motion is followed by the angle of `{leads}`, not by that of `{asked}`"),
+                told!("end it at `of: {leads}`, or give the angle at the start of `{asked}` in its place"),
+            );
+        }
         if let Some(n) = next_node {
             let next = self.next(n, node, &scene, gravity)?;
             scene.formulas.others.push((AsIf::Next, next));

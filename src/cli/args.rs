@@ -53,11 +53,30 @@ pub enum Verb {
     /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
     Regrade(RegradeArgs),
     /// Say how many verdicts of a grading would change with other tolerances; changes nothing
-    WhatIf(WhatIfArgs),
+    WhatIf {
+        /// Folder of a grading, as grade made it
+        graded: PathBuf,
+        /// Relative tolerances in per cent
+        #[arg(long, value_name = "PERCENT,...", value_delimiter = ',', default_value = "0.5,1,2,5")]
+        tolerance: Vec<String>,
+    },
     /// Find wrong answers that are the right ones of a classmate, with the chance that luck makes them so; for instructors
-    Matches(MatchesArgs),
+    Matches {
+        /// Folder of a grading, as grade made it
+        graded: PathBuf,
+    },
     /// Tell everything about the marks of one student for one problem, in words
-    Explain(ExplainArgs),
+    Explain {
+        /// Folder of a grading, as grade made it
+        graded: PathBuf,
+        /// Id of the student, or the name
+        student: String,
+        /// Number or id of the problem; `1.omega` names the part too
+        problem: String,
+        /// Only this part
+        #[arg(long, value_name = "ID")]
+        part: Option<String>,
+    },
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     Check(CheckArgs),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
@@ -67,27 +86,65 @@ pub enum Verb {
     /// Measure what each method gives away for its speed, on one problem with given data
     Accuracy(AccuracyArgs),
     /// Begin a bank of one's own: a commented bank of one of a dozen scenes
-    New(NewArgs),
+    New {
+        /// Name of the scene; without it the scenes are listed
+        scene: Option<String>,
+    },
     /// Tell which quantities may be asked of a problem: name, what it is, sign, unit
-    Quantities(QuantitiesArgs),
+    Quantities {
+        #[arg(help = bank())]
+        bank: String,
+        /// Id of the problem; a bank of one problem needs none
+        problem: Option<String>,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Find everything that is wrong in a bank, then try it over many seeds
     Lint(LintArgs),
     /// Look through a bank: many variants of each problem side by side, with their answers, on one page
     Gallery(GalleryArgs),
     /// Draw and solve a set again and prove its key: solved in two ways, and an enclosure of every answer
-    Verify(VerifyArgs),
+    Verify {
+        /// Folder of the set, as generate made it
+        set: PathBuf,
+    },
     /// Write worked solutions of a set: solved in two ways, step by step, with figures; not for students yet
     Solutions(SolutionsArgs),
     /// Write the questions of a set, or a pool drawn from a bank, as one file that Moodle, Canvas or a QTI player imports
     Export(ExportArgs),
     /// Write out the built-in templates and word lists, to change them
-    Templates(TemplatesArgs),
+    Templates {
+        /// Folder to make
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Language: en or de
+        #[arg(long, value_name = "CODE", default_value = "en")]
+        language: String,
+    },
     /// Let a made-up class with declared habits hand in, and write down what each answer really is
     Simulate(SimulateArgs),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
-    Demo(DemoArgs),
+    Demo {
+        /// Folder to make
+        #[arg(default_value = "slipstick-demo")]
+        dir: PathBuf,
+        /// Show index.html of the grades in the browser
+        #[arg(long)]
+        open: bool,
+    },
     /// Read the manual: `slipstick help TOPIC`, or what a verb does: `slipstick help VERB`
-    Help(HelpArgs),
+    Help {
+        /// A topic (commands, bank, grading, platforms, formats, trust, accuracy, speed) or a verb
+        #[arg(conflicts_with = "html")]
+        topic: Option<String>,
+        /// Write the whole manual to this file, as one page
+        #[arg(long, value_name = "FILE")]
+        html: Option<PathBuf>,
+        /// Replace a file that is there already
+        #[arg(long, requires = "html")]
+        force: bool,
+    },
 }
 
 /// In which words: language, and templates of one's own.
@@ -311,37 +368,6 @@ pub struct RegradeArgs {
     pub dry_run: bool,
 }
 
-/// `what-if`
-#[derive(Debug, Args)]
-pub struct WhatIfArgs {
-    /// Folder of a grading, as grade made it
-    pub graded: PathBuf,
-    /// Relative tolerances in per cent
-    #[arg(long, value_name = "PERCENT,...", value_delimiter = ',', default_value = "0.5,1,2,5")]
-    pub tolerance: Vec<String>,
-}
-
-/// `matches`
-#[derive(Debug, Args)]
-pub struct MatchesArgs {
-    /// Folder of a grading, as grade made it
-    pub graded: PathBuf,
-}
-
-/// `explain`
-#[derive(Debug, Args)]
-pub struct ExplainArgs {
-    /// Folder of a grading, as grade made it
-    pub graded: PathBuf,
-    /// Id of the student, or the name
-    pub student: String,
-    /// Number or id of the problem; `1.omega` names the part too
-    pub problem: String,
-    /// Only this part
-    #[arg(long, value_name = "ID")]
-    pub part: Option<String>,
-}
-
 /// `check`
 #[derive(Debug, Args)]
 pub struct CheckArgs {
@@ -466,25 +492,6 @@ pub struct LintArgs {
     pub own: OwnArgs,
 }
 
-/// `new`
-#[derive(Debug, Args)]
-pub struct NewArgs {
-    /// Name of the scene; without it the scenes are listed
-    pub scene: Option<String>,
-}
-
-/// `quantities`
-#[derive(Debug, Args)]
-pub struct QuantitiesArgs {
-    #[arg(help = bank())]
-    pub bank: String,
-    /// Id of the problem; a bank of one problem needs none
-    pub problem: Option<String>,
-    /// Print JSON
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// `gallery`
 #[derive(Debug, Args)]
 pub struct GalleryArgs {
@@ -511,13 +518,6 @@ pub struct GalleryArgs {
     /// In which words.
     #[command(flatten)]
     pub own: OwnArgs,
-}
-
-/// `verify`
-#[derive(Debug, Args)]
-pub struct VerifyArgs {
-    /// Folder of the set, as generate made it
-    pub set: PathBuf,
 }
 
 /// How much worked solutions tell.
@@ -592,17 +592,6 @@ pub struct ExportArgs {
     pub own: OwnArgs,
 }
 
-/// `templates`
-#[derive(Debug, Args)]
-pub struct TemplatesArgs {
-    /// Folder to make
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
-    /// Language: en or de
-    #[arg(long, value_name = "CODE", default_value = "en")]
-    pub language: String,
-}
-
 /// `simulate`
 #[derive(Debug, Args)]
 pub struct SimulateArgs {
@@ -630,29 +619,4 @@ pub struct SimulateArgs {
     /// Print a file of habits with every field explained, and do nothing else
     #[arg(long)]
     pub example: bool,
-}
-
-/// `demo`
-#[derive(Debug, Args)]
-pub struct DemoArgs {
-    /// Folder to make
-    #[arg(default_value = "slipstick-demo")]
-    pub dir: PathBuf,
-    /// Show index.html of the grades in the browser
-    #[arg(long)]
-    pub open: bool,
-}
-
-/// `help`
-#[derive(Debug, Args)]
-pub struct HelpArgs {
-    /// A topic (commands, bank, grading, platforms, formats, trust, accuracy, speed) or a verb
-    #[arg(conflicts_with = "html")]
-    pub topic: Option<String>,
-    /// Write the whole manual to this file, as one page
-    #[arg(long, value_name = "FILE")]
-    pub html: Option<PathBuf>,
-    /// Replace a file that is there already
-    #[arg(long, requires = "html")]
-    pub force: bool,
 }

@@ -1,5 +1,4 @@
 //! `slipstick demo`: the whole job on a made-up class.
-use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::deal::Plan;
@@ -28,8 +27,7 @@ const TRUTH: &str = "truth.csv";
 const SELF_TEST: &str = "self-test.txt";
 const SEED: u64 = 2026;
 
-pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let dir = &args.dir;
+pub fn run(dir: &Path, open: bool, io: &mut Io) -> Result<Exit, Findings> {
     let bar = io.bar();
     const NEW: NewFolder =
         NewFolder { verb: "demo", makes: "demonstration", example: "slipstick-demo", taken: "" };
@@ -106,7 +104,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
         "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --course {shown}/course.yaml --out my-grades",
         bank.id
     ));
-    io.open(&dir.join("grades").join(names::INDEX), args.open);
+    io.open(&dir.join("grades").join(names::INDEX), open);
     Ok(Exit::Fine)
 }
 

@@ -21,9 +21,8 @@ pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
         (ExportFormat::Moodle, Some(layout)) => layout,
         (ExportFormat::Canvas, None) => QuestionLayout::Parts,
         (_, Some(_)) => {
-            return Err(
-                Finding::new("--as", format!("is for moodle, and not for {}", args.format.as_str())).into()
-            );
+            let what = format!("is for moodle, and not for {}", args.format.as_str());
+            return Err(Finding::new("--as", what).into());
         }
         _ => QuestionLayout::Whole,
     };

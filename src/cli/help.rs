@@ -7,13 +7,13 @@ use crate::manual;
 use crate::units::spell;
 use std::path::Path;
 
-pub fn run(args: &args::HelpArgs, io: &mut Io) -> Result<Exit, Findings> {
-    if let Some(path) = &args.html {
-        return book(path, args.force, io);
+pub fn run(topic: Option<&str>, html: Option<&Path>, force: bool, io: &mut Io) -> Result<Exit, Findings> {
+    if let Some(path) = html {
+        return book(path, force, io);
     }
     let mut command = args::command();
     command.build();
-    let Some(asked) = &args.topic else {
+    let Some(asked) = topic else {
         io.piece(&command.render_long_help().to_string());
         return Ok(Exit::Fine);
     };

@@ -1,5 +1,4 @@
 //! `slipstick matches`: whose answers the wrong answers of a grading are. For instructors only.
-use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::names::MATCHES;
@@ -8,14 +7,15 @@ use crate::num::shown;
 use crate::report::matches::ClassMatches;
 use crate::sheet::terminal;
 use crate::words::Words;
+use std::path::Path;
 
 /// Pairs shown on the terminal; the others stand in the file.
 const SHOWN: usize = 20;
 
-pub fn run(args: &args::MatchesArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let found = matches::find(&graded::open(&args.graded, None)?)?;
+pub fn run(graded: &Path, io: &mut Io) -> Result<Exit, Findings> {
+    let found = matches::find(&graded::open(graded, None)?)?;
     io.piece(&told(&found));
-    let path = args.graded.join(MATCHES);
+    let path = graded.join(MATCHES);
     let text = String::from_utf8_lossy(&found.csv()).into_owned();
     files::put_all(&[(path.clone(), text)])?;
     io.line(&format!("  all of them, for your eyes only: {}", path.display()));

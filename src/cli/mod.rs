@@ -103,20 +103,22 @@ fn verb(words: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Solve(args) => solve::run(&args, io),
         Verb::Accuracy(args) => accuracy::run(&args, io),
         Verb::Lint(args) => lint::run(&args, io),
-        Verb::New(args) => new::run(&args, io),
-        Verb::Quantities(args) => quantities::run(&args, io),
+        Verb::New { scene } => new::run(scene.as_deref(), io),
+        Verb::Quantities { bank, problem, json } => quantities::run(&bank, problem.as_deref(), json, io),
         Verb::Gallery(args) => gallery::run(&args, io),
-        Verb::Verify(args) => verify::run(&args, io),
+        Verb::Verify { set } => verify::run(&set, io),
         Verb::Solutions(args) => solutions::run(&args, io),
         Verb::Regrade(args) => regrade::run(&args, io),
-        Verb::Matches(args) => matches::run(&args, io),
-        Verb::WhatIf(args) => what_if::run(&args, io),
+        Verb::Matches { graded } => matches::run(&graded, io),
+        Verb::WhatIf { graded, tolerance } => what_if::run(&graded, &tolerance, io),
         Verb::Export(args) => export::run(&args, io),
-        Verb::Explain(args) => explain::run(&args, io),
-        Verb::Templates(args) => templates::run(&args, io),
+        Verb::Explain { graded, student, problem, part } => {
+            explain::run(&graded, &student, &problem, part.as_deref(), io)
+        }
+        Verb::Templates { out, language } => templates::run(&out, &language, io),
         Verb::Simulate(args) => simulate::run(&args, io),
-        Verb::Demo(args) => demo::run(&args, io),
-        Verb::Help(args) => help::run(&args, io),
+        Verb::Demo { dir, open } => demo::run(&dir, open, io),
+        Verb::Help { topic, html, force } => help::run(topic.as_deref(), html.as_deref(), force, io),
     };
     done.unwrap_or_else(|findings| io.findings(&findings))
 }

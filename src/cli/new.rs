@@ -1,13 +1,12 @@
 //! `slipstick new`: a commented bank of one scene, to begin a bank of one's own with.
 use crate::bank::built_in::SCENES;
-use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::sheet::terminal;
 use crate::units;
 
-pub fn run(args: &args::NewArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let Some(wanted) = &args.scene else {
+pub fn run(scene: Option<&str>, io: &mut Io) -> Result<Exit, Findings> {
+    let Some(wanted) = scene else {
         let row = |(name, text): &(&str, &str)| vec![(*name).to_owned(), about(text).to_owned()];
         let rows: Vec<Vec<String>> = SCENES.iter().map(row).collect();
         io.piece(&terminal::table(&rows, &[0, 1]));
@@ -15,7 +14,7 @@ pub fn run(args: &args::NewArgs, io: &mut Io) -> Result<Exit, Findings> {
         io.line("slipstick new SCENE > my-bank.yaml    writes a bank of one of them, with comments: change what you like");
         return Ok(Exit::Fine);
     };
-    let Some((_, text)) = SCENES.iter().find(|(name, _)| name == wanted) else {
+    let Some((_, text)) = SCENES.iter().find(|(name, _)| *name == wanted) else {
         let known = SCENES.iter().map(|(name, _)| *name);
         let fault = Finding::new("", format!("there is no scene `{wanted}`"));
         return Err(fault.hint(units::spell::hint(wanted, "scenes", known)).into());

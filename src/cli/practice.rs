@@ -18,19 +18,12 @@ use crate::solve::outcome::Motion;
 use crate::tutor::Tutor;
 use crate::words::Words;
 use crate::words::plain::plain;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::SystemTime;
 
 /// Variants of a problem on a page at most, so that it can be mailed and a phone can show it.
 const MOST: u32 = 20;
-
-/// What the student wants next.
-enum Next {
-    /// Another problem.
-    Draw,
-    /// An end.
-    Quit,
-}
 
 pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let (loaded, texts) = args.own.load(&args.bank)?;
@@ -41,14 +34,8 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     }
     let seed = args.seed.unwrap_or_else(from_clock);
     if let Some(file) = &args.page {
-        let plan = PracticePlan {
-            loaded: &loaded,
-            texts: &texts,
-            problems: &problems,
-            seed,
-            variants: args.variants,
-        };
-        return write(&plan, file, args.force, io);
+        let (loaded, texts, problems, variants) = (&loaded, &texts, &problems[..], args.variants);
+        return write(&PracticePlan { loaded, texts, problems, seed, variants }, file, args.force, io);
     }
     let sheets = Sheets::new(&texts.templates, words, bank, practice::SET, &problems)?;
     let makers: Vec<Maker> =
@@ -69,9 +56,8 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);
         let tutor = Tutor::new(problem, &variant, &key, bank.grading.hints, words, &find);
-        match questions(problem, &variant, &key, (&mut right, &mut asked), (words, &tutor), io) {
-            Next::Draw => {}
-            Next::Quit => break,
+        if questions(problem, &variant, &key, (&mut right, &mut asked), (words, &tutor), io).is_break() {
+            break;
         }
     }
     if asked > 0 {
@@ -95,7 +81,7 @@ fn write(plan: &PracticePlan, file: &Path, force: bool, io: &mut Io) -> Result<E
     Ok(Exit::Fine)
 }
 
-/// The question part of a round.
+/// The question part of a round; it breaks where the student wants no other problem.
 fn questions(
     problem: &Problem,
     variant: &Variant,
@@ -103,7 +89,7 @@ fn questions(
     (right, asked): (&mut usize, &mut usize),
     (words, tutor): (&Words, &Tutor),
     io: &mut Io,
-) -> Next {
+) -> ControlFlow<()> {
     let commands = words.get("feedback.commands");
     for (part, (question, entry)) in problem.questions.iter().zip(&key.parts).enumerate() {
         // Hints that were given to this question; none is given twice.
@@ -112,18 +98,18 @@ fn questions(
             io.piece(&format!("{} = ", entry.part));
             let Some(cell) = io.ask() else {
                 io.line("");
-                return Next::Quit;
+                return ControlFlow::Break(());
             };
             match cell.as_str() {
-                "quit" | "q" | "exit" => return Next::Quit,
-                "next" => return Next::Draw,
+                "quit" | "q" | "exit" => return ControlFlow::Break(()),
+                "next" => return ControlFlow::Continue(()),
                 "help" | "?" => {
                     io.line(&format!("  {commands}"));
                     continue;
                 }
                 "solution" => {
                     solution(problem, variant, key, words, io);
-                    return Next::Draw;
+                    return ControlFlow::Continue(());
                 }
                 "" => {
                     *asked += 1;
@@ -157,7 +143,7 @@ fn questions(
             }
         }
     }
-    Next::Draw
+    ControlFlow::Continue(())
 }
 
 fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, words: &Words, io: &mut Io) {

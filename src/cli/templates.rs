@@ -1,6 +1,5 @@
 //! `slipstick templates`: the built-in templates and word lists as files, to be changed, and what each of them receives.
 use crate::bank::{built_in, overlay};
-use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::banks::README;
@@ -10,6 +9,7 @@ use crate::folder::{banks, files};
 use crate::sheet::terminal;
 use crate::template;
 use crate::words::Words;
+use std::path::Path;
 
 /// What is not written out: the looks of pages that only instructors see, and the font of formulas.
 const NOT_WRITTEN: [&str; 5] =
@@ -18,22 +18,22 @@ const NOT_WRITTEN: [&str; 5] =
 /// What each file receives.
 const ABOUT: &str = include_str!("../../templates/README.md");
 
-pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Findings> {
-    banks::words(&args.language)?;
+pub fn run(out: &Path, language: &str, io: &mut Io) -> Result<Exit, Findings> {
+    banks::words(language)?;
     let new = NewFolder {
         verb: "templates",
         makes: "templates",
         example: "--out my-templates",
         taken: "give a new folder: templates that you changed are not replaced",
     };
-    files::may_write_folder(&args.out, false, &new, || Ok(None))?;
-    let texts = texts(&args.language)?;
-    let staged = Staged::new(&args.out)?;
+    files::may_write_folder(out, false, &new, || Ok(None))?;
+    let texts = texts(language)?;
+    let staged = Staged::new(out)?;
     for (name, text) in &texts {
         staged.write(name, text.as_bytes())?;
     }
     staged.finish()?;
-    let out = args.out.display();
+    let out = out.display();
     io.line(&format!(
         "{}, in {out}; {out}/{README} says what each receives",
         terminal::count(texts.len(), "file")

@@ -1,5 +1,4 @@
 //! `slipstick verify`: a set is drawn and solved again, and every key held against its enclosure.
-use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::set::Replayed;
@@ -8,12 +7,13 @@ use crate::key::SheetKey;
 use crate::report::proved;
 use crate::set::key_file;
 use crate::sheet::terminal;
+use std::path::Path;
 
-pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let Replayed { set, keys, not_drawn, .. } = set::replayed(&args.set)?;
+pub fn run(folder: &Path, io: &mut Io) -> Result<Exit, Findings> {
+    let Replayed { set, keys, not_drawn, .. } = set::replayed(folder)?;
     if not_drawn.is_none() {
         // Of a set that is not drawn again the key was held against its hash already.
-        strangers(args, &keys)?;
+        strangers(folder, &keys)?;
     }
     let sheets = terminal::count(keys.len(), "sheet");
     let variants = terminal::count(keys.iter().map(|k| k.problems.len()).sum::<usize>(), "variant");
@@ -32,8 +32,8 @@ pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Findings> {
 }
 
 /// A key with rows beside those of the set: grading leaves them alone, a proof does not.
-fn strangers(args: &args::VerifyArgs, keys: &[SheetKey]) -> Result<(), Findings> {
-    let path = args.set.join(names::KEY);
+fn strangers(folder: &Path, keys: &[SheetKey]) -> Result<(), Findings> {
+    let path = folder.join(names::KEY);
     let stored = files::read(&path)?;
     if key_file::is_of(&stored, keys) {
         return Ok(());

@@ -1,11 +1,11 @@
 //! `slipstick what-if`: how many verdicts of a grading would change with other tolerances.
-use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::tolerances;
+use std::path::Path;
 
-pub fn run(args: &args::WhatIfArgs, io: &mut Io) -> Result<Exit, Findings> {
-    io.piece(&tolerances::what_if(&args.graded, &shares(&args.tolerance)?)?);
+pub fn run(graded: &Path, typed: &[String], io: &mut Io) -> Result<Exit, Findings> {
+    io.piece(&tolerances::what_if(graded, &shares(typed)?)?);
     Ok(Exit::Fine)
 }
 

@@ -1,13 +1,12 @@
 //! QTI 1.2 in an archive, as Canvas imports it: one quiz with a group of questions for each part, from which one is drawn. Canvas
 //! has no question with several numbers, so each part is a question with the statement of its own.
-use crate::export::item::{Item, ItemPart};
-use crate::export::package::{Manifest, Resource};
-use crate::export::{Export, Fragment, PartView, units};
+use crate::export::item::Item;
+use crate::export::{Export, Fragment, package, part_view, units};
 use crate::finding::{Finding, Findings};
 use crate::key::{Answer, KeyEntry, ProblemKey, SheetKey};
 use crate::num;
 use crate::set::key_file::shortest;
-use serde::Serialize;
+use serde_json::json;
 
 /// Canvas keeps four decimals of a number: what is smaller becomes 0.
 pub const LEAST: f64 = 1e-4;
@@ -20,29 +19,22 @@ fn path(file: &str) -> String {
     format!("images/{file}")
 }
 
-/// The question of a part.
-#[derive(Serialize)]
-struct Question<'i> {
-    id: String,
-    code: &'i str,
-    text: String,
-    part: PartView<'i>,
-    /// A solution is long and is that of all parts: it stands with the last of them.
-    solution: Option<String>,
-}
-
 /// The questions of an item. Errors: faults of the template.
 pub fn fragment(export: &Export, item: &Item) -> Result<Fragment, Finding> {
-    let question = |(i, part): (usize, &ItemPart)| {
-        let id = format!("i{}-{}-{}", item.problem + 1, item.code, part.id);
-        let text = item.text(Some(i), &mut |_| String::new(), &address);
-        let solution = if i + 1 == item.parts.len() { item.solution(&address) } else { None };
-        let question = Question { id, code: &item.code, text, part: PartView::new(part), solution };
+    let question = |(i, part): (usize, &KeyEntry)| {
+        let question = json!({
+            "id": format!("i{}-{}-{}", item.problem + 1, item.code, part.part),
+            "code": item.code,
+            "text": item.text(Some(i), &mut |_| String::new(), &address),
+            "part": part_view(part, item.words),
+            // A solution is long and is that of all parts: it stands with the last of them.
+            "solution": if i + 1 == item.parts.len() { item.solution(&address) } else { None },
+        });
         export.made("canvas-question.xml", &question)
     };
     let questions = item.parts.iter().enumerate().map(question).collect::<Result<_, _>>()?;
     let files = item.pictures.iter().map(|p| (path(&p.file), p.svg.clone().into_bytes()));
-    Ok(Fragment { problem: item.problem, code: item.code.clone(), questions, files: files.collect() })
+    Ok(Fragment { problem: item.problem, code: item.code.to_owned(), questions, files: files.collect() })
 }
 
 /// The parts of these problems whose numbers Canvas would take for 0 in some variant, each with the worst one.
@@ -92,34 +84,22 @@ fn part_too_small(variant: &ProblemKey, entry: &KeyEntry, least: f64) -> Finding
 pub fn file(export: &Export, fragments: Vec<Fragment>) -> Result<Vec<u8>, Finding> {
     let id = format!("quiz-{}", export.id);
     let (main, of_quiz) = (format!("{id}/{id}.xml"), format!("{id}/assessment_meta.xml"));
-    let whole = export.whole(&id, &fragments);
+    let whole = export.whole(&id, "", &fragments);
     let mut files = vec![
         (main.clone(), export.made("canvas.xml", &whole)?.into_bytes()),
         (of_quiz.clone(), export.made("canvas-meta.xml", &whole)?.into_bytes()),
     ];
     let needed = format!("{id}-meta");
-    let resource = |id: &str, kind, file: String, needs, named| Resource {
-        id: id.to_owned(),
-        kind,
-        files: vec![file],
-        needs,
-        named,
-    };
     const META: &str = "associatedcontent/imscc_xmlv1p1/learning-application-resource";
     let mut resources = vec![
-        resource(&id, "imsqti_xmlv1p2", main, vec![needed.clone()], false),
-        resource(&needed, META, of_quiz, Vec::new(), true),
+        json!({"id": id, "kind": "imsqti_xmlv1p2", "files": [main], "needs": [needed], "named": false}),
+        json!({"id": needed, "kind": META, "files": [of_quiz], "needs": [], "named": true}),
     ];
     for (path, bytes) in fragments.into_iter().flat_map(|f| f.files) {
         let id = format!("image-{}", resources.len());
-        resources.push(resource(&id, "webcontent", path.clone(), Vec::new(), true));
+        resources.push(json!({"id": id, "kind": "webcontent", "files": [path], "needs": [], "named": true}));
         files.push((path, bytes));
     }
-    let manifest = Manifest {
-        id: &export.id,
-        namespace: "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1",
-        schema: ("IMS Content", "1.1.3"),
-        resources,
-    };
-    manifest.archive(export, files)
+    let namespace = "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1";
+    package::archive(export, (namespace, ["IMS Content", "1.1.3"]), &resources, files)
 }

@@ -3,32 +3,33 @@ use crate::answer::word;
 use crate::bank::Bank;
 use crate::export::body::{BodyWriter, ItemText};
 use crate::finding::Finding;
-use crate::key::{Answer, ProblemKey};
+use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::picture::svg;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Document;
 use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solution;
-use crate::units::Unit;
 use crate::words::Words;
 use std::sync::Arc;
 
 /// One variant of one problem.
-pub struct Item {
+pub struct Item<'i> {
     /// Index of the problem in the sheet.
     pub problem: usize,
     /// Code of its data.
-    pub code: String,
+    pub code: &'i str,
     /// Title of the problem.
-    pub title: String,
+    pub title: &'i str,
     /// Statement, figure and questions.
     pub body: ItemText,
     /// How to answer them.
     pub below: Arc<Below>,
     /// Pictures of the statement, then of the solution.
     pub pictures: Vec<ItemPicture>,
-    pub parts: Vec<ItemPart>,
+    pub parts: &'i [KeyEntry],
+    /// The words of the sheet.
+    pub words: &'i Words,
     /// The worked solution, if it is wanted; its pictures come behind those of the statement, of which there are so many.
     pub solution: Option<(ItemText, usize)>,
 }
@@ -50,32 +51,6 @@ pub struct ItemPicture {
     pub alternative: String,
     /// The file.
     pub svg: String,
-}
-
-pub struct ItemPart {
-    /// Its id, `omega`.
-    pub id: String,
-    pub right: Right,
-    pub points: f64,
-}
-
-pub enum Right {
-    /// A number in the unit that is asked.
-    Number {
-        /// The number.
-        value: f64,
-        /// How far an answer may be from it.
-        tolerance: f64,
-        unit: Unit,
-    },
-    Word {
-        /// The right one, as keys write it.
-        right: &'static str,
-        /// Those that are offered: as keys write them, and as the sheet says them.
-        offered: Vec<(&'static str, String)>,
-        /// All that is read as the right one, first as the sheet says it: a platform may show the first as the answer.
-        spellings: Vec<String>,
-    },
 }
 
 /// Makes items of the variants of a set.
@@ -135,13 +110,13 @@ impl<'i> ItemMaker<'i> {
     }
 
     /// The item of a variant of the problem at this place of the sheet. Errors: faults of the templates.
-    pub fn item(
-        &self,
+    pub fn item<'k>(
+        &'k self,
         at: usize,
         variant: &Variant,
-        key: &ProblemKey,
+        key: &'k ProblemKey,
         scratch: &mut ItemScratch,
-    ) -> Result<Item, Finding> {
+    ) -> Result<Item<'k>, Finding> {
         let problem = &self.bank.problems[self.problems[at]];
         let (words, code) = (&self.texts.words, key.code.as_str());
         if let Some(none) =
@@ -164,21 +139,8 @@ impl<'i> ItemMaker<'i> {
             }
             false => None,
         };
-        let parts = key.parts.iter().map(|entry| ItemPart {
-            id: entry.part.clone(),
-            right: right(&entry.answer, &entry.unit, words),
-            points: entry.points,
-        });
-        Ok(Item {
-            problem: at,
-            code: code.to_owned(),
-            title: problem.title.clone(),
-            body,
-            below: Arc::clone(&self.below[at]),
-            pictures,
-            parts: parts.collect(),
-            solution,
-        })
+        let (title, below, parts) = (problem.title.as_str(), Arc::clone(&self.below[at]), &key.parts[..]);
+        Ok(Item { problem: at, code, title, body, below, pictures, parts, words, solution })
     }
 }
 
@@ -196,29 +158,14 @@ fn pictures<'d>(document: &'d Document, prefix: &'d str) -> impl Iterator<Item =
     })
 }
 
-fn right(answer: &Answer, unit: &Unit, words: &Words) -> Right {
-    match answer {
-        Answer::Number { value, half_width, .. } => Right::Number {
-            value: unit.from_si(*value),
-            tolerance: unit.from_si(*half_width),
-            unit: unit.clone(),
-        },
-        Answer::Word { right, offered } => Right::Word {
-            right,
-            offered: offered.iter().map(|w| (*w, words.of_key(w).to_owned())).collect(),
-            spellings: spellings(right, words.of_key(right)),
-        },
-    }
+/// All that is read as a word of a key, first as the sheet says it: a platform may show the first as the answer.
+pub fn spellings<'w>(right: &'static str, words: &'w Words) -> Vec<&'w str> {
+    let said = words.of_key(right);
+    let others = word::spellings(right).into_iter().filter(|word| *word != said);
+    std::iter::once(said).chain(others).collect()
 }
 
-/// All that is read as a word of a key, first as the sheet says it.
-fn spellings(right: &'static str, said: &str) -> Vec<String> {
-    let mut all = word::spellings(right);
-    all.retain(|word| *word != said);
-    std::iter::once(said).chain(all).map(str::to_owned).collect()
-}
-
-impl Item {
+impl Item<'_> {
     /// The text with what stands below it; with `only` for this part alone, which says no more than this part needs.
     pub fn text(
         &self,
@@ -227,12 +174,12 @@ impl Item {
         address: &dyn Fn(&str) -> String,
     ) -> String {
         let mut out = self.body.text(only, answer, &|i| self.picture(i, address));
-        let below = match only.and_then(|i| self.parts.get(i)).map(|part| &part.right) {
+        let below = match only.and_then(|i| self.parts.get(i)).map(|part| &part.answer) {
             None => &self.below.whole,
-            Some(Right::Number { .. }) => &self.below.number,
-            Some(Right::Word { .. }) => &self.below.word,
+            Some(Answer::Number { .. }) => &self.below.number,
+            Some(Answer::Word { .. }) => &self.below.word,
         };
-        out.push_str(&below.replace(CODE, &self.code));
+        out.push_str(&below.replace(CODE, self.code));
         out
     }
 

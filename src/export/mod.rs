@@ -13,11 +13,13 @@ pub(crate) mod qti;
 pub(crate) mod units;
 
 use crate::bank::Problem;
-use crate::export::item::{Item, ItemPart, Right};
+use crate::export::item::Item;
 use crate::finding::{Finding, Findings};
+use crate::key::{Answer, KeyEntry};
 use crate::set::key_file::shortest;
 use crate::template::{Templates, View};
-use serde::Serialize;
+use crate::words::Words;
+use serde_json::{Value, json};
 
 worded! {
     /// A platform's format.
@@ -87,82 +89,34 @@ pub fn templates() -> Result<Templates, Findings> {
     Templates::of_program(&all.collect::<Vec<_>>())
 }
 
-/// A part, as the templates see it.
-#[derive(Serialize)]
-pub(crate) struct PartView<'i> {
-    id: &'i str,
-    points: String,
-    is_number: bool,
-    /// The number or the word that is right; how far an answer may be from a number, and what that is at least and at most.
-    value: String,
-    tolerance: String,
-    low: String,
-    high: String,
-    /// The units in which a number may be typed, with the factors that make it one in the unit that is asked.
-    units: Vec<(String, String)>,
-    offered: &'i [(&'static str, String)],
-    spellings: &'i [String],
-}
-
-impl<'i> PartView<'i> {
-    fn new(part: &'i ItemPart) -> Self {
-        let (id, points) = (part.id.as_str(), shortest(part.points));
-        let none = String::new;
-        match &part.right {
-            Right::Number { value, tolerance, unit } => Self {
-                id,
-                points,
-                is_number: true,
-                value: shortest(*value),
-                tolerance: shortest(*tolerance),
-                low: shortest(value - tolerance),
-                high: shortest(value + tolerance),
-                units: units::units(unit).into_iter().map(|(name, by)| (name, shortest(by))).collect(),
-                offered: &[],
-                spellings: &[],
-            },
-            Right::Word { right, offered, spellings } => Self {
-                id,
-                points,
-                is_number: false,
-                value: (*right).to_owned(),
-                tolerance: none(),
-                low: none(),
-                high: none(),
-                units: Vec::new(),
-                offered,
-                spellings,
-            },
+/// A part, as the templates see it: of a number what it is at least and at most, and the units in which it may be typed, with the
+/// factors that make it one in the unit that is asked; of a word all that are offered, and all that is read as the right one.
+pub(crate) fn part_view(part: &KeyEntry, words: &Words) -> Value {
+    let (id, points, unit) = (&part.part, shortest(part.points), &part.unit);
+    match &part.answer {
+        Answer::Number { value, half_width, .. } => {
+            let [value, tolerance] = [*value, *half_width].map(|si| unit.from_si(si));
+            let units = units::units(unit).into_iter().map(|(name, by)| (name, shortest(by)));
+            json!({
+                "id": id,
+                "points": points,
+                "is_number": true,
+                "value": shortest(value),
+                "tolerance": shortest(tolerance),
+                "low": shortest(value - tolerance),
+                "high": shortest(value + tolerance),
+                "units": units.collect::<Vec<_>>(),
+            })
         }
+        Answer::Word { right, offered } => json!({
+            "id": id,
+            "points": points,
+            "is_number": false,
+            "value": right,
+            "offered": offered.iter().map(|word| (word, words.of_key(word))).collect::<Vec<_>>(),
+            "spellings": item::spellings(right, words),
+        }),
     }
-}
-
-/// Questions of which a student gets one: the variants of a problem, or of one of its parts.
-#[derive(Serialize)]
-pub(crate) struct Pool<'f> {
-    /// Number of the problem in the sheet.
-    number: usize,
-    /// What the problem is called there.
-    name: String,
-    /// Id of the part; empty where a question holds all.
-    part: &'f str,
-    points: String,
-    /// Where Moodle keeps it.
-    path: String,
-    id: String,
-    questions: Vec<&'f str>,
-}
-
-/// An export as a whole, as the templates see it.
-#[derive(Serialize)]
-pub(crate) struct WholeExport<'f> {
-    id: &'f str,
-    set: &'f str,
-    about: &'f str,
-    points: String,
-    /// Attributes of QTI.
-    spaces: &'static str,
-    pools: Vec<Pool<'f>>,
 }
 
 /// What an item becomes in a format.
@@ -184,7 +138,7 @@ impl Export<'_> {
     }
 
     /// What a template makes of this, without the characters that XML cannot hold in any way. Errors: faults of the template.
-    pub(crate) fn made(&self, template: &str, data: &impl Serialize) -> Result<String, Finding> {
+    pub(crate) fn made(&self, template: &str, data: &Value) -> Result<String, Finding> {
         let mut view = View::new();
         view.fields(data);
         let made = String::from_utf8_lossy(&self.templates.made(template, &view)?).into_owned();
@@ -192,27 +146,41 @@ impl Export<'_> {
         Ok(made.chars().filter(may).filter(|c| !matches!(c, '\u{fffe}' | '\u{ffff}')).collect())
     }
 
-    /// All of it, with the questions of these fragments, which stand problem by problem.
-    pub(crate) fn whole<'f>(&'f self, id: &'f str, fragments: &'f [Fragment]) -> WholeExport<'f> {
-        let of_problem = |of: &'f [Fragment]| {
+    /// All of it, as the templates see it, with the questions of these fragments, which stand problem by problem. Of a pool of questions
+    /// a student gets one: the variants of a problem, or of one of its parts; `spaces` are attributes of QTI.
+    pub(crate) fn whole(&self, id: &str, spaces: &str, fragments: &[Fragment]) -> Value {
+        let of_problem = |of: &[Fragment]| {
             let at = of[0].problem;
             let questions = &self.problems[at].questions;
             let parts = match self.layout {
                 QuestionLayout::Whole => vec![("", 0.0)],
                 _ => questions.iter().map(|q| (q.id.as_str(), q.points)).collect(),
             };
-            parts.into_iter().enumerate().map(move |(i, (part, points))| {
-                let (number, name, points) = (at + 1, self.name(at), shortest(points));
-                let of_part = of.iter().filter_map(|f| f.questions.get(i)).map(String::as_str);
-                let (path, id) = (String::new(), String::new());
-                let mut pool = Pool { number, name, part, points, path, id, questions: of_part.collect() };
-                (pool.path, pool.id) = moodle::category(self, &pool);
-                pool
-            })
+            let pool = move |(i, (part, points)): (usize, (&str, f64))| {
+                let of_part = of.iter().filter_map(|f| f.questions.get(i));
+                let (path, id) = moodle::category(self, at, part);
+                json!({
+                    "number": at + 1,
+                    "name": self.name(at),
+                    "part": part,
+                    "points": shortest(points),
+                    "path": path,
+                    "id": id,
+                    "questions": of_part.collect::<Vec<_>>(),
+                })
+            };
+            parts.into_iter().enumerate().map(pool).collect::<Vec<_>>()
         };
         let points: f64 = self.problems.iter().flat_map(|p| &p.questions).map(|q| q.points).sum();
-        let pools = fragments.chunk_by(|a, b| a.problem == b.problem).flat_map(of_problem).collect();
-        WholeExport { id, set: self.set, about: &self.about, points: shortest(points), spaces: "", pools }
+        let pools = fragments.chunk_by(|a, b| a.problem == b.problem).flat_map(of_problem);
+        json!({
+            "id": id,
+            "set": self.set,
+            "about": self.about,
+            "points": shortest(points),
+            "spaces": spaces,
+            "pools": pools.collect::<Vec<_>>(),
+        })
     }
 
     /// An item in the format. Errors: faults of the templates.
@@ -237,7 +205,7 @@ impl Export<'_> {
         let variants = fragments.len();
         let questions = fragments.iter().map(|f| f.questions.len()).sum();
         let bytes = match self.platform {
-            ExportFormat::Moodle => self.made("moodle.xml", &self.whole("", &fragments))?.into_bytes(),
+            ExportFormat::Moodle => self.made("moodle.xml", &self.whole("", "", &fragments))?.into_bytes(),
             ExportFormat::Canvas => canvas::file(self, fragments)?,
             ExportFormat::Qti21 => qti::file(&qti::QTI21, self, fragments)?,
             ExportFormat::Qti3 => qti::file(&qti::QTI3, self, fragments)?,

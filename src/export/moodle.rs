@@ -1,10 +1,12 @@
 //! Moodle XML: a category for each problem with a cloze question for each variant, or a category and a question for each part.
-use crate::export::item::{Item, ItemPart, ItemPicture, Right};
-use crate::export::{Export, Fragment, PartView, Pool, QuestionLayout};
+use crate::export::item::{Item, spellings};
+use crate::export::{Export, Fragment, QuestionLayout, part_view};
 use crate::finding::Finding;
+use crate::key::{Answer, KeyEntry};
 use crate::set::key_file::shortest;
+use crate::words::Words;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// Longest name and longest id number that Moodle keeps.
 const LONGEST: (usize, usize) = (255, 100);
@@ -36,13 +38,15 @@ pub fn weights(points: &[f64]) -> Vec<u64> {
 }
 
 /// The field of a part in a cloze question.
-fn field(part: &ItemPart, weight: u64) -> String {
-    match &part.right {
-        Right::Number { value, tolerance, .. } => {
-            format!("{{{weight}:NUMERICAL:={}:{}}}", shortest(*value), shortest(*tolerance))
+fn field(part: &KeyEntry, weight: u64, words: &Words) -> String {
+    match &part.answer {
+        Answer::Number { value, half_width, .. } => {
+            let [value, tolerance] = [*value, *half_width].map(|si| shortest(part.unit.from_si(si)));
+            format!("{{{weight}:NUMERICAL:={value}:{tolerance}}}")
         }
-        Right::Word { spellings, .. } => {
-            let all: Vec<String> = spellings.iter().map(|word| format!("={}", in_field(word))).collect();
+        Answer::Word { right, .. } => {
+            let all = spellings(right, words).into_iter().map(|word| format!("={}", in_field(word)));
+            let all: Vec<String> = all.collect();
             format!("{{{weight}:SHORTANSWER:{}}}", all.join("~"))
         }
     }
@@ -53,55 +57,32 @@ fn address(file: &str) -> String {
 }
 
 /// A text in a question: its element, XHTML as a section of character data, and the pictures that it shows.
-#[derive(Serialize)]
-struct QuestionText<'i> {
-    name: &'static str,
-    data: String,
-    files: Vec<PictureFile<'i>>,
-}
-
-#[derive(Serialize)]
-struct PictureFile<'i> {
-    name: &'i str,
-    bytes: String,
-}
-
-/// A question: all parts, or one of them.
-#[derive(Serialize)]
-struct Question<'i> {
-    kind: &'static str,
-    name: String,
-    texts: [QuestionText<'i>; 2],
-    part: Option<PartView<'i>>,
-}
-
-impl<'i> QuestionText<'i> {
-    fn new(item: &'i Item, name: &'static str, xhtml: &str) -> Self {
-        let shown = item.pictures.iter().filter(|p| xhtml.contains(&address(&p.file)));
-        let file = |p: &'i ItemPicture| PictureFile { name: &p.file, bytes: BASE64_STANDARD.encode(&p.svg) };
-        Self { name, data: xhtml.replace("]]>", "]]]]><![CDATA[>"), files: shown.map(file).collect() }
-    }
+fn text(item: &Item, name: &str, xhtml: &str) -> Value {
+    let shown = item.pictures.iter().filter(|p| xhtml.contains(&address(&p.file)));
+    let files = shown.map(|p| json!({"name": p.file, "bytes": BASE64_STANDARD.encode(&p.svg)}));
+    let data = xhtml.replace("]]>", "]]]]><![CDATA[>");
+    json!({"name": name, "data": data, "files": files.collect::<Vec<_>>()})
 }
 
 /// The questions of an item. Errors: faults of the template.
 pub fn fragment(export: &Export, item: &Item) -> Result<Fragment, Finding> {
     let solution = without_fields(&item.solution(&address).unwrap_or_default());
-    let made = |kind: &'static str, name: String, xhtml: String, part: Option<PartView>| {
-        let texts = [("questiontext", &xhtml), ("generalfeedback", &solution)];
-        let texts = texts.map(|(name, xhtml)| QuestionText::new(item, name, xhtml));
-        export.made("moodle-question.xml", &Question { kind, name, texts, part })
+    // A question of all parts, or of one of them.
+    let made = |kind: &str, name: &str, xhtml: &str, part: Option<Value>| {
+        let texts = [text(item, "questiontext", xhtml), text(item, "generalfeedback", &solution)];
+        let question = json!({"kind": kind, "name": name, "texts": texts, "part": part});
+        export.made("moodle-question.xml", &question)
     };
-    let of_part = |(i, part): (usize, &ItemPart)| {
-        let view = PartView::new(part);
-        let kind = if view.is_number { "numerical" } else { "shortanswer" };
+    let of_part = |(i, part): (usize, &KeyEntry)| {
+        let kind = if matches!(part.answer, Answer::Number { .. }) { "numerical" } else { "shortanswer" };
         let xhtml = item.text(Some(i), &mut |_| String::new(), &address);
-        made(kind, format!("{} {}", item.code, part.id), xhtml, Some(view))
+        made(kind, &format!("{} {}", item.code, part.part), &xhtml, Some(part_view(part, item.words)))
     };
     let questions = match export.layout {
-        QuestionLayout::Whole => vec![made("cloze", item.code.clone(), cloze(item), None)?],
+        QuestionLayout::Whole => vec![made("cloze", item.code, &cloze(item), None)?],
         _ => item.parts.iter().enumerate().map(of_part).collect::<Result<_, _>>()?,
     };
-    Ok(Fragment { problem: item.problem, code: item.code.clone(), questions, files: Vec::new() })
+    Ok(Fragment { problem: item.problem, code: item.code.to_owned(), questions, files: Vec::new() })
 }
 
 /// The text of all parts, with a field for each.
@@ -111,20 +92,21 @@ fn cloze(item: &Item) -> String {
     let place = |i: usize| format!("\u{0}{i}\u{0}");
     let mut xhtml = without_fields(&item.text(None, &mut |i| place(i), &address));
     for (i, (part, weight)) in item.parts.iter().zip(weights).enumerate() {
-        xhtml = xhtml.replace(&place(i), &field(part, weight));
+        xhtml = xhtml.replace(&place(i), &field(part, weight, item.words));
     }
     xhtml
 }
 
-/// Path and id number of the category of a pool. In a path a slash is written twice.
-pub(crate) fn category(export: &Export, pool: &Pool) -> (String, String) {
+/// Path and id number of the category of a problem, or of a part of it. In a path a slash is written twice.
+pub(crate) fn category(export: &Export, problem: usize, part: &str) -> (String, String) {
     let cut = |text: &str, most: usize| text.chars().take(most).collect::<String>();
-    let names = [export.set, &pool.name, pool.part].into_iter().filter(|name| !name.is_empty());
+    let name = export.name(problem);
+    let names = [export.set, &name, part].into_iter().filter(|name| !name.is_empty());
     let names = names.map(|name| cut(name, LONGEST.0).replace('/', "//"));
     let path = std::iter::once("$course$/top".to_owned()).chain(names).collect::<Vec<_>>().join("/");
-    let mut id = format!("{}-{}", export.id, export.problems[pool.number - 1].id);
-    if !pool.part.is_empty() {
-        id = format!("{id}-{}", pool.part);
+    let mut id = format!("{}-{}", export.id, export.problems[problem].id);
+    if !part.is_empty() {
+        id = format!("{id}-{part}");
     }
     (path, cut(&id, LONGEST.1))
 }

@@ -4,11 +4,11 @@ use crate::bank::{FigureLabels, Problem};
 use crate::figure::joined::{PlaneLayout, ground, towards};
 use crate::figure::view::SceneView;
 use crate::num::{shown, trig};
-use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
+use crate::picture::board::{Board, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Degree, Joint, JointKind, Label, Owner, Quantity, Start};
+use crate::scene::{Couple, Degree, Joint, JointKind, Label, Owner, Quantity, Start};
 use crate::words::Words;
 
 /// Kinds of energy, by the number of their area.
@@ -60,13 +60,8 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     // Not what is asked of another scene.
     let is_own = |label: Label| !matches!(label.of, Owner::Asked(_));
     let sum_of = |q: Quantity| -> f64 {
-        variant
-            .solved
-            .entries
-            .iter()
-            .filter(|e| e.label.quantity == q && is_own(e.label))
-            .map(|e| e.value())
-            .sum()
+        let of = variant.solved.entries.iter().filter(|e| e.label.quantity == q && is_own(e.label));
+        of.map(|e| e.value()).sum()
     };
     // In phases nothing says here how the bodies share the energy at the start.
     if scene.goes_in_phases() && scene.thrown().is_none() {
@@ -87,27 +82,20 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     }
     end[5] = sum_of(Quantity::Heat);
     let work = sum_of(Quantity::WorkPull);
-    let given: Vec<(usize, Degree, f64)> = scene
-        .start
-        .iter()
-        .filter_map(|s| match s {
-            Start::Speed(c, n) => Some((c.body, c.degree, view.of(*n))),
-            Start::Lamina { .. } => None,
-        })
-        .collect();
+    let had = |s: &Start| match s {
+        Start::Speed(c, n) => {
+            let (body, v, along) = (&scene.bodies[c.body], view.of(*n), c.degree == Degree::Along);
+            let inertia = if along { view.kilograms(body) } else { view.inertia(body) };
+            Some((usize::from(!along), 0.5 * inertia * v * v))
+        }
+        Start::Lamina { .. } => None,
+    };
+    // What moves at the start, by its kind.
+    let given: Vec<(usize, f64)> = scene.start.iter().filter_map(had).collect();
     // Couples on bodies that also move: their work has the sign that makes the bars equal.
-    let turning: f64 = scene
-        .couples
-        .iter()
-        .map(|c| view.of(c.moment_n_m) * view.solved(Quantity::Phi, Owner::Body(c.body)).unwrap_or(0.0))
-        .sum();
-    let moving: f64 = given
-        .iter()
-        .map(|(b, degree, v)| {
-            let body = &scene.bodies[*b];
-            0.5 * v * v * if *degree == Degree::Along { view.kilograms(body) } else { view.inertia(body) }
-        })
-        .sum();
+    let turned = |c: &Couple| view.solved(Quantity::Phi, Owner::Body(c.body)).unwrap_or(0.0);
+    let turning: f64 = scene.couples.iter().map(|c| view.of(c.moment_n_m) * turned(c)).sum();
+    let moving: f64 = given.iter().map(|(_, energy)| energy).sum();
     let thrown = scene.thrown().is_some();
     let mut tries = Vec::new();
     for sign in [1.0, -1.0] {
@@ -115,13 +103,7 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
         let mut first = Energies { start, end };
         *(if work >= 0.0 { &mut first.start[4] } else { &mut first.end[4] }) = work.abs();
         if thrown {
-            for (b, degree, v) in &given {
-                let body = &scene.bodies[*b];
-                match degree {
-                    Degree::Along => first.start[0] += 0.5 * view.kilograms(body) * v * v,
-                    Degree::Turn => first.start[1] += 0.5 * view.inertia(body) * v * v,
-                }
-            }
+            given.iter().for_each(|(kind, energy)| first.start[*kind] += energy);
         } else if moving > 0.0 {
             // One freedom: what is missing is what all bodies together had, shared as at the end.
             let (a, b) = first.sums();
@@ -262,14 +244,7 @@ pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Pi
 }
 
 fn note(text: &str, at: Vec2, towards: Vec2) -> LabelWish {
-    LabelWish {
-        rows: vec![symbol::upright(text.replace(' ', "\u{a0}"))],
-        size: TEXT,
-        role: Role::Dot,
-        spots: vec![(at, towards)],
-        gap: 4.0,
-        tie: LabelTie::Fixed,
-    }
+    LabelWish::note(symbol::upright(text.replace(' ', "\u{a0}")), TEXT, at, towards)
 }
 
 /// A part of a bar, with a pattern of its own.

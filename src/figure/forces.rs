@@ -15,8 +15,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Attach, Cord, Couple, End, Far, GivenForce, JointKind, Made, Num, Numbers, Owner, Planar, Quantity,
-    Scene, Side, StrutEnd, Surface, Term, Tie, pose,
+    Attach, Cord, Couple, End, Far, GivenForce, JointKind, Label, Made, Num, Numbers, Owner, Planar,
+    Quantity, Scene, Side, StrutEnd, Surface, Term, Tie, pose,
 };
 use crate::words::Words;
 
@@ -107,14 +107,6 @@ impl Turning {
     }
 }
 
-/// What a body makes of it: `m a` in one or two components, `I alpha`.
-struct Kinetic {
-    parts: Vec<ForceArrow>,
-    turn: Option<Turning>,
-    /// Radius of the arrow of `I alpha`.
-    round: f64,
-}
-
 /// Both diagrams of a body, not drawn yet.
 struct Diagram<'a> {
     forces: Vec<ForceArrow>,
@@ -122,7 +114,10 @@ struct Diagram<'a> {
     /// What is not known and so not drawn, and the name of its caption: what acts at an axle, the weight included, or what presses on
     /// a wheel of several that bear a load.
     unknown: Option<(ForceArrow, &'static str)>,
-    kinetic: Kinetic,
+    /// What the body makes of it: `m a` in one or two components, `I alpha`, and the radius of its arrow.
+    parts: Vec<ForceArrow>,
+    turn: Option<Turning>,
+    round: f64,
     centre: Vec2,
     /// The point about which moments are taken.
     pole: Vec2,
@@ -169,12 +164,11 @@ fn sums(diagram: &Diagram) -> Option<(Resultant, Resultant)> {
         all.moment += turns.map(|t| t.value).sum::<f64>();
         all
     };
-    let kinetic = &diagram.kinetic;
     let mut left = sum(&diagram.forces, &mut diagram.couples.iter());
     if let Some((f, _)) = &diagram.unknown {
         left.force += f.towards * f.value;
     }
-    Some((left, sum(&kinetic.parts, &mut kinetic.turn.iter())))
+    Some((left, sum(&diagram.parts, &mut diagram.turn.iter())))
 }
 
 /// Looks at a variant; where a datum has to be found first, with the value that was found. `None` where no question asks it.
@@ -224,12 +218,8 @@ fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
 pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
     let Some(scene) = problem.cases.get(variant.case).map(|c| &c.scene) else { return false };
     let found = |q: Quantity| {
-        let of = Owner::Body(body);
-        variant
-            .solved
-            .entries
-            .iter()
-            .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
+        let is = |label: Label| label == Label { quantity: q, of: Owner::Body(body) };
+        variant.solved.entries.iter().any(|e| is(e.label) && e.value().is_finite())
     };
     // In equilibrium there is no acceleration to be found.
     let still = scene.end == End::Equilibrium && scene.planar(body).is_some();
@@ -303,12 +293,8 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     if this.line.is_none() {
         // The axle holds the sum of all others.
         let sum = forces.iter().fold(Vec2::ZERO, |s, f| s + f.towards * f.value);
-        let axle = ForceArrow::new(
-            p.centre,
-            (-sum).unit(),
-            sum.norm(),
-            symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
-        );
+        let symbol = symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none()));
+        let axle = ForceArrow::new(p.centre, (-sum).unit(), sum.norm(), symbol);
         if loose {
             unknown = Some((axle, "axle"));
         } else {
@@ -328,22 +314,11 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         let symbols = [inertia, names::alpha(view, body)].map(|s| symbol::symbol(&s));
         Turning::kinetic(alpha, view.inertia(this), p.clockwise, symbols)
     });
-    let kinetic = Kinetic { parts, turn, round: p.reach(Vec2::RIGHT) + 10.0 };
-    let centre = p.centre;
+    let (round, centre) = (p.reach(Vec2::RIGHT) + 10.0, p.centre);
     let rolls = view.scene.ties.iter().any(|t| matches!(t, Tie::Roll { body: b, .. } if *b == body));
     let draw = move |board: &mut Board| alone(board, &p, rests, rolls);
-    Some(Diagram {
-        forces,
-        couples,
-        unknown,
-        kinetic,
-        centre,
-        pole: centre,
-        scale: plan.scale * ratio,
-        axes: false,
-        held,
-        body: Box::new(draw),
-    })
+    let (pole, scale, axes, body) = (centre, plan.scale * ratio, false, Box::new(draw));
+    Some(Diagram { forces, couples, unknown, parts, turn, round, centre, pole, scale, axes, held, body })
 }
 
 /// Draws a body as large as a diagram has room for it, with its centre at the origin; by how much it grows.
@@ -555,16 +530,14 @@ fn cords(
                     p.centre + out * (view.of(radius) * plan.scale * ratio).max(2.0)
                 }
             };
-            let (value, label) = match cord.to {
-                Far::Pull(n) => {
-                    let (given, value) = view.load(GivenForce::Pull(run.tie), n);
-                    (value, if given.is_empty() { symbol::symbol("P") } else { given })
+            let (label, value) = match cord.to {
+                Far::Pull(n) => view.load(GivenForce::Pull(run.tie), n),
+                _ => {
+                    let value = view.solved(cord.force(), Owner::Tie(run.tie)).unwrap_or(0.0);
+                    (symbol::symbol(&names::tension(view, run.tie)), value)
                 }
-                _ => (
-                    view.solved(cord.force(), Owner::Tie(run.tie)).unwrap_or(0.0),
-                    symbol::symbol(&names::tension(view, run.tie)),
-                ),
             };
+            let label = if label.is_empty() { symbol::symbol("P") } else { label };
             let arm = pull.arm.map_or_else(Vec::new, |(radius, _)| arm_symbol(view, radius));
             forces.push(ForceArrow { arm, ..ForceArrow::signed(at, *towards, value, label) });
         }
@@ -630,22 +603,18 @@ fn swinging<'a>(
         board.dot(g);
         let aside = if rod.is_some() { 5.0 } else { 2.0 };
         let mut letter = |text: &str, at: Vec2| {
-            board.label(
-                vec![symbol::italic(text)],
-                Role::Dot,
-                (LabelTie::Near, 4.0),
-                vec![(at + across * aside, across), (at + across * -aside, -across), (at, -d), (at, d)],
-            );
+            let beside = |side: Vec2| (at + side * aside, side);
+            let spots = vec![beside(across), beside(-across), (at, -d), (at, d)];
+            board.label(vec![symbol::italic(text)], Role::Dot, (LabelTie::Near, 4.0), spots);
         };
         letter("O", Vec2::ZERO);
         if g.norm() > 4.0 {
             letter("G", g);
         }
     };
-    let kinetic = Kinetic { parts, turn, round: 27.0 };
-    let (centre, pole) = (g, Vec2::ZERO);
+    let (centre, pole, round) = (g, Vec2::ZERO, 27.0);
     let (unknown, axes, held, body) = (None, false, None, Box::new(draw));
-    Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body }
+    Diagram { forces, couples, unknown, parts, turn, round, centre, pole, scale, axes, held, body }
 }
 
 /// The diagrams of a body in the plane, at the position that is asked.
@@ -699,10 +668,9 @@ fn in_the_plane<'a>(
         joined::letters(board, view, &close, &laid, Some(body));
         angle_of(board, view, &laid, body);
     };
-    let kinetic = Kinetic { parts, turn, round: 27.0 };
-    let (centre, pole) = (Vec2::ZERO, Vec2::ZERO);
+    let (centre, pole, round) = (Vec2::ZERO, Vec2::ZERO, 27.0);
     let (unknown, axes, held, body) = (None, true, None, Box::new(draw));
-    Some(Diagram { forces, couples, unknown, kinetic, centre, pole, scale, axes, held, body })
+    Some(Diagram { forces, couples, unknown, parts, turn, round, centre, pole, scale, axes, held, body })
 }
 
 /// Name of a force or couple of a joint.
@@ -889,9 +857,9 @@ fn angle_of(board: &mut Board, view: &SceneView, laid: &[Laid], body: usize) {
 
 /// Both diagrams with the sign between them.
 fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
-    let Diagram { forces, couples, kinetic, centre, body, .. } = diagram;
-    let centre = *centre;
-    let scale = common(forces, &kinetic.parts);
+    let Diagram { forces, couples, parts, body, .. } = diagram;
+    let centre = diagram.centre;
+    let scale = common(forces, parts);
     let mut one = Board::new();
     body(&mut one);
     lever_arms(&mut one, diagram);
@@ -901,16 +869,13 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
     }
     let mut two = Board::new();
     body(&mut two);
-    let drawn = arrows(&mut two, &kinetic.parts, scale);
-    let mut still = !drawn;
-    if let Some(t) = kinetic.turn.as_ref().filter(|t| t.value.abs() > 1e-12) {
-        turning(&mut two, centre, kinetic.round, t, Role::Motion);
-        still = false;
+    let drawn = arrows(&mut two, parts, scale);
+    match diagram.turn.as_ref().filter(|t| t.value.abs() > 1e-12) {
+        Some(t) => turning(&mut two, centre, diagram.round, t, Role::Motion),
+        None if drawn => {}
+        None => two.wish_for(sign("0", centre, TEXT)),
     }
-    if still {
-        two.wish_for(sign("0", centre, TEXT));
-    }
-    tell(view, forces, couples, kinetic, desc);
+    desc.push(told(view, diagram));
     let free = if scale.is_some() { "scale" } else { "free" };
     desc.push(view.words.get(&format!("figure.forces.{free}")).to_owned());
     let caption = |name: &str| view.words.get(&format!("figure.forces.{name}")).replace(' ', "\u{a0}");
@@ -937,8 +902,7 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
             let ends = forces.iter().filter(|f| f.towards.x * f.value * sense > 0.9 * f.value.abs());
             ends.map(|f| symbol::width(&f.label, TEXT)).fold(0.0, f64::max)
         };
-        let (before, after) =
-            (wide.max(20.0 + label(forces, 1.0)), wide.max(20.0 + label(&kinetic.parts, -1.0)));
+        let (before, after) = (wide.max(20.0 + label(forces, 1.0)), wide.max(20.0 + label(parts, -1.0)));
         let middle = f.high.x + before;
         let mut equals = Board::new();
         equals.wish_for(sign("=", vec2(middle, 0.0), 26.0));
@@ -956,14 +920,8 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
         equals.put(one);
         equals.put(two);
         if let (false, Some(all)) = (captions.is_empty(), equals.frame()) {
-            equals.wish_for(LabelWish {
-                rows: captions,
-                size: CAPTION,
-                role: Role::Dot,
-                spots: vec![(vec2(middle, all.low.y), Vec2::DOWN)],
-                gap: 12.0,
-                tie: LabelTie::Loose,
-            });
+            let below = LabelWish::note(Vec::new(), CAPTION, vec2(middle, all.low.y), Vec2::DOWN);
+            equals.wish_for(LabelWish { rows: captions, gap: 12.0, tie: LabelTie::Loose, ..below });
         }
         return equals;
     }
@@ -971,14 +929,8 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
 }
 
 fn sign(text: &str, at: Vec2, size: f64) -> LabelWish {
-    LabelWish {
-        rows: vec![symbol::upright(text)],
-        size,
-        role: Role::Dot,
-        spots: vec![(at, Vec2::UP)],
-        gap: -size * 0.4,
-        tie: LabelTie::Near,
-    }
+    let note = LabelWish::note(symbol::upright(text), size, at, Vec2::UP);
+    LabelWish { gap: -size * 0.4, tie: LabelTie::Near, ..note }
 }
 
 /// Pixels per newton in both diagrams, `None` where the smallest arrow would be too short to be seen.
@@ -1050,13 +1002,9 @@ fn lever_arms(board: &mut Board, diagram: &Diagram) {
         if (f.at - foot).norm() > 1.0 {
             board.line(f.at, foot, Role::Ghost);
         }
-        let side = f.towards * -f.value.signum();
-        board.label(
-            vec![f.arm.clone()],
-            Role::Dimension,
-            (LabelTie::Near, 3.0),
-            vec![(from.middle(to), side), (from.middle(to), -side)],
-        );
+        let (middle, side) = (from.middle(to), f.towards * -f.value.signum());
+        let spots = vec![(middle, side), (middle, -side)];
+        board.label(vec![f.arm.clone()], Role::Dimension, (LabelTie::Near, 3.0), spots);
     }
 }
 
@@ -1070,22 +1018,12 @@ fn turning(board: &mut Board, centre: Vec2, radius: f64, turn: &Turning, role: R
     let (mid, half) =
         if radius > 45.0 { (vec2(-0.8, 1.0).angle_of(), 0.5) } else { (vec2(-0.35, 1.0).angle_of(), 1.9) };
     board.curved_arrow(centre, radius, mid - sense * half, mid + sense * half, role);
-    let spot = |d: Vec2| (centre + d * radius, d);
-    board.wish(
-        turn.label.clone(),
-        vec![spot(vec2(-0.6, 1.0).unit()), spot(vec2(0.6, 1.0).unit()), spot(Vec2::LEFT), spot(Vec2::RIGHT)],
-        role,
-    );
+    let around = [vec2(-0.6, 1.0).unit(), vec2(0.6, 1.0).unit(), Vec2::LEFT, Vec2::RIGHT];
+    board.wish(turn.label.clone(), around.map(|d| (centre + d * radius, d)).to_vec(), role);
 }
 
 /// What the diagrams show, in words.
-fn tell(
-    view: &SceneView,
-    forces: &[ForceArrow],
-    couples: &[Turning],
-    kinetic: &Kinetic,
-    desc: &mut Vec<String>,
-) {
+fn told(view: &SceneView, diagram: &Diagram) -> String {
     let way = |towards: Vec2| {
         let degrees = towards.angle_of() * 180.0 / std::f64::consts::PI;
         let rounded = shown::decimals(if degrees < -0.5 { degrees + 360.0 } else { degrees.abs() }, 0);
@@ -1105,7 +1043,7 @@ fn tell(
         items.extend(turns.filter(|t| t.value.abs() > 1e-12).map(turn));
         if items.is_empty() { "0".to_owned() } else { items.join("; ") }
     };
-    let acting = list(forces, &mut couples.iter());
-    let made = list(&kinetic.parts, &mut kinetic.turn.iter());
-    desc.push(view.words.say("figure.forces.text", &[("forces", &acting), ("kinetic", &made)]));
+    let acting = list(&diagram.forces, &mut diagram.couples.iter());
+    let made = list(&diagram.parts, &mut diagram.turn.iter());
+    view.words.say("figure.forces.text", &[("forces", &acting), ("kinetic", &made)])
 }

@@ -367,14 +367,7 @@ impl Graph<'_> {
     }
 
     fn text_at(&self, text: &str, at: Vec2, towards: Vec2, size: f64) -> LabelWish {
-        LabelWish {
-            rows: vec![symbol::upright(self.words.number(text).replace('-', "−"))],
-            size,
-            role: Role::Dot,
-            spots: vec![(at, towards)],
-            gap: 4.0,
-            tie: LabelTie::Fixed,
-        }
+        LabelWish::note(symbol::upright(self.words.number(text).replace('-', "−")), size, at, towards)
     }
 
     /// Grid, axes, numbers at the ticks, hatched bands.

@@ -535,7 +535,7 @@ struct GuideRun {
 
 impl GuideRun {
     fn new(view: &SceneView, plane: &PlaneLayout, joint: &Joint) -> Option<Self> {
-        let JointKind::Guide { at, through_m, direction_deg, one_sided, mu_k } = joint.kind else {
+        let JointKind::Guide { at, through_m, direction_deg, one_sided, mu_k, .. } = joint.kind else {
             return None;
         };
         let direction = Vec2::at_degrees(view.of(direction_deg));

@@ -177,13 +177,9 @@ fn axes(board: &mut Board, view: &SceneView, low: Vec2, high: Vec2, scale: f64) 
         board.line(from, to - towards * 7.0, Role::Axis);
         board.head(to, towards, Role::DimensionHead);
     }
-    let near = |rows, at: Vec2, towards: Vec2, size: f64| LabelWish {
-        rows: vec![rows],
-        size,
-        role: Role::Dot,
-        spots: vec![(at, towards)],
-        gap: 4.0,
+    let near = |runs, at: Vec2, towards: Vec2, size: f64| LabelWish {
         tie: LabelTie::Near,
+        ..LabelWish::note(runs, size, at, towards)
     };
     board.wish_for(near(symbol::italic("x"), vec2(east, 0.0), Vec2::RIGHT, TEXT));
     board.wish_for(near(symbol::italic("y"), vec2(0.0, top), Vec2::UP, TEXT));

@@ -328,8 +328,7 @@ impl Builder<'_> {
                     see(c.x + r);
                 }
             }
-            let by = right_end.map_or(0.0, |x| x + 60.0 - low);
-            let by = vec2(by, 0.0);
+            let by = vec2(right_end.map_or(0.0, |x| x + 60.0 - low), 0.0);
             for b in fresh {
                 if let Some(p) = &mut self.bodies[b] {
                     p.centre += by;
@@ -419,24 +418,15 @@ impl Builder<'_> {
         let look = look(&self.view, body, self.scale);
         let line = self.view.scene.bodies[body].line;
         let contact = self.contact(body, &look);
-        let mut placed = Placed {
-            centre: Vec2::ZERO,
-            forward: Vec2::RIGHT,
-            top: Vec2::UP,
-            clockwise: true,
-            look,
-            contact: 0.0,
-            on: None,
-        };
+        let (centre, forward, top) = (Vec2::ZERO, Vec2::RIGHT, Vec2::UP);
+        let mut placed = Placed { centre, forward, top, clockwise: true, look, contact: 0.0, on: None };
         match line {
             None => {}
             Some(Line { surface: true, slope, forward_up }) => {
                 let ground = self.ground(slope, mirrored);
                 let g = &self.grounds[ground];
                 placed.forward = if forward_up { g.up } else { -g.up };
-                placed.top = g.out;
-                placed.contact = contact;
-                placed.on = Some(ground);
+                (placed.top, placed.contact, placed.on) = (g.out, contact, Some(ground));
             }
             Some(Line { slope, forward_up, .. }) => {
                 let (up, _) = Self::directions(self.view.degrees(slope), false);
@@ -514,6 +504,7 @@ impl Builder<'_> {
     /// Follows the cords of what is placed until nothing is left.
     fn spread(&mut self) {
         let scene = self.view.scene;
+        let placed = |builder: &Self, end: CordEnd| builder.bodies[end.body].is_some();
         let mut again = true;
         while again {
             again = false;
@@ -522,24 +513,16 @@ impl Builder<'_> {
                 if cord.made == Made::Rests || self.cords.iter().any(|r| r.tie == i) {
                     continue;
                 }
-                match cord.to {
-                    Far::Body(to) => {
-                        let (a, b) = (self.bodies[cord.from.body].is_some(), self.bodies[to.body].is_some());
-                        if a || b {
-                            let run =
-                                if a { self.join(i, cord.from, to) } else { self.join(i, to, cord.from) };
-                            self.cords.push(run);
-                            again = true;
-                        }
+                let run = match cord.to {
+                    Far::Body(to) if placed(self, cord.from) => self.join(i, cord.from, to),
+                    Far::Body(to) if placed(self, to) => self.join(i, to, cord.from),
+                    Far::Pull(_) | Far::Spring { .. } | Far::Fixed if placed(self, cord.from) => {
+                        self.ending(i, cord)
                     }
-                    Far::Pull(_) | Far::Spring { .. } | Far::Fixed => {
-                        if self.bodies[cord.from.body].is_some() {
-                            let run = self.ending(i, cord);
-                            self.cords.push(run);
-                            again = true;
-                        }
-                    }
-                }
+                    _ => continue,
+                };
+                self.cords.push(run);
+                again = true;
             }
         }
     }
@@ -693,14 +676,8 @@ impl Builder<'_> {
         let pieces = if made == Made::Belt { vec![tangent(1.0), tangent(-1.0)] } else { Vec::new() };
         let leaves = (from.centre + along * own, along.left());
         self.bodies[far.body] = Some(to);
-        CordRun {
-            tie,
-            pieces,
-            stop: CordStop::Body,
-            guide: None,
-            leaves,
-            at: vec![(near.body, along), (far.body, -along)],
-        }
+        let at = vec![(near.body, along), (far.body, -along)];
+        CordRun { tie, pieces, stop: CordStop::Body, guide: None, leaves, at }
     }
 
     /// Moves the second body to where the cord meets it at this point; a surface that came with it comes along.
@@ -836,18 +813,12 @@ impl Builder<'_> {
                 if !stands {
                     continue;
                 }
-                match run.stop {
-                    CordStop::Pull(a, b) => {
-                        let s = at(a.middle(b));
-                        low = low.min(s);
-                        high = high.max(s);
-                    }
-                    CordStop::Spring(_, b, _) | CordStop::Fixed(b, _) => {
-                        low = low.min(at(b));
-                        high = high.max(at(b));
-                    }
-                    CordStop::Body => {}
-                }
+                let end = match run.stop {
+                    CordStop::Pull(a, b) => at(a.middle(b)),
+                    CordStop::Spring(_, b, _) | CordStop::Fixed(b, _) => at(b),
+                    CordStop::Body => continue,
+                };
+                (low, high) = (low.min(end), high.max(end));
             }
             if let Some(spring) = self.awaited.filter(|s| s.high > 0.0) {
                 from = from.min(at(spring.to));
@@ -859,9 +830,7 @@ impl Builder<'_> {
                 low = low.min(from - steep);
             }
             let ground = &mut self.grounds[i];
-            ground.from = low;
-            ground.to = high;
-            ground.rail = rail;
+            (ground.from, ground.to, ground.rail) = (low, high, rail);
             if let Some(limit) = self.limits[i] {
                 // What hangs at the end hangs free.
                 let free = |p: &Placed| {

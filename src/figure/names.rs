@@ -156,22 +156,25 @@ pub fn joint(scene: &Scene, index: usize) -> String {
 
 /// A quantity of a body: the first free of these symbols, with the body's tag where several bodies have one.
 pub fn of_body(view: &SceneView, body: usize, candidates: &[&str], has: impl Fn(&Body) -> bool) -> String {
-    let tag = tag_among(view, body, has);
+    let tag = tag_among(view, body, several(view, has));
     let names: Vec<String> = candidates.iter().map(|c| tagged(c, &tag)).collect();
     free(view.problem, &names)
 }
 
-/// The tag of a body where several have the quantity.
-fn tag_among(view: &SceneView, body: usize, has: impl Fn(&Body) -> bool) -> String {
-    if view.scene.bodies.iter().filter(|b| has(b)).count() < 2 {
-        return String::new();
-    }
-    tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
+/// Are there several such bodies?
+fn several(view: &SceneView, has: impl Fn(&Body) -> bool) -> bool {
+    view.scene.bodies.iter().filter(|b| has(b)).count() > 1
+}
+
+/// The tag of a body where `several` have the quantity.
+fn tag_among(view: &SceneView, body: usize, several: bool) -> String {
+    let own = || tags(view.problem, view.scene).into_iter().nth(body);
+    several.then(own).flatten().unwrap_or_default()
 }
 
 /// Acceleration of the mass centre of a body, or its component this way: as it is seen from what carries the scene.
 pub(crate) fn acceleration(view: &SceneView, body: usize, way: &str) -> String {
-    let tag = tag_among(view, body, |b| b.line.is_some() || b.planar.is_some());
+    let tag = tag_among(view, body, several(view, |b| b.line.is_some() || b.planar.is_some()));
     let tag = match (view.scene.carried, format!("{tag}{way}")) {
         (None, tag) => tag,
         (Some(_), tag) if tag.is_empty() => r"\mathrm{rel}".to_owned(),
@@ -186,11 +189,7 @@ pub(crate) fn alpha(view: &SceneView, body: usize) -> String {
 
 pub(crate) fn friction(view: &SceneView, body: usize) -> String {
     let contacts = view.scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
-    let tag = if contacts > 1 {
-        tags(view.problem, view.scene).get(body).cloned().unwrap_or_default()
-    } else {
-        String::new()
-    };
+    let tag = tag_among(view, body, contacts > 1);
     free(view.problem, &[tagged("F", &tag), tagged("R", &tag), tagged("H", &tag)])
 }
 
@@ -223,10 +222,8 @@ pub(crate) fn mass(view: &SceneView, body: usize) -> Vec<TextRun> {
     if parts.is_empty() || parts.iter().any(Vec::is_empty) {
         return symbol::symbol(&of_body(view, body, &["m", "m_G"], |_| true));
     }
-    let mut sum = symbol::upright("(");
-    sum.extend(parts.join(&symbol::upright("\u{a0}+\u{a0}")[..]));
-    sum.extend(symbol::upright(")"));
-    sum
+    let sum = parts.join(&symbol::upright("\u{a0}+\u{a0}")[..]);
+    [symbol::upright("("), sum, symbol::upright(")")].concat()
 }
 
 /// Weight of a body: `mg`, or the symbol of a given weight.

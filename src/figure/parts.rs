@@ -95,12 +95,10 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
         board.hatch(foot, top, into);
         board.line(foot, top, Role::Ground);
     } else {
-        let carrier = view.scene.carried.filter(|c| c.slope == g.slope && !g.drop);
-        match carrier {
-            Some(c) => {
-                moving_surface(board, at(g.from + clear), top, into, view.of(c.acceleration_m_s2) == 0.0)
-            }
-            None => board.hatch(at(g.from + clear), top, into),
+        let begin = at(g.from + clear);
+        match view.scene.carried.filter(|c| c.slope == g.slope && !g.drop) {
+            Some(c) => moving_surface(board, begin, top, into, view.of(c.acceleration_m_s2) == 0.0),
+            None => board.hatch(begin, top, into),
         }
         if g.drop {
             let floor = if flat { top.y - 92.0 } else { foot.y };
@@ -162,10 +160,7 @@ pub fn moving_surface(board: &mut Board, from: Vec2, to: Vec2, into: Vec2, belt:
 /// Axles, guide pulleys, walls.
 pub fn supports(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     for (b, p) in plan.bodies.iter().enumerate() {
-        let Some(p) = p else { continue };
-        if view.scene.bodies[b].line.is_some() {
-            continue;
-        }
+        let Some(p) = p.as_ref().filter(|_| view.scene.bodies[b].line.is_none()) else { continue };
         // The end of a surface that carries the axle, else a ceiling, or a floor where cords come from above.
         let carrier = plan.grounds.iter().find(|g| {
             let top = g.origin + g.up * g.to;
@@ -179,8 +174,7 @@ pub fn supports(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     }
     for run in &plan.cords {
         let Some((centre, radius)) = run.guide else { continue };
-        let carrier = plan.grounds.iter().find(|g| g.drop);
-        match carrier {
+        match plan.grounds.iter().find(|g| g.drop) {
             Some(g) => bar(board, g.origin + g.up * g.to - g.out * 3.0, centre),
             None => axle(board, centre, radius, 1.0),
         }
@@ -245,11 +239,8 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
                     let spots = [6.0, 14.0, 24.0].map(|far| (a + middle * (TILT + far), middle)).to_vec();
                     board.label(vec![view.label(tilt, "°")], Role::Dimension, (LabelTie::Clear, 5.0), spots);
                 }
-                board.wish(
-                    view.force_label(GivenForce::Pull(run.tie), n, "N"),
-                    vec![(b, towards), (a.middle(b), over), (a.middle(b), -over)],
-                    Role::Force,
-                );
+                let spots = vec![(b, towards), (a.middle(b), over), (a.middle(b), -over)];
+                board.wish(view.force_label(GivenForce::Pull(run.tie), n, "N"), spots, Role::Force);
             }
         }
         CordStop::Spring(a, b, _) => {
@@ -261,15 +252,9 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
                 _ => 20.0,
             };
             let over = standing.map_or(towards.left(), |p| p.top);
-            let (down, up) = if towards.left().dot(&over) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
-            wall(board, b, towards, down, up);
+            wall_of_spring(board, b, towards, over, depth);
             if let Far::Spring { stiffness_n_m, stretch_m, .. } = tie.to {
-                let mid = a.middle(b);
-                board.wish(
-                    view.label(stiffness_n_m, "N/m"),
-                    vec![(mid + over * 10.0, over), (mid - over * 10.0, -over)],
-                    Role::Spring,
-                );
+                stiffness(board, view, a.middle(b), over, stiffness_n_m);
                 stretch(board, view, run, over, stretch_m);
             }
         }
@@ -284,12 +269,20 @@ pub fn awaited(board: &mut Board, view: &SceneView, spring: &layout::Awaited) {
     let towards = (to - from).unit();
     board.spring(from, to, 8, 8.5);
     board.line(from + out * 10.0, from - out * 10.0, Role::Spring);
-    let depth = if high > 0.0 { high } else { 22.0 };
-    let (low, up) = if towards.left().dot(&out) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
-    wall(board, to, towards, low, up);
-    let mid = from.middle(to);
-    let spots = vec![(mid + out * 10.0, out), (mid - out * 10.0, -out)];
-    board.wish(view.label(stiffness, "N/m"), spots, Role::Spring);
+    wall_of_spring(board, to, towards, out, if high > 0.0 { high } else { 22.0 });
+    self::stiffness(board, view, from.middle(to), out, stiffness);
+}
+
+/// The wall at the end of a spring, so deep on the side away from `over`.
+fn wall_of_spring(board: &mut Board, at: Vec2, towards: Vec2, over: Vec2, depth: f64) {
+    let (low, up) = if towards.left().dot(&over) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
+    wall(board, at, towards, low, up);
+}
+
+/// The label of a spring, over or under its middle.
+fn stiffness(board: &mut Board, view: &SceneView, middle: Vec2, over: Vec2, num: Num) {
+    let spots = [over, -over].map(|out| (middle + out * 10.0, out));
+    board.wish(view.label(num, "N/m"), spots.to_vec(), Role::Spring);
 }
 
 /// The stretch of a spring as a dimension: from where its end is to where it would be without.
@@ -306,9 +299,6 @@ fn stretch(board: &mut Board, view: &SceneView, run: &layout::CordRun, over: Vec
     }
     let (p, q) = (a + under * off, rest + under * off);
     board.double_arrow(p, q, Role::Dimension);
-    board.wish(
-        view.label(num, "m"),
-        vec![(p.middle(q), under), (q, run.leaves.1), (p, -run.leaves.1)],
-        Role::Dimension,
-    );
+    let spots = vec![(p.middle(q), under), (q, run.leaves.1), (p, -run.leaves.1)];
+    board.wish(view.label(num, "m"), spots, Role::Dimension);
 }

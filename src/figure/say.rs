@@ -79,60 +79,55 @@ fn way(view: &SceneView, towards: Vec2, incline: bool) -> String {
     view.words.get(&format!("figure.way.{name}")).to_owned()
 }
 
+/// A sense of turning, in words.
+fn turn(view: &SceneView, clockwise: bool) -> String {
+    view.words.get(if clockwise { "figure.turn.clockwise" } else { "figure.turn.counter" }).to_owned()
+}
+
 /// Where a cord leaves a body, and which way as it is drawn of what hangs and of a fixed axle.
 fn place(view: &SceneView, end: CordEnd, drawn: Option<Vec2>) -> String {
     let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
-    if let Some(towards) = drawn {
-        let way = match (towards.x, towards.y) {
-            (x, _) if axle && x > 0.5 => "right",
-            (x, _) if axle && x < -0.5 => "left",
-            (_, y) if y > 0.0 => "up",
-            _ => "down",
-        };
-        return match end.attach {
-            Attach::Centre => view.words.get(&format!("figure.place.centre_{way}")).to_owned(),
-            Attach::Wound(radius, _) => {
-                view.words.say(&format!("figure.place.wound_{way}"), &[("radius", &text(view, radius, "m"))])
-            }
-        };
-    }
-    let direction = if end.forward { "forward" } else { "back" };
-    match end.attach {
-        Attach::Centre => view.words.get(&format!("figure.place.centre_{direction}")).to_owned(),
-        Attach::Wound(radius, side) => {
-            let side = if side == Side::Top { "top" } else { "bottom" };
-            let name = if axle { "axle".to_owned() } else { format!("{side}_{direction}") };
-            view.words.say(&format!("figure.place.{name}"), &[("radius", &text(view, radius, "m"))])
-        }
-    }
+    let way = match drawn.map(|towards| (towards.x, towards.y)) {
+        None if end.forward => "forward",
+        None => "back",
+        Some((x, _)) if axle && x > 0.5 => "right",
+        Some((x, _)) if axle && x < -0.5 => "left",
+        Some((_, y)) if y > 0.0 => "up",
+        Some(_) => "down",
+    };
+    let Attach::Wound(radius, side) = end.attach else {
+        return view.words.get(&format!("figure.place.centre_{way}")).to_owned();
+    };
+    let name = match side {
+        _ if drawn.is_some() => format!("wound_{way}"),
+        _ if axle => "axle".to_owned(),
+        Side::Top => format!("top_{way}"),
+        Side::Bottom => format!("bottom_{way}"),
+    };
+    view.words.say(&format!("figure.place.{name}"), &[("radius", &text(view, radius, "m"))])
 }
 
 /// The sentences about bodies on lines and axles.
 pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec<String>) {
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.scene.{name}"), pieces);
+    let bodies = |on: Option<usize>, out: &mut Vec<String>| {
+        for (b, p) in plan.bodies.iter().enumerate() {
+            if let Some(p) = p.as_ref().filter(|p| p.on == on) {
+                body(view, plan, b, p, out);
+            }
+        }
+    };
     for (i, ground) in plan.grounds.iter().enumerate() {
-        let angle = match ground.slope {
-            Slope::Degrees(n) => text(view, n, "°"),
-            Slope::Level | Slope::Vertical => String::new(),
-        };
         let side = if ground.up.x < 0.0 { "left" } else { "right" };
         let what = if ground.rail { "rail" } else { "incline" };
         out.push(match ground.slope {
             Slope::Level => say("level", &[]),
             Slope::Vertical => say("upright", &[]),
-            Slope::Degrees(_) => say(&format!("{what}_{side}"), &[("angle", &angle)]),
+            Slope::Degrees(n) => say(&format!("{what}_{side}"), &[("angle", &text(view, n, "°"))]),
         });
-        for (b, p) in plan.bodies.iter().enumerate() {
-            if let Some(p) = p.as_ref().filter(|p| p.on == Some(i)) {
-                body(view, plan, b, p, out);
-            }
-        }
+        bodies(Some(i), out);
     }
-    for (b, p) in plan.bodies.iter().enumerate() {
-        if let Some(p) = p.as_ref().filter(|p| p.on.is_none()) {
-            body(view, plan, b, p, out);
-        }
-    }
+    bodies(None, out);
     if let Some(spring) = plan.awaited {
         out.push(say("awaits", &[("stiffness", &text(view, spring.stiffness, "N/m"))]));
     }
@@ -141,24 +136,15 @@ pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec
     }
     let mut senses = Vec::new();
     for (b, p) in plan.bodies.iter().enumerate() {
-        let Some(p) = p else { continue };
+        let Some(p) = p.as_ref().filter(|_| view.started(b).next().is_none()) else { continue };
         let body = &view.scene.bodies[b];
         let incline = p.on.is_some_and(|g| matches!(plan.grounds[g].slope, Slope::Degrees(_)));
         let mut list = Vec::new();
-        if body.line.is_some() {
-            list.push(way(view, p.forward, incline));
+        list.extend(body.line.map(|_| way(view, p.forward, incline)));
+        list.extend(body.turns.then(|| turn(view, p.clockwise)));
+        if !list.is_empty() {
+            senses.push(format!("{}: {}", called(view, body), list.join(", ")));
         }
-        if view.started(b).next().is_some() {
-            continue;
-        }
-        if body.turns {
-            let name = if p.clockwise { "clockwise" } else { "counter" };
-            list.push(view.words.get(&format!("figure.turn.{name}")).to_owned());
-        }
-        if list.is_empty() {
-            continue;
-        }
-        senses.push(format!("{}: {}", called(view, body), list.join(", ")));
     }
     if !senses.is_empty() {
         out.push(say("positive", &[("list", &senses.join("; "))]));
@@ -213,14 +199,10 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                 }
             }
             Far::Fixed => say("fixed", &[("place", &place)]),
-            Far::Spring { stiffness_n_m, stretch_m, .. } => say(
-                "spring",
-                &[
-                    ("place", &place),
-                    ("stiffness", &text(view, stiffness_n_m, "N/m")),
-                    ("stretch", &text(view, stretch_m, "m")),
-                ],
-            ),
+            Far::Spring { stiffness_n_m, stretch_m, .. } => {
+                let (stiffness, stretch) = (text(view, stiffness_n_m, "N/m"), text(view, stretch_m, "m"));
+                say("spring", &[("place", &place), ("stiffness", &stiffness), ("stretch", &stretch)])
+            }
             Far::Body(end) => {
                 let guide = plan.cords.iter().any(|r| r.tie == i && r.guide.is_some());
                 let other = view.scene.bodies.get(end.body).map_or_else(String::new, |b| named(view, b));
@@ -245,10 +227,7 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
                 let incline = p.on.is_some_and(|g| matches!(plan.grounds[g].slope, Slope::Degrees(_)));
                 ("m/s", way(view, if back { -p.forward } else { p.forward }, incline))
             }
-            Degree::Turn => {
-                let name = if p.clockwise != back { "clockwise" } else { "counter" };
-                ("rad/s", view.words.get(&format!("figure.turn.{name}")).to_owned())
-            }
+            Degree::Turn => ("rad/s", turn(view, p.clockwise != back)),
         };
         list.push(format!("{} {way}", view.size_text(num, unit).replace('\u{a0}', " ")));
     }
@@ -272,15 +251,11 @@ pub fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
 pub fn lamina(view: &SceneView, index: usize, out: &mut Vec<String>) {
     let body = &view.scene.bodies[index];
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.lamina.{name}"), pieces);
-    let list: Vec<String> = body
-        .particles
-        .iter()
-        .map(|p| {
-            let (mass, x, y) = (bare(view, p.mass_kg, "kg"), bare(view, p.x_m, "m"), bare(view, p.y_m, "m"));
-            say("particle", &[("name", &p.name), ("mass", &mass), ("x", &x), ("y", &y)])
-        })
-        .collect();
-    out.push(say("text", &[("list", &list.join("; "))]));
+    let list = body.particles.iter().map(|p| {
+        let (mass, x, y) = (bare(view, p.mass_kg, "kg"), bare(view, p.x_m, "m"), bare(view, p.y_m, "m"));
+        say("particle", &[("name", &p.name), ("mass", &mass), ("x", &x), ("y", &y)])
+    });
+    out.push(say("text", &[("list", &list.collect::<Vec<_>>().join("; "))]));
     for start in &view.scene.start {
         if let Start::Lamina { body: b, particle, vx_m_s, vy_m_s, spin_rad_s } = *start
             && b == index

@@ -8,8 +8,8 @@ use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
 use crate::scene::{
-    Coordinate, Degree, End, Far, GivenForce, Heading, Made, Num, Owner, Quantity, RotaryInertia, Slope,
-    Start, Tie,
+    Coordinate, Degree, End, Far, GivenForce, Heading, Label, Made, Num, Owner, Quantity, RotaryInertia,
+    Slope, Start, Tie,
 };
 use crate::solve::outcome::Word;
 use crate::words::Words;
@@ -35,11 +35,12 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
     let mut board = Board::new();
     let mut desc = Vec::new();
     let bodies = &view.scene.bodies;
+    let title = words.say("figure.scene.title", &[("title", &problem.title)]);
     if view.scene.lead().is_some() {
         linkage::draw(&mut board, &view);
         linkage::tell(&view, &mut desc);
         carrier(&mut board, &view, &mut desc);
-        return board.finish(words.say("figure.scene.title", &[("title", &problem.title)]), desc.join(" "));
+        return board.finish(title, desc.join(" "));
     }
     if bodies.iter().any(|b| b.planar.is_none() && b.particles.is_empty()) {
         let plan = layout::layout(&view);
@@ -47,17 +48,13 @@ fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabe
         say::mechanism(&view, &plan, told(&view).is_some(), &mut desc);
         carrier(&mut board, &view, &mut desc);
     }
-    for (i, body) in bodies.iter().enumerate() {
+    for (i, _) in bodies.iter().enumerate().filter(|(_, body)| !body.particles.is_empty()) {
         let mut part = Board::new();
-        if !body.particles.is_empty() {
-            lamina::draw(&mut part, &view, i);
-            say::lamina(&view, i, &mut desc);
-        } else {
-            continue;
-        }
+        lamina::draw(&mut part, &view, i);
+        say::lamina(&view, i, &mut desc);
         board.beside(part);
     }
-    board.finish(words.say("figure.scene.title", &[("title", &problem.title)]), desc.join(" "))
+    board.finish(title, desc.join(" "))
 }
 
 /// Bodies on surfaces, on axles, on cords.
@@ -304,11 +301,8 @@ fn couples(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let mid = p.top.angle_of();
         let (from, to) = if clockwise { (mid + 1.9, mid - 1.9) } else { (mid - 1.9, mid + 1.9) };
         board.curved_arrow(p.centre, radius, from, to, Role::Force);
-        board.wish(
-            view.force_label(GivenForce::Couple(i), couple.moment_n_m, "N·m"),
-            vec![(p.centre + p.top * radius, p.top)],
-            Role::Force,
-        );
+        let label = view.force_label(GivenForce::Couple(i), couple.moment_n_m, "N·m");
+        board.wish(label, vec![(p.centre + p.top * radius, p.top)], Role::Force);
     }
 }
 
@@ -334,11 +328,8 @@ fn starts(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
                 let mid = p.top.angle_of();
                 let sense = if p.clockwise { -actual } else { actual };
                 board.curved_arrow(p.centre, radius, mid - sense * 0.55, mid + sense * 0.55, Role::Motion);
-                board.wish(
-                    view.size_label(num, "rad/s"),
-                    vec![(p.centre + p.top * radius, p.top)],
-                    Role::Motion,
-                );
+                let spots = vec![(p.centre + p.top * radius, p.top)];
+                board.wish(view.size_label(num, "rad/s"), spots, Role::Motion);
             }
         }
     }
@@ -357,17 +348,15 @@ fn told(view: &SceneView) -> Option<f64> {
     }
     let c = view.scene.ending_coordinate();
     let up = view.scene.bodies.get(c.body).and_then(|b| b.line).is_none_or(|l| l.forward_up);
-    view.variant.solved.words.iter().find_map(|(label, word)| {
-        let whose = label.quantity == Quantity::Direction && label.of == Owner::Body(c.body);
-        match word {
-            _ if !whose => None,
-            Word::Forward => Some(1.0),
-            Word::Back => Some(-1.0),
-            Word::Up => Some(if up { 1.0 } else { -1.0 }),
-            Word::Down => Some(if up { -1.0 } else { 1.0 }),
-            Word::Stays | Word::Yes | Word::No => None,
-        }
+    let whose = Label { quantity: Quantity::Direction, of: Owner::Body(c.body) };
+    let told = view.variant.solved.words.iter().filter(|(label, _)| *label == whose);
+    told.filter_map(|(_, word)| match word {
+        Word::Stays | Word::Yes | Word::No => None,
+        Word::Forward | Word::Back => Some(*word == Word::Forward),
+        Word::Up | Word::Down => Some((*word == Word::Up) == up),
     })
+    .map(|forward| if forward { 1.0 } else { -1.0 })
+    .next()
 }
 
 /// How far the ending body goes.
@@ -489,10 +478,8 @@ fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             continue;
         }
         // Bodies that stand on one surface share their arrow.
-        let told = plan.bodies[..b]
-            .iter()
-            .flatten()
-            .any(|q| p.on.is_some() && q.on == p.on && q.forward.dot(&p.forward) > 0.0);
+        let shares = |q: &Placed| p.on.is_some() && q.on == p.on && q.forward.dot(&p.forward) > 0.0;
+        let told = plan.bodies[..b].iter().flatten().any(shares);
         if body.line.is_some() && !told {
             let (at, off) = if p.on.is_some() {
                 let back = -p.forward;
@@ -520,10 +507,8 @@ fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             let d = places.iter().copied().find(clear).unwrap_or(places[0]);
             let mid = d.angle_of();
             board.curved_arrow(p.centre, radius, mid - sense * half, mid + sense * half, Role::Motion);
-            plus(
-                board,
-                vec![(p.centre + d * radius, d), (p.centre + Vec2::at_angle(mid + sense * half) * radius, d)],
-            );
+            let tip = Vec2::at_angle(mid + sense * half);
+            plus(board, vec![(p.centre + d * radius, d), (p.centre + tip * radius, d)]);
         }
     }
 }

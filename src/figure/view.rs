@@ -144,10 +144,7 @@ impl<'a> SceneView<'a> {
     /// Label of a number: `R = 0.40 m`, or `R` alone; a constant is always its value.
     pub fn label(&self, num: Num, unit: &str) -> Vec<TextRun> {
         let symbol = self.symbol(num);
-        if symbol.is_empty() {
-            return self.value(num, unit);
-        }
-        if self.labels == FigureLabels::Symbols {
+        if self.labels == FigureLabels::Symbols && !symbol.is_empty() {
             return symbol;
         }
         joined(symbol, self.value(num, unit))
@@ -252,9 +249,7 @@ impl<'a> SceneView<'a> {
 
     /// `R = 0.40 m` as text, whatever the labels say.
     pub fn text(&self, num: Num, unit: &str) -> String {
-        let (symbol, value) = (self.symbol(num), self.value(num, unit));
-        let runs = if symbol.is_empty() { value } else { joined(symbol, value) };
-        symbol::plain(&runs)
+        symbol::plain(&joined(self.symbol(num), self.value(num, unit)))
     }
 
     /// What the solver says of a quantity of a body, a tie or the scene.
@@ -323,12 +318,9 @@ fn given_mass(mass: &Mass) -> Option<(Num, bool)> {
     }
 }
 
-/// `left = right`.
-pub fn joined(mut left: Vec<TextRun>, right: Vec<TextRun>) -> Vec<TextRun> {
-    if right.is_empty() {
-        return left;
-    }
-    left.push(symbol::run("\u{a0}=\u{a0}", RunStyle::Upright));
-    left.extend(right);
-    left
+/// `left = right`, or the one of them that says something.
+pub fn joined(left: Vec<TextRun>, right: Vec<TextRun>) -> Vec<TextRun> {
+    let both = !left.is_empty() && !right.is_empty();
+    let equals = if both { symbol::upright("\u{a0}=\u{a0}") } else { Vec::new() };
+    [left, equals, right].concat()
 }

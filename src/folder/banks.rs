@@ -62,15 +62,12 @@ pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Text
     let mut files = Vec::new();
     if let Some(folder) = own {
         if !folder.is_dir() {
-            let fault = Finding::of_file(folder, "there is no such folder");
-            return Err(fault.into());
+            return Err(Finding::of_file(folder, "there is no such folder").into());
         }
         collect(folder, "", &mut files)?;
         if files.is_empty() {
-            let fault = Finding::of_file(folder, "holds no template");
-            return Err(fault
-                .hint("templates end in .md or .html, such as statement/pulled-rolling.md")
-                .into());
+            let hint = "templates end in .md or .html, such as statement/pulled-rolling.md";
+            return Err(Finding::of_file(folder, "holds no template").hint(hint).into());
         }
     }
     let files = of_language(files, language);
@@ -102,8 +99,8 @@ pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Text
             }
         } else if let Some(id) = yaml.and_then(|n| n.strip_prefix("banks/")) {
             if id == bank.id {
-                faults
-                    .extend(overlay::put_over(bank, &text, &path, variables, None).err().unwrap_or_default());
+                let put = overlay::put_over(bank, &text, &path, variables, None);
+                faults.extend(put.err().unwrap_or_default());
             }
         } else if name == "print.typ" {
             print = Some((path, text));

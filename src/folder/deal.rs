@@ -91,8 +91,9 @@ impl SetMade {
     pub fn coincidences(&self) -> String {
         let found = &self.set.coincidences;
         if found.is_empty() {
-            return "  no two students have an equal problem or all answers of a problem within tolerance"
-                .to_owned();
+            const NONE: &str =
+                "  no two students have an equal problem or all answers of a problem within tolerance";
+            return NONE.to_owned();
         }
         let cut =
             if self.cut.is_empty() { String::new() } else { format!(" and more of {}", self.cut.join(", ")) };
@@ -166,10 +167,10 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
     let writer = SheetWriter::new(plan)?;
     let both = replay::each(plan.bank, set, &|i, student, dealt| {
         let mut converter = Converter::new(&plan.texts.words);
-        Ok((writer.write(i, student, &dealt, &mut SheetScratch::default(), &mut converter)?, dealt.key))
+        let (sheet, row) = writer.write(i, student, &dealt, &mut SheetScratch::default(), &mut converter)?;
+        Ok((sheet, row, dealt.key))
     })?;
-    let (sheets, keys): (Vec<(WrittenDocument, KeyTableRow)>, Vec<SheetKey>) = both.into_iter().unzip();
-    let (sheets, rows): (Vec<WrittenDocument>, Vec<KeyTableRow>) = sheets.into_iter().unzip();
+    let (sheets, rows, keys): (Vec<_>, Vec<_>, Vec<_>) = both.into_iter().collect();
     Ok(together(plan, &sheets, &rows, &keys)?)
 }
 

@@ -6,7 +6,7 @@ use crate::folder::{files, graded, names, set};
 use crate::policy::time::{self, Evidence};
 use crate::regrade::changes::ChangeRow;
 use crate::report::explain::ExplainedMarks;
-use crate::set::store::StoredSet;
+use crate::set::store::{StoredSet, StoredStudent};
 use crate::units::spell;
 use std::path::Path;
 
@@ -100,12 +100,9 @@ fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
     if let Some(i) = students.iter().position(|s| s.student == typed) {
         return Ok(i);
     }
-    let alike: Vec<usize> = (0..students.len())
-        .filter(|i| {
-            let (id, name) = (&students[*i].student, &students[*i].name);
-            loose(id) == loose(typed) || (!name.is_empty() && loose(name) == loose(typed))
-        })
-        .collect();
+    let is = |text: &str| loose(text) == loose(typed);
+    let is_meant = |s: &StoredStudent| is(&s.student) || (!s.name.is_empty() && is(&s.name));
+    let alike: Vec<usize> = (0..students.len()).filter(|i| is_meant(&students[*i])).collect();
     let fault = Finding::new("", format!("`{typed}` is no student of this set"));
     match alike[..] {
         [one] => Ok(one),
@@ -129,10 +126,8 @@ fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
 fn problem(set: &StoredSet, typed: &str) -> Result<(usize, Option<String>), Finding> {
     let find = |text: &str| {
         let number = text.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
-        set.problems
-            .iter()
-            .position(|p| p.eq_ignore_ascii_case(text))
-            .or(number.filter(|n| *n < set.problems.len()))
+        let named = set.problems.iter().position(|p| p.eq_ignore_ascii_case(text));
+        named.or(number.filter(|n| *n < set.problems.len()))
     };
     let text = typed.trim();
     if let Some(found) = find(text) {

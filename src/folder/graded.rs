@@ -32,9 +32,8 @@ pub struct OpenGrading {
 /// or its parts do not fit each other.
 pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> {
     if !folder.is_dir() {
-        let what =
-            if folder.exists() { "is a file; a grading is a folder" } else { "there is no such folder" };
-        let fault = Finding::of_file(folder, what);
+        let is = if folder.exists() { "is a file; a grading is a folder" } else { "there is no such folder" };
+        let fault = Finding::of_file(folder, is);
         return Err(fault.hint("give the folder that `slipstick grade` made").into());
     }
     has_all(folder)?;
@@ -100,10 +99,11 @@ fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
         let path = folder.join(name);
         match hash(&path) {
             Ok(found) if found == *told => {}
-            Ok(_) => faults.push(
-                Finding::of_file(&path, "is not as `slipstick grade` wrote it: its SHA-256 is another")
-                    .hint("put the original back, or grade again; marks are changed by a course file"),
-            ),
+            Ok(_) => {
+                let what = "is not as `slipstick grade` wrote it: its SHA-256 is another";
+                let hint = "put the original back, or grade again; marks are changed by a course file";
+                faults.push(Finding::of_file(&path, what).hint(hint));
+            }
             Err(fault) => faults.push(fault),
         }
     }
@@ -140,40 +140,34 @@ const LISTED: usize = 20;
 /// What stands in the way of a key, in words.
 pub fn findings(bank: &Bank, faults: Vec<GivenFault>, file: &str) -> Findings {
     let mut found = Findings::default();
-    let (mut lost, mut more) = (0usize, 0usize);
+    let mut lost = 0;
     for fault in faults {
-        match fault {
-            GivenFault::Misfit(finding) => found.push(finding.in_file(file)),
-            GivenFault::Lost(fault) => {
-                lost += 1;
-                if lost > LISTED {
-                    more += 1;
-                    continue;
-                }
-                let Some(problem) = bank.problems.get(fault.problem) else { continue };
-                let texts = match &fault.why {
-                    LostWhy::Refused(refusal) => problem
-                        .cases
-                        .get(fault.case)
-                        .map_or_else(Vec::new, |case| sentences::refusal(problem, &case.scene, refusal)),
-                    LostWhy::Happens(what) => {
-                        vec![format!("another motion than the problem tells of: {what}")]
-                    }
-                    LostWhy::Relation(part) => {
-                        vec![format!("the relation of `follows` does not give {part} from the other parts")]
-                    }
-                    LostWhy::Unanswered(part) => vec![format!("part {part} has no answer")],
-                };
-                let field = format!("problems.{}", problem.id);
-                let text = format!("with the data of {}: {}", fault.student, texts.join("; "));
-                found.push(Finding::new(field, text).in_file(file));
+        let fault = match fault {
+            GivenFault::Misfit(finding) => {
+                found.push(finding);
+                continue;
             }
-        }
+            GivenFault::Lost(fault) => fault,
+        };
+        lost += 1;
+        let Some(problem) = bank.problems.get(fault.problem).filter(|_| lost <= LISTED) else { continue };
+        let text = match &fault.why {
+            LostWhy::Refused(refusal) => problem.cases.get(fault.case).map_or_else(String::new, |case| {
+                sentences::refusal(problem, &case.scene, refusal).join("; ")
+            }),
+            LostWhy::Happens(what) => format!("another motion than the problem tells of: {what}"),
+            LostWhy::Relation(part) => {
+                format!("the relation of `follows` does not give {part} from the other parts")
+            }
+            LostWhy::Unanswered(part) => format!("part {part} has no answer"),
+        };
+        let text = format!("with the data of {}: {text}", fault.student);
+        found.push(Finding::new(format!("problems.{}", problem.id), text));
     }
-    if more > 0 {
-        found.push(Finding::new("", format!("and the data of {more} more students")).in_file(file));
+    if lost > LISTED {
+        found.push(Finding::new("", format!("and the data of {} more students", lost - LISTED)));
     }
-    found
+    found.in_file(file)
 }
 
 /// The course files of a grading, in the order in which they were laid over each other.

@@ -71,8 +71,7 @@ pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Find
     may_write(order.out, order.force).map_err(|f| faults.extend(f)).ok();
     let from_pipe = order.submissions == Path::new("-");
     if !from_pipe && !order.submissions.exists() {
-        let fault = Finding::of_file(order.submissions, "there is no such file");
-        faults.push(fault);
+        faults.push(Finding::of_file(order.submissions, "there is no such file"));
     }
     if let Some(language) = order.language {
         faults.extend(banks::words(language).err().unwrap_or_default());
@@ -104,7 +103,8 @@ pub fn grade(order: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Find
         let file = order.submissions.display();
         summary.push_str(&format!("\n  warning: there is no answer in {file}: is it the right export?"));
     }
-    let gone = made.without_reports() && names::OF_REPORT.iter().any(|name| order.out.join(name).exists());
+    let reported = made.folder().join(names::REPORT).exists();
+    let gone = !reported && names::OF_REPORT.iter().any(|name| order.out.join(name).exists());
     made.finish()?;
     if gone {
         summary.push_str(&format!(
@@ -140,8 +140,10 @@ pub struct StagedGrading {
     out: PathBuf,
     table: KeyTable,
     graded: run::Graded,
-    policy: Policy,
-    grading: StoredGrading,
+    /// The settings by which it was made.
+    pub policy: Policy,
+    /// What it was made from.
+    pub grading: StoredGrading,
     reports: Reports,
     /// What there is to say of files and quizzes from which the answers come.
     told: String,
@@ -152,31 +154,14 @@ impl StagedGrading {
     pub fn folder(&self) -> &Path {
         self.staged.path()
     }
-    /// The settings by which it was made.
-    pub fn policy(&self) -> &Policy {
-        &self.policy
-    }
-    /// What it was made from.
-    pub fn grading(&self) -> &StoredGrading {
-        &self.grading
-    }
     /// Makes the reports, if there are to be any: what stands out. Errors: a file cannot be written.
     pub fn reports(&self) -> Result<Option<ReportMade>, Findings> {
-        let made = match self.reports {
-            Reports::Yes => true,
-            Reports::No => false,
-            Reports::Auto => self.graded.cells <= REPORTED,
-        };
-        if !made {
+        if self.reports == Reports::No || self.reports == Reports::Auto && self.graded.cells > REPORTED {
             return Ok(None);
         }
         let folder = self.staged.path();
         let made = reports::make(folder, folder, None, None, None, true).map_err(|f| self.staged.named(f))?;
         Ok(Some(made))
-    }
-    /// Are there no reports in it?
-    fn without_reports(&self) -> bool {
-        !self.staged.path().join(names::REPORT).exists()
     }
     /// Puts it in its place. Errors: a file cannot be put there.
     pub fn finish(self) -> Result<(), Findings> {
@@ -283,16 +268,8 @@ pub fn make(order: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result
         unused_columns: graded.unused_columns.clone(),
     };
     put(names::GRADING, grading.text().as_bytes())?;
-    Ok(StagedGrading {
-        staged,
-        out: order.out.to_owned(),
-        table,
-        graded,
-        policy,
-        grading,
-        reports: order.reports,
-        told,
-    })
+    let (out, reports) = (order.out.to_owned(), order.reports);
+    Ok(StagedGrading { staged, out, table, graded, policy, grading, reports, told })
 }
 
 /// Keeps beside the grades what was graded by: these files, and the settings of the courses.
@@ -456,16 +433,13 @@ fn spool(
         io::Write::write_all(file.as_file_mut(), &all.text).map_err(fault)?;
         return Ok((Some(file), Some(all)));
     }
-    let is_pipe = path == Path::new("-") || !fs::metadata(path).map_err(fault)?.is_file();
-    if !is_pipe {
-        return Ok((None, None));
-    }
+    let mut pipe: Box<dyn Read + '_> = match path == Path::new("-") {
+        true => Box::new(input),
+        false if fs::metadata(path).map_err(fault)?.is_file() => return Ok((None, None)),
+        false => Box::new(fs::File::open(path).map_err(fault)?),
+    };
     let mut file = NamedTempFile::new().map_err(fault)?;
-    if path == Path::new("-") {
-        io::copy(input, file.as_file_mut()).map_err(fault)?;
-    } else {
-        io::copy(&mut fs::File::open(path).map_err(fault)?, file.as_file_mut()).map_err(fault)?;
-    }
+    io::copy(&mut pipe, file.as_file_mut()).map_err(fault)?;
     Ok((Some(file), None))
 }
 
@@ -478,10 +452,10 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {
                 let header = header.trim().trim_matches('"');
                 found.push((role.trim().to_lowercase(), header.to_owned()));
             }
-            _ => faults.push(
-                Finding::new("--columns", format!("`{text}` maps nothing"))
-                    .hint("write a field, `=` and a header, such as student=\"Email Address\""),
-            ),
+            _ => {
+                let fault = Finding::new("--columns", format!("`{text}` maps nothing"));
+                faults.push(fault.hint("write a field, `=` and a header, such as student=\"Email Address\""));
+            }
         }
     }
     faults.into_result(found)

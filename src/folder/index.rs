@@ -5,23 +5,8 @@ use crate::folder::names;
 use crate::sheet::document::Head;
 use crate::sheet::output::Format;
 use crate::sheet::texts::Texts;
-use crate::template::{Value, View};
-use serde::Serialize;
-
-/// Something to look at: its address from the page, and what it is.
-#[derive(Serialize)]
-struct IndexLink {
-    href: String,
-    what: String,
-}
-
-/// A student, with the pages of their own.
-#[derive(Serialize)]
-struct Person<'p> {
-    id: &'p str,
-    name: &'p str,
-    pages: Vec<IndexLink>,
-}
+use crate::template::View;
+use serde_json::{Value, json};
 
 /// An address of a file in a folder whose name may hold anything.
 fn address(folder: &str, name: &str) -> String {
@@ -57,9 +42,10 @@ pub fn of_set<'s>(
     let people = students.map(|(head, folder)| {
         let page = |format: &Format| {
             let what = format!("sheet.{}", format.as_str());
-            IndexLink { href: address(names::STUDENTS, &format!("{folder}/{what}")), what }
+            json!({"href": address(names::STUDENTS, &format!("{folder}/{what}")), "what": what})
         };
-        Person { id: &head.student, name: &head.name, pages: plan.formats.iter().rev().map(page).collect() }
+        let pages: Vec<Value> = plan.formats.iter().rev().map(page).collect();
+        json!({"id": head.student, "name": head.name, "pages": pages})
     });
     let about = if plan.has_program() { "site" } else { "about" };
     page(plan.texts, ("set", about), plan.name, files, people)
@@ -85,22 +71,23 @@ pub fn of_grades<'s>(
     let what = texts.words.get("index.grades.feedback");
     let people = students.map(|(id, name, folder)| {
         let href = address(names::FEEDBACK, &format!("{folder}.html"));
-        Person { id, name, pages: vec![IndexLink { href, what: what.to_owned() }] }
+        json!({"id": id, "name": name, "pages": [{"href": href, "what": what}]})
     });
     page(texts, ("grades", "about"), set, here, people)
 }
 
-/// The page of a kind, with files, each with the phrase that tells of it.
+/// The page of a kind, with files, each with the phrase that tells of it, and with students, each with the pages of their own.
 fn page<'p>(
     texts: &Texts,
     (kind, about): (&str, &str),
     set: &str,
     files: impl Iterator<Item = (&'p str, &'p str)>,
-    people: impl Iterator<Item = Person<'p>>,
+    people: impl Iterator<Item = Value>,
 ) -> Result<Vec<u8>, Finding> {
     let words = &texts.words;
     let told = |text: &str| words.get(&format!("index.{kind}.{text}"));
-    let link = |(what, file): (&str, &str)| IndexLink { href: file.to_owned(), what: told(what).to_owned() };
+    // Something to look at: its address from the page, and what it is.
+    let link = |(what, file): (&str, &str)| json!({"href": file, "what": told(what)});
     let mut view = View::new();
     view.text("language", words.language());
     view.foreign("title", &words.say(&format!("index.{kind}.title"), &[("set", set)]));
@@ -113,7 +100,7 @@ fn page<'p>(
     for text in ["student", "name"] {
         view.text(text, words.get(&format!("index.{text}")));
     }
-    view.value("entries", Value::from_serializable(&files.map(link).collect::<Vec<_>>()));
-    view.value("people", Value::from_serializable(&people.collect::<Vec<_>>()));
+    let (entries, people): (Vec<Value>, Vec<Value>) = (files.map(link).collect(), people.collect());
+    view.fields(&json!({"entries": entries, "people": people}));
     texts.templates.made("index.html", &view)
 }

@@ -3,7 +3,7 @@
 //! of submissions like any other, and a set in which each student has the variants that the quiz asked.
 use crate::answer::quiz::{Platform, Quiz, QuizAnswer, QuizAttempt, QuizText, code_words};
 use crate::answer::roster;
-use crate::finding::Finding;
+use crate::finding::{Finding, push_new};
 use crate::grade::run::QUIZ_COLUMNS;
 use crate::key::{ProblemKey, SheetKey};
 use crate::policy::{Counts, Policy};
@@ -221,11 +221,8 @@ impl Takers {
         let who: Vec<(String, String)> = who.collect();
         let strangers = who.iter().zip(&known).filter(|(_, known)| known.is_none());
         let strangers = strangers.map(|((id, _), _)| id.clone()).collect();
-        let (on_roster, by) = (
-            known.iter().any(Option::is_some),
-            of_all.map_or("what the file says of each", |kind| words[kind]),
-        );
-        Self { who, on_roster, strangers, by }
+        let by = of_all.map_or("what the file says of each", |kind| words[kind]);
+        Self { who, on_roster: known.iter().any(Option::is_some), strangers, by }
     }
 
     /// Of each student SIS id, login and Canvas's own number; nothing of other platforms.
@@ -411,17 +408,12 @@ fn not_asked(set: &StoredSet, problems: &[usize]) -> String {
     if some.is_empty() {
         return String::new();
     }
-    let numbers = problems.iter().enumerate().filter(|(nth, p)| nth != *p);
-    let numbers: Vec<String> = numbers
-        .take(LISTED)
-        .map(|(nth, p)| format!("{} ({}) is problem {}", p + 1, set.problems[*p], nth + 1))
-        .collect();
-    let anew =
-        if numbers.is_empty() { String::new() } else { format!("; in the grades {}", numbers.join(", ")) };
-    format!(
-        "\n  Problems of the set that the quiz did not ask, and that do not count: {}{anew}",
-        some.join(", ")
-    )
+    let numbers = problems.iter().enumerate().filter(|(nth, p)| nth != *p).take(LISTED);
+    let numbers = numbers.map(|(nth, p)| format!("{} ({}) is problem {}", p + 1, set.problems[*p], nth + 1));
+    let anew = numbers.collect::<Vec<_>>().join(", ");
+    let anew = if anew.is_empty() { anew } else { format!("; in the grades {anew}") };
+    let some = some.join(", ");
+    format!("\n  Problems of the set that the quiz did not ask, and that do not count: {some}{anew}")
 }
 
 /// Which variants each student answered, in the order of the attempts; where a part was not answered, the last that was asked.
@@ -450,9 +442,7 @@ fn asked(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, policy: &Policy) -> Ask
         for (_, s, _) in all.iter().filter(|(_, _, answered)| *answered).take(most) {
             // Of a variant that came twice the later attempt counts as its place.
             order.retain(|known| known != s || policy.attempts.counts == Counts::First);
-            if !order.contains(s) {
-                order.push(*s);
-            }
+            push_new(&mut order, *s);
         }
         if order.is_empty() {
             order.extend(last);
@@ -502,10 +492,7 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
     };
     let attempts = terminal::count(quiz.attempts.len(), "attempt");
     let mut text = format!("\n  from {file}: {attempts} by {}", terminal::count(people, "student"));
-    let mut add = |line: String| {
-        text.push_str("\n  ");
-        text.push_str(&line);
-    };
+    let mut add = |line: String| text.extend(["\n  ", &line]);
     let some = |ids: &BTreeSet<String>| {
         let shown: Vec<String> = ids.iter().take(LISTED).map(|id| beginning(id, SHORT)).collect();
         format!("{}{}", shown.join(", "), if ids.len() > LISTED { ", ..." } else { "" })
@@ -525,10 +512,8 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
     }
     if !unknown.is_empty() {
         let answers = terminal::count(unknown.values().sum::<usize>(), "answer");
-        add(format!(
-            "look at: questions whose code is none of this set, with {answers}: {}",
-            listed(unknown)
-        ));
+        let list = listed(unknown);
+        add(format!("look at: questions whose code is none of this set, with {answers}: {list}"));
     }
     let unplaced = rows.iter().filter(|row| row.of.is_none() && !row.code.is_empty()).count();
     if unplaced > 0 {
@@ -544,9 +529,9 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
         }
     }
     if !twice.is_empty() {
+        let who = some(&twice);
         add(format!(
-            "look at: a question came twice in one attempt with different data, of which one counts: {}",
-            some(&twice)
+            "look at: a question came twice in one attempt with different data, of which one counts: {who}"
         ));
     }
     text

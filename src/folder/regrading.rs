@@ -1,6 +1,6 @@
 //! The same answers by a changed bank or course, as a diff; the old grading stays as it is.
 use crate::bank::Bank;
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, FirstFindings};
 use crate::folder::graded::OpenGrading;
 use crate::folder::grading::{Basis, GradeOrder, Reports, StagedGrading};
 use crate::folder::{Progress, banks, files, graded, grading, names, set};
@@ -9,7 +9,7 @@ use crate::key::SheetKey;
 use crate::policy::Counts;
 use crate::regrade::changes::{Grading, Settings, compare};
 use crate::report::changes::{ChangesTold, KeysBeforeAfter};
-use crate::set::store::{StoredSet, StoredVariant};
+use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::set::{given, key_file};
 use crate::units::spell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -141,13 +141,8 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
 fn keys(bank: &Bank, set: &StoredSet, file: &str) -> Result<Vec<SheetKey>, Findings> {
     const HINT: &str =
         "sheets are printed: a regrading keeps their problems, parts and data, and needs a key for each";
-    let found = given::all(bank, set).map_err(|faults| {
-        let mut found = graded::findings(bank, faults, file);
-        if let Some(last) = found.last_mut() {
-            last.hint.get_or_insert_with(|| HINT.to_owned());
-        }
-        found
-    })?;
+    let found = given::all(bank, set);
+    let found = found.map_err(|faults| graded::findings(bank, faults, file).hint_last(HINT))?;
     Ok(found.into_iter().map(|g| g.key).collect())
 }
 
@@ -164,7 +159,7 @@ fn changes(
     let keys = &tables.new;
     let before = read(keys, &old.folder)?;
     let after = read(keys, made.folder())?;
-    let (then, now) = (&old.policy, made.policy());
+    let (then, now) = (&old.policy, &made.policy);
     let settings = Settings {
         costs: (&then.zone, then.due, &then.extensions, then.attempts, then.late)
             != (&now.zone, now.due, &now.extensions, now.attempts, now.late),
@@ -200,9 +195,7 @@ fn may_write(out: &Path, job: &RegradingJob) -> Result<(), Finding> {
 fn same_as_graded(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
     let old = &graded.set;
     let file = job.set.join(names::SET).display().to_string();
-    let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);
-    let hint = format!("give the set that {} was graded with", job.graded.display());
-    let mut faults = Findings::default();
+    let mut faults = FirstFindings::default();
     // A quiz need not ask all problems of its set.
     let same_problems = match graded.grading.quiz {
         true => old.problems.iter().all(|id| new.problems.contains(id)),
@@ -210,8 +203,8 @@ fn same_as_graded(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> 
     };
     if (&old.name, old.seed) != (&new.name, new.seed) || !same_problems {
         let told = |s: &StoredSet| format!("{}, seed {}, problems {}", s.name, s.seed, s.problems.join(", "));
-        faults
-            .push(finding("", format!("is another set ({}) than the one graded ({})", told(new), told(old))));
+        let what = format!("is another set ({}) than the one graded ({})", told(new), told(old));
+        faults.push(Finding::new("", what));
     } else if graded.grading.quiz {
         let variants = |set: &StoredSet| -> BTreeSet<String> {
             let own =
@@ -220,43 +213,25 @@ fn same_as_graded(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> 
         };
         let gone: Vec<String> = variants(old).difference(&variants(new)).take(5).cloned().collect();
         if !gone.is_empty() {
-            faults.push(finding(
-                "students",
-                format!("variants that the quiz asked are missing: {}", gone.join(", ")),
-            ));
+            let what = format!("variants that the quiz asked are missing: {}", gone.join(", "));
+            faults.push(Finding::new("students", what));
         }
     } else {
         let known: BTreeMap<&str, _> = new.students.iter().map(|s| (s.student.as_str(), s)).collect();
+        let data = |s: &StoredStudent| {
+            s.problems.iter().map(|p| (p.case.clone(), p.data.clone())).collect::<Vec<_>>()
+        };
         for student in &old.students {
-            match known.get(student.student.as_str()) {
-                None => faults.push(finding("students", format!("{} is missing", student.student))),
-                Some(now)
-                    if now
-                        .problems
-                        .iter()
-                        .map(|p| (&p.case, &p.data))
-                        .ne(student.problems.iter().map(|p| (&p.case, &p.data))) =>
-                {
-                    let what =
-                        format!("{} has other data than when the answers were graded", student.student);
-                    faults.push(finding("students", what));
-                }
-                Some(_) => {}
-            }
+            let what = match known.get(student.student.as_str()) {
+                None => "is missing",
+                Some(now) if data(now) != data(student) => "has other data than when the answers were graded",
+                Some(_) => continue,
+            };
+            faults.push(Finding::new("students", format!("{} {what}", student.student)));
         }
     }
-    let more = faults.len().saturating_sub(5);
-    faults.truncate(5);
-    if more > 0 {
-        faults.push(finding("", format!("and {more} more differences")));
-    }
-    match faults.pop() {
-        None => Ok(()),
-        Some(last) => {
-            faults.push(last.hint(hint));
-            Err(faults)
-        }
-    }
+    let hint = format!("give the set that {} was graded with", job.graded.display());
+    faults.told().in_file(file).hint_last(&hint).into_result(())
 }
 
 /// No part may go or come: answers were given to those of the sheets.
@@ -273,13 +248,11 @@ fn same_parts(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Fi
             let fault =
                 Finding::new(&field, format!("part `{part}` is on the sheets, the bank has it no more"));
             let came = new.iter().filter(|p| !old.contains(p)).map(String::as_str);
-            let fault = match spell::closest(part, came) {
-                Some(near) => fault.hint(format!("was it renamed to `{near}`? Parts keep their ids")),
-                None => fault.hint(
-                    "keep the part; to take it out of the marks write `points` or `corrections` in a course file",
-                ),
-            };
-            faults.push(fault.in_file(file));
+            const KEEP: &str =
+                "keep the part; to take it out of the marks write `points` or `corrections` in a course file";
+            let renamed = |near| format!("was it renamed to `{near}`? Parts keep their ids");
+            let hint = spell::closest(part, came).map_or_else(|| KEEP.to_owned(), renamed);
+            faults.push(fault.in_file(file).hint(hint));
         }
         for part in new.iter().filter(|p| !old.contains(p)) {
             let fault = Finding::new(&field, format!("part `{part}` is on no sheet"));
@@ -305,11 +278,8 @@ fn same_units(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Fi
                     shown(from),
                     shown(to)
                 );
-                faults.push(
-                    Finding::new(format!("problems.{}.questions.{}", new.id, was.part), what)
-                        .in_file(file)
-                        .hint("give the part its old unit back"),
-                );
+                let fault = Finding::new(format!("problems.{}.questions.{}", new.id, was.part), what);
+                faults.push(fault.in_file(file).hint("give the part its old unit back"));
             }
         }
     }
@@ -327,24 +297,20 @@ fn read(keys: &KeyTable, folder: &Path) -> Result<Grading, Findings> {
 
 /// What is odd about the submissions.
 fn notes(old: &OpenGrading, made: &StagedGrading) -> Vec<String> {
-    let (was, is) = (&old.grading, made.grading());
+    let (was, is) = (&old.grading, &made.grading);
     let mut notes = Vec::new();
     let hashes = was.submissions_sha256.as_ref().zip(is.submissions_sha256.as_ref());
-    if was.submissions_bytes == is.submissions_bytes && hashes.is_some_and(|(a, b)| a != b) {
-        notes.push(format!(
-            "{} is as long as the file of the old grading, and another (by SHA-256): changes may come from other answers too",
-            is.submissions
-        ));
-    } else if was.submissions_bytes != is.submissions_bytes {
-        notes.push(format!(
-            "{} has {} bytes, the old grading was made from {}: changes may come from other answers too",
-            is.submissions, is.submissions_bytes, was.submissions_bytes
-        ));
-    } else if was.cells != is.cells {
-        notes.push(format!(
-            "{} answer cells are graded now, {} then: changes may come from other answers too",
-            is.cells, was.cells
-        ));
+    let file = &is.submissions;
+    let differs = match (was.submissions_bytes, is.submissions_bytes) {
+        (then, now) if then != now => format!("{file} has {now} bytes, the old grading was made from {then}"),
+        _ if hashes.is_some_and(|(a, b)| a != b) => {
+            format!("{file} is as long as the file of the old grading, and another (by SHA-256)")
+        }
+        _ if was.cells != is.cells => format!("{} answer cells are graded now, {} then", is.cells, was.cells),
+        _ => String::new(),
+    };
+    if !differs.is_empty() {
+        notes.push(format!("{differs}: changes may come from other answers too"));
     }
     if was.program != is.program {
         notes.push(format!("graded by {} then, by {} now", was.program, is.program));

@@ -11,6 +11,7 @@ use crate::page::sheet_file::SheetFile;
 use crate::set::store::StoredSet;
 use crate::set::{key_file, replay};
 use crate::sheet::terminal;
+use crate::words::plain::beginning;
 use std::path::Path;
 
 /// A set, its bank and its keys.
@@ -77,36 +78,25 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let seal = set.key_sha256.as_ref().filter(|_| earlier);
     let hash = || load::hash(&String::from_utf8_lossy(&stored));
     if let Some((seal, hash)) = seal.map(|seal| (seal, hash())).filter(|(seal, hash)| *seal != hash) {
-        let short = |hash: &str| hash.chars().take(12).collect::<String>();
-        let what = format!(
-            "was changed: its SHA-256 is {}…, that of the set's key is {}…",
-            short(&hash),
-            short(seal)
-        );
-        return Err(Finding::new("", what)
-            .in_file(file)
-            .hint("put the original back, or make the set anew")
-            .into());
+        let [is, was] = [&hash, seal].map(|hash| beginning(hash, 12));
+        let what = format!("was changed: its SHA-256 is {is}, that of the set's key is {was}");
+        let fault = Finding::new("", what).in_file(file);
+        return Err(fault.hint("put the original back, or make the set anew").into());
     }
-    let (other, mut faults) = match earlier {
+    let (other, faults) = match earlier {
         true => match key_file::put_stored(&stored, &mut keys, seal.is_some()) {
             Ok(other) => (other, Findings::default()),
             Err(faults) => (0, faults.in_file(file)),
         },
         false => (0, key_file::compare(&stored, &keys).in_file(file)),
     };
-    if let Some(last) = faults.pop() {
-        faults.push(last.hint(match earlier {
-            true => format!(
-                "put the original back; if it is, grade with the version that made it: {}",
-                set.program
-            ),
-            false => {
-                "key.csv is not what the set gives: put the original back, or make the set anew".to_owned()
-            }
-        }));
-        return Err(faults);
-    }
+    let hint = match earlier {
+        true => {
+            format!("put the original back; if it is, grade with the version that made it: {}", set.program)
+        }
+        false => "key.csv is not what the set gives: put the original back, or make the set anew".to_owned(),
+    };
+    faults.hint_last(&hint).into_result(())?;
     let not_drawn = earlier.then(|| {
         let held = match seal {
             Some(_) => "which has the SHA-256 that is stored with the set",
@@ -134,10 +124,8 @@ pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
         return Err(fault.hint("give the folder that `slipstick generate` made").into());
     }
     if !path.is_file() {
-        let fault = Finding::of_file(folder, "holds no set");
-        return Err(fault
-            .hint("a set is a folder that `slipstick generate` made; it has a file set.json")
-            .into());
+        let hint = "a set is a folder that `slipstick generate` made; it has a file set.json";
+        return Err(Finding::of_file(folder, "holds no set").hint(hint).into());
     }
     let text = files::read_text(&path)?;
     Ok(StoredSet::parse(&text).map_err(|f| f.in_file(path.display().to_string()))?)
@@ -201,22 +189,20 @@ fn is_filled(form: &[u8]) -> bool {
 /// `--add` to a set made otherwise would give sheets that do not belong together. Errors: what differs.
 pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings> {
     let ids: Vec<&str> = plan.chosen().map(|p| p.id.as_str()).collect();
-    let mut faults = Findings::default();
-    let mut differs = |what: &str, here: String, there: String| {
-        if here != there {
-            let file = out.join(names::SET).display().to_string();
-            faults
-                .push(Finding::new(what, format!("the set has {there}, this command {here}")).in_file(file));
-        }
-    };
-    differs("seed", plan.seed.to_string(), set.seed.to_string());
-    differs("name", plan.name.to_owned(), set.name.clone());
-    differs("problems", ids.join(","), set.problems.join(","));
-    differs("language", plan.texts.words.language().to_owned(), set.language.clone());
     let formats: Vec<&str> = plan.formats.iter().map(|f| f.as_str()).collect();
-    differs("formats", formats.join(","), set.formats.join(","));
-    differs("page", plan.hosting.as_str().to_owned(), set.page.as_str().to_owned());
-    differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
-    differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
-    faults.into_result(())
+    let both: [(&str, &str, &str); 8] = [
+        ("seed", &plan.seed.to_string(), &set.seed.to_string()),
+        ("name", plan.name, &set.name),
+        ("problems", &ids.join(","), &set.problems.join(",")),
+        ("language", plan.texts.words.language(), &set.language),
+        ("formats", &formats.join(","), &set.formats.join(",")),
+        ("page", plan.hosting.as_str(), set.page.as_str()),
+        ("bank", &plan.bank.hash, &set.bank.sha256),
+        ("draw version", &stream::DRAW_VERSION.to_string(), &set.draw_version.to_string()),
+    ];
+    let differ = both.into_iter().filter(|(_, here, there)| here != there);
+    let faults: Findings = differ
+        .map(|(what, here, there)| Finding::new(what, format!("the set has {there}, this command {here}")))
+        .collect();
+    faults.in_file(out.join(names::SET).display().to_string()).into_result(())
 }

@@ -1,5 +1,5 @@
 //! A folder that is made beside its place and put there whole; what killed runs left is repaired.
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, push_new};
 use crate::folder::files::{UNFINISHED, names_in, parent, trouble};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -50,9 +50,7 @@ impl Staged {
         for mut finding in findings {
             finding.file = finding.file.map(|f| f.replace(&here, &place));
             finding.message = finding.message.replace(&here, &place);
-            if !told.contains(&finding) {
-                told.push(finding);
-            }
+            push_new(&mut told, finding);
         }
         told
     }

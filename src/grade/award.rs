@@ -24,16 +24,15 @@ fn slip_in_words<'w>(
     what: u32,
     say: &Feedback<'w>,
 ) -> (String, Cow<'w, str>) {
+    let number = |word: &str, n: String| {
+        (format!("{word}:{n}"), say.fill(&format!("feedback.slip.{word}"), &[("n", &n)]))
+    };
     match slip {
-        AnswerSlip::PowerOfTen(n) => {
-            (format!("power_of_ten:{n}"), say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())]))
-        }
+        AnswerSlip::PowerOfTen(n) => number("power_of_ten", n.to_string()),
         AnswerSlip::Unit(from, to) => {
             (format!("unit:{from}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
         }
-        AnswerSlip::FewerFigures(n) => {
-            (format!("figures:{n}"), say.fill("feedback.slip.figures", &[("n", &n.to_string())]))
-        }
+        AnswerSlip::FewerFigures(n) => number("figures", n.to_string()),
         AnswerSlip::Drift => ("drift".to_owned(), Cow::Borrowed(say.get("feedback.slip.drift"))),
         AnswerSlip::OtherPart(i) => {
             let other = table.columns.get(table.first_of(what as usize) + i).map_or("", |c| c.part.as_str());
@@ -56,17 +55,11 @@ pub(crate) fn diagnosed(
         Some((key, part)) => diagnose(judgement.number, cell, part, &key.parts, job.wrong_values(at.0, at.1)),
         None => Diagnosis::default(),
     };
-    let mut fits = Fits { methods: String::new(), slip: String::new(), near };
-    let told = slip.map(|slip| slip_in_words(slip, table, what, say));
-    if let Some((word, told)) = told {
+    let ids: Vec<&str> = found.iter().filter_map(|m| Some(methods.get(usize::from(*m))?.as_str())).collect();
+    let mut fits = Fits { methods: ids.join(" "), slip: String::new(), near };
+    if let Some((word, told)) = slip.map(|slip| slip_in_words(slip, table, what, say)) {
         judgement.reason = Cow::Owned(format!("{}; {told}", judgement.reason));
         fits.slip = word;
-    }
-    for id in found.iter().filter_map(|m| methods.get(usize::from(*m))) {
-        if !fits.methods.is_empty() {
-            fits.methods.push(' ');
-        }
-        fits.methods.push_str(id);
     }
     fits
 }
@@ -87,14 +80,8 @@ pub(crate) fn awarded(
 ) -> (f64, String) {
     let (table, say) = (job.table, job.say);
     let points = table.points(job.index(who, what));
-    let mut words = String::new();
+    let mut words: Vec<String> = Vec::new();
     let mut told: Vec<Cow<str>> = Vec::new();
-    let mut word = |text: &str| {
-        if !words.is_empty() {
-            words.push(' ');
-        }
-        words.push_str(text);
-    };
     let mut share = match judgement.verdict {
         Verdict::Right => 1.0,
         Verdict::Wrong | Verdict::WrongDirection => {
@@ -104,12 +91,12 @@ pub(crate) fn awarded(
             match earned.why {
                 CreditFor::Nothing => {}
                 CreditFor::Method => {
-                    word("methods");
+                    words.push("methods".to_owned());
                     told.push(say.fill("feedback.credit.method", &[("share", &share)]));
                 }
                 CreditFor::Follows(column) => {
                     let part = &table.columns[column].part;
-                    word(&format!("follow:{part}"));
+                    words.push(format!("follow:{part}"));
                     told.push(say.fill("feedback.credit.follows", &[("part", part), ("share", &share)]));
                 }
             }
@@ -118,14 +105,14 @@ pub(crate) fn awarded(
         _ => 0.0,
     };
     if share > 0.0 && winner.attempt < 1.0 {
-        word(&format!("attempt:{}", policy::plain(winner.attempt)));
+        words.push(format!("attempt:{}", policy::plain(winner.attempt)));
         told.push(say.fill("feedback.credit.attempt", &[("share", &percent(winner.attempt))]));
     }
     if winner.closed {
-        word("closed");
+        words.push("closed".to_owned());
         told.push(Cow::Borrowed(say.get("feedback.credit.closed")));
     } else if share > 0.0 && winner.late < 1.0 {
-        word(&format!("late:{}", policy::plain(winner.late)));
+        words.push(format!("late:{}", policy::plain(winner.late)));
         told.push(say.fill("feedback.credit.late", &[("share", &percent(winner.late))]));
     }
     share *= winner.attempt * winner.late;
@@ -148,11 +135,11 @@ pub(crate) fn awarded(
         && given > share
     {
         share = given;
-        word("correction");
+        words.push("correction".to_owned());
         told.push(say.fill("feedback.credit.correction", &[("share", &percent(given)), ("why", why)]));
     }
     if !told.is_empty() {
         judgement.reason = Cow::Owned(format!("{}; {}", judgement.reason, told.join("; ")));
     }
-    (if share >= 1.0 { points } else { policy::plain(points * share) }, words)
+    (if share >= 1.0 { points } else { policy::plain(points * share) }, words.join(" "))
 }

@@ -1,6 +1,6 @@
 //! The number of a cell in SI, the quick way: a plain number, or one with a unit whose spelling was met before
 //! and about which nothing is to be said. Everything else is left to the long way.
-use crate::answer::quick::{Behind, Spellings};
+use crate::answer::quick::Spellings;
 use crate::answer::read::UnitCache;
 use crate::grade::table::{AskedColumn, KeyTable, WORD};
 
@@ -24,9 +24,9 @@ impl SiReader {
         }
         let (number, behind) = self.spellings.number(answer)?;
         let (times, over) = match behind {
-            Behind::Nothing if asked.bare => (asked.times, asked.over),
-            Behind::Nothing => return None,
-            Behind::Unit(spelling) => self.pair(table, spelling, asked.unit)?,
+            None if asked.bare => (asked.times, asked.over),
+            None => return None,
+            Some(spelling) => self.pair(table, spelling, asked.unit)?,
         };
         let x = number * times / over;
         x.is_finite().then_some(x)

@@ -15,8 +15,8 @@ pub struct Rules<'p> {
     methods: Vec<Vec<f64>>,
     /// For each column what everybody gets at least, and why: who did not answer, who did.
     corrections: Vec<[Option<(f64, String)>; 2]>,
-    /// How many relations lead to each column.
-    levels: Vec<u8>,
+    /// How many relations lead to each column; 0 where it follows from nothing.
+    pub(crate) levels: Vec<u8>,
 }
 
 impl<'p> Rules<'p> {
@@ -98,10 +98,6 @@ impl<'p> Rules<'p> {
     /// Must times be understood before attempts can be ordered?
     pub(crate) fn careful(&self) -> bool {
         self.policy.attempts.ordered() || self.policy.timed()
-    }
-    /// The relations that lead to a column; 0 where it follows from nothing.
-    pub(crate) fn level(&self, column: usize) -> u8 {
-        self.levels[column]
     }
     /// Walks that are needed to find which attempts count.
     pub(crate) fn walks(&self) -> u8 {

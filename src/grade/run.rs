@@ -4,7 +4,7 @@
 //! judge and write (`write.rs`). What is held grows with students times parts, and up to a limit with rows. Batches
 //! of records are graded on several threads; the output does not depend on their number.
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, push_new};
 use crate::grade::attempt::{Winner, line_of};
 use crate::grade::cells::GradingJob;
 use crate::grade::feedback::Feedback;
@@ -13,7 +13,7 @@ use crate::grade::layout::FileForm;
 use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
-use crate::grade::threads::{Halt, run_batches};
+use crate::grade::threads::run_batches;
 use crate::grade::verdict::Verdict;
 use crate::grade::winners::choose_winners;
 use crate::grade::write::{RowWriter, Writing};
@@ -68,12 +68,7 @@ impl fmt::Display for GradeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             GradeFault::Io(fault) | GradeFault::Write(fault) => write!(f, "{fault}"),
-            GradeFault::Header(findings) => {
-                for (i, finding) in findings.iter().enumerate() {
-                    write!(f, "{}{finding}", if i > 0 { "\n" } else { "" })?;
-                }
-                Ok(())
-            }
+            GradeFault::Header(findings) => f.write_str(findings.to_string().trim_end()),
         }
     }
 }
@@ -83,15 +78,6 @@ impl std::error::Error for GradeFault {}
 impl From<io::Error> for GradeFault {
     fn from(fault: io::Error) -> Self {
         GradeFault::Io(fault)
-    }
-}
-
-impl From<Halt> for GradeFault {
-    fn from(halt: Halt) -> Self {
-        match halt {
-            Halt::Read(fault) => GradeFault::Io(fault),
-            Halt::Write(fault) => GradeFault::Write(fault),
-        }
     }
 }
 
@@ -176,9 +162,7 @@ fn need_unread_setting(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> 
             let text: String = text.chars().take(40).collect();
             let text = if text.is_empty() { "nothing".to_owned() } else { format!("`{text}`") };
             let told = format!("line {line}: {text}{doubt}");
-            if !shown.contains(&told) {
-                shown.push(told);
-            }
+            push_new(&mut shown, told);
         });
     }
     let what = format!(

@@ -108,6 +108,11 @@ fn plain_problem(text: &str) -> &str {
     whole.trim_start_matches('0')
 }
 
+/// Puts down what has this name; nothing, if something else has it too.
+fn put_once<K: std::hash::Hash + Eq>(known: &mut FxHashMap<K, Option<u32>>, name: K, of: u32) {
+    known.entry(name).and_modify(|e| *e = e.filter(|other| *other == of)).or_insert(Some(of));
+}
+
 /// One key for two fields.
 pub(crate) fn joined(problem: &[u8], part: &[u8], out: &mut Vec<u8>) {
     out.clear();
@@ -170,12 +175,7 @@ impl KeyTable {
                 if table.by_part.get(&key).is_none() {
                     table.by_part.put(&key, c);
                 }
-                let loose = key.to_ascii_lowercase();
-                table
-                    .by_loose_part
-                    .entry(loose)
-                    .and_modify(|e| *e = e.filter(|o| *o == c))
-                    .or_insert(Some(c));
+                put_once(&mut table.by_loose_part, key.to_ascii_lowercase(), c);
             }
         }
         for sheet in &sheets {
@@ -186,12 +186,8 @@ impl KeyTable {
                 table.quick.push(quick);
             }
             table.by_id.put(sheet.student.as_bytes(), s);
-            table
-                .by_small_id
-                .entry(sheet.student.to_lowercase())
-                .and_modify(|e| *e = None)
-                .or_insert(Some(s));
-            table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
+            put_once(&mut table.by_small_id, sheet.student.to_lowercase(), s);
+            put_once(&mut table.by_loose_id, loose_id(&sheet.student), s);
             let name = names.get(sheet.student.as_str()).map_or(String::new(), |n| (*n).to_owned());
             table.students.push(TableStudent { id: sheet.student.clone(), name });
         }
@@ -238,10 +234,14 @@ impl KeyTable {
     }
     /// Is there a problem of that number or id?
     pub(crate) fn has_problem(&self, problem: &str) -> bool {
+        self.of_problem(problem).next().is_some()
+    }
+    /// The columns of the problem of that number or id.
+    fn of_problem<'t>(&'t self, problem: &'t str) -> impl Iterator<Item = &'t Column> {
         let problem = plain_problem(problem);
-        self.columns
-            .iter()
-            .any(|c| c.problem.eq_ignore_ascii_case(problem) || c.number.to_string() == problem)
+        let is =
+            move |c: &&Column| c.problem.eq_ignore_ascii_case(problem) || c.number.to_string() == problem;
+        self.columns.iter().filter(is)
     }
     /// The entry of a student and a column, if that student has the part.
     #[inline]
@@ -348,12 +348,7 @@ impl KeyTable {
     /// Why a part is not known.
     pub(crate) fn unknown_part(&self, problem: &str, part: &str, say: &Feedback) -> String {
         let shown = |text: &str| text.chars().take(40).collect::<String>();
-        let known = plain_problem(problem);
-        let of: Vec<&Column> = self
-            .columns
-            .iter()
-            .filter(|c| c.problem.eq_ignore_ascii_case(known) || c.number.to_string() == known)
-            .collect();
+        let of: Vec<&Column> = self.of_problem(problem).collect();
         if of.is_empty() {
             let mut names: Vec<String> =
                 self.columns.iter().map(|c| format!("{} ({})", c.number, c.problem)).collect();

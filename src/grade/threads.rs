@@ -1,15 +1,9 @@
 //! Batches of records on several threads; what they write comes out in the order of the batches.
 use crate::answer::submissions::{Batch, RecordSource};
+use crate::grade::run::GradeFault;
 use std::collections::BTreeMap;
-use std::io::{self, Write};
+use std::io::Write;
 use std::sync::{Condvar, Mutex, PoisonError};
-
-/// Reading or writing failed.
-#[derive(Debug)]
-pub enum Halt {
-    Read(io::Error),
-    Write(io::Error),
-}
 
 /// What is done with what the workers wrote.
 struct OrderedOutput<'a, 'b> {
@@ -37,7 +31,7 @@ pub fn run_batches<'b, W: Send>(
     process: Process<'_, W>,
     out: Option<&'b mut (dyn Write + Send + 'b)>,
     progress: &mut (dyn FnMut(u64) + Send),
-) -> Result<Vec<W>, Halt> {
+) -> Result<Vec<W>, GradeFault> {
     let limit = workers.len() * 4;
     let source = Mutex::new(source);
     let output = Mutex::new(OrderedOutput {
@@ -51,7 +45,7 @@ pub fn run_batches<'b, W: Send>(
     });
     let turn = Condvar::new();
     let hold = || output.lock().unwrap_or_else(PoisonError::into_inner);
-    let work = |mut worker: W| -> Result<W, Halt> {
+    let work = |mut worker: W| -> Result<W, GradeFault> {
         let (mut batch, mut text) = (Batch::default(), Vec::new());
         loop {
             let more = source.lock().unwrap_or_else(PoisonError::into_inner).next_batch(&mut batch);
@@ -61,7 +55,7 @@ pub fn run_batches<'b, W: Send>(
                 Err(fault) => {
                     hold().halted = true;
                     turn.notify_all();
-                    return Err(Halt::Read(fault));
+                    return Err(fault.into());
                 }
             }
             text.clear();
@@ -88,7 +82,7 @@ pub fn run_batches<'b, W: Send>(
                     if let Err(fault) = written {
                         held.halted = true;
                         turn.notify_all();
-                        return Err(Halt::Write(fault));
+                        return Err(GradeFault::Write(fault));
                     }
                 }
                 held.next += 1;

@@ -164,10 +164,7 @@ impl AttemptWalk<'_> {
         let job = self.job;
         let belongs = finder.find(job.table, cell);
         let (Some(who), Some(what)) = (belongs.who, belongs.what) else { return CellNote::NONE };
-        if belongs.of_another {
-            return CellNote::NONE;
-        }
-        if self.level.is_some_and(|level| job.rules.level(what as usize) != level) {
+        if belongs.of_another || self.level.is_some_and(|level| job.rules.levels[what as usize] != level) {
             return CellNote::NONE;
         }
         let Some(worth) = self.worth((who, what), cell.answer, numbers) else { return CellNote::NONE };

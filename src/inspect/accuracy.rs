@@ -1,7 +1,7 @@
 //! What each method gives away for its speed, on one problem with given data: measured, as table, CSV, plot and page.
 use crate::bank::Problem;
 use crate::csv_field::push_line;
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, push_new};
 use crate::inspect::data::{Data, fits, refused};
 use crate::inspect::table::NUMBERS_OF_TIES;
 use crate::inspect::{sentences, table};
@@ -76,9 +76,7 @@ pub fn measure<'s>(
     }
     let mut labels: Vec<Label> = Vec::new();
     for label in problem.questions.iter().map(|q| q.label).filter(|l| !l.quantity.is_word()) {
-        if !labels.contains(&label) {
-            labels.push(label);
-        }
+        push_new(&mut labels, label);
     }
     let missing: Vec<String> =
         labels.iter().filter(|l| solved.get(**l).is_none()).map(|l| scene.name_of(*l)).collect();

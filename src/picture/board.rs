@@ -30,6 +30,14 @@ pub struct LabelWish {
     pub tie: LabelTie,
 }
 
+impl LabelWish {
+    /// A text in one row that stands here, whatever else it covers.
+    pub fn note(runs: Vec<TextRun>, size: f64, at: Vec2, towards: Vec2) -> Self {
+        let (rows, spots) = (vec![runs], vec![(at, towards)]);
+        Self { rows, size, role: Role::Dot, spots, gap: 4.0, tie: LabelTie::Fixed }
+    }
+}
+
 /// How a label is tied to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LabelTie {

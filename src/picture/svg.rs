@@ -340,7 +340,8 @@ fn style(picture: &Picture) -> String {
 #[derive(Debug)]
 pub struct Screen<'p> {
     picture: &'p Picture,
-    style: String,
+    /// The element with the style, which counts for all pictures of a page.
+    pub style: String,
     content: String,
 }
 
@@ -355,11 +356,6 @@ impl<'p> Screen<'p> {
     /// About how many bytes it takes within a page.
     pub fn bytes(&self) -> usize {
         self.content.len() + self.style.len() + self.picture.desc.len()
-    }
-
-    /// The element with the style, which counts for all pictures of a page.
-    pub fn style(&self) -> &str {
-        &self.style
     }
 
     /// Within a page; `id` tells the pictures of one page apart.

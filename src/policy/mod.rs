@@ -3,7 +3,7 @@
 //! `bank/course.rs`.
 pub mod time;
 
-use jiff::tz::{AmbiguousOffset, TimeZone};
+use jiff::tz::{AmbiguousOffset, AmbiguousTimestamp, TimeZone};
 
 /// Microseconds in a minute.
 pub const MINUTE: i64 = 60_000_000;
@@ -125,10 +125,12 @@ impl Zone {
         if self.zone == TimeZone::UTC {
             return shown;
         }
-        let stamp = jiff::Timestamp::from_microsecond(shown);
-        let date = stamp.map(|t| TimeZone::UTC.to_datetime(t));
-        let moment = date.and_then(|d| self.zone.to_ambiguous_timestamp(d).compatible());
+        let moment = self.ambiguous(shown).and_then(|moment| moment.compatible().ok());
         moment.map_or(shown, jiff::Timestamp::as_microsecond)
+    }
+    fn ambiguous(&self, shown: i64) -> Option<AmbiguousTimestamp> {
+        let date = TimeZone::UTC.to_datetime(jiff::Timestamp::from_microsecond(shown).ok()?);
+        Some(self.zone.to_ambiguous_timestamp(date))
     }
     /// Do clocks of this zone show this under that word (`CEST`)?
     pub fn calls(&self, shown: i64, word: &str) -> bool {
@@ -165,10 +167,7 @@ impl Zone {
     }
     /// Do clocks of this zone never show this, because they are put forward over it?
     pub fn skips(&self, shown: i64) -> bool {
-        let date = jiff::Timestamp::from_microsecond(shown).map(|t| TimeZone::UTC.to_datetime(t));
-        date.is_ok_and(|d| {
-            matches!(self.zone.to_ambiguous_timestamp(d).offset(), AmbiguousOffset::Gap { .. })
-        })
+        self.ambiguous(shown).is_some_and(|moment| matches!(moment.offset(), AmbiguousOffset::Gap { .. }))
     }
     /// What clocks of this zone show at a moment, as microseconds since their 1970.
     pub fn clock(&self, moment: i64) -> i64 {

@@ -56,6 +56,13 @@ pub struct Moment {
     pub evidence: Evidence,
 }
 
+impl Moment {
+    /// This time of the first day on the day that begins at `midnight`.
+    fn on(self, midnight: i64) -> Moment {
+        Moment { micros: self.micros.map(|time| midnight.wrapping_add(time)), ..self }
+    }
+}
+
 /// Why a time tells less than it seems to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Doubt {
@@ -195,10 +202,10 @@ fn dated(text: &str) -> Option<Moment> {
         return None;
     }
     let clock = clock(rest)?;
-    let moment = |y, m, d| midnight(y, m, d).map(|at| at.wrapping_add(clock.micros));
+    let moment = |y, m, d| Some(clock.on(midnight(y, m, d)?));
     let whole_day = rest.is_empty();
     if a >= 1000 {
-        return Some(Moment { whole_day, ..certain(moment(a, b, c)?, clock.zoned, clock.word) });
+        return Some(Moment { whole_day, ..moment(a, b, c)? });
     }
     // Of 26-03-29 nobody knows which is the year.
     if separator == '-' && length != 4 {
@@ -207,14 +214,9 @@ fn dated(text: &str) -> Option<Moment> {
     let year = if length == 2 { full_year(c) } else { c };
     let (day_first, month_first) = (moment(year, b, a), moment(year, a, b));
     let evidence = Evidence { day_first: a > 12 && b <= 12, month_first: b > 12 && a <= 12 };
-    let one = |at| Moment { evidence, whole_day, ..certain(at, clock.zoned, clock.word) };
-    match (day_first, month_first) {
-        (Some(x), Some(y)) => {
-            Some(Moment { micros: [x, y], uncertain: (x != y).then_some(separator == '.'), ..one(x) })
-        }
-        (Some(x), None) | (None, Some(x)) => Some(one(x)),
-        (None, None) => None,
-    }
+    let [x, y] = [day_first.or(month_first)?, month_first.or(day_first)?].map(|one| one.micros[0]);
+    let uncertain = (x != y).then_some(separator == '.');
+    Some(Moment { micros: [x, y], uncertain, evidence, whole_day, ..clock })
 }
 
 /// A year of two digits: 1970 to 2069.
@@ -312,8 +314,7 @@ fn worded(text: &str) -> Option<Moment> {
     let at = midnight(year, month, day)?;
     // 1970 began on a Thursday.
     let clashes = week.iter().any(|d| *d != (at.div_euclid(DAY) + 3).rem_euclid(7));
-    let moment = certain(at.wrapping_add(clock.micros), clock.zoned, clock.word);
-    Some(Moment { whole_day: clock_words.is_empty(), clashes, ..moment })
+    Some(Moment { whole_day: clock_words.is_empty(), clashes, ..clock.on(at) })
 }
 
 /// The day of the week by its English or German name, whole or cut; 0 is Monday.
@@ -337,17 +338,10 @@ fn midnight(year: i64, month: i64, day: i64) -> Option<i64> {
     (1000..=9999).contains(&year).then_some(days * DAY)
 }
 
-/// The time of day, and its zone.
-struct Clock {
-    micros: i64,
-    zoned: bool,
-    word: Option<ZoneWord>,
-}
-
-/// `14:05:30.25+02:00`, `2:05 PM`, `14:05 CEST`, empty for midnight.
-fn clock(text: &str) -> Option<Clock> {
+/// The time of day with its zone, as a moment of the first day: `14:05:30.25+02:00`, `2:05 PM`, `14:05 CEST`, empty for midnight.
+fn clock(text: &str) -> Option<Moment> {
     if text.is_empty() {
-        return Some(Clock { micros: 0, zoned: false, word: None });
+        return Some(Moment::default());
     }
     let end =
         text.find(|c: char| !(c.is_ascii_digit() || c == ':' || c == '.' || c == ',')).unwrap_or(text.len());
@@ -395,7 +389,7 @@ fn clock(text: &str) -> Option<Clock> {
         name[..zone.len()].copy_from_slice(zone.as_bytes());
         let offset = ZONES.iter().find(|(known, _)| *known == zone).map(|(_, minutes)| minutes * 60_000_000);
         let word = Some(ZoneWord { name, offset });
-        return Some(Clock { micros: shown - offset.unwrap_or(0), zoned, word });
+        return Some(certain(shown - offset.unwrap_or(0), zoned, word));
     }
     for name in ["GMT", "UTC", "Z"] {
         if let Some(after) = zone.strip_prefix(name) {
@@ -420,7 +414,7 @@ fn clock(text: &str) -> Option<Clock> {
         }
         offset = sign * (h * 60 + m);
     }
-    Some(Clock { micros: shown - offset * 60_000_000, zoned, word: None })
+    Some(certain(shown - offset * 60_000_000, zoned, None))
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::policy::{Correction, Policy};
 use crate::regrade::changes::{self, ChangeRow, DUST, Grading, MarkChange, Why};
 use crate::report::tolerances;
 use crate::sheet::terminal;
+use crate::words::plain::beginning;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -66,22 +67,14 @@ impl ChangesTold<'_> {
         (then, now): (&Policy, &Policy),
         course: Option<&Path>,
     ) {
-        let short = |hash: &str| hash.get(..12).unwrap_or(hash).to_owned();
-        if old == new {
-            let _ = writeln!(text, "  bank: as before ({}…)", short(new));
-        } else {
-            let _ = writeln!(
-                text,
-                "  bank: {file} ({}…, was {}…); the key is solved anew for the data on the sheets",
-                short(new),
-                short(old)
-            );
-        }
-        let mut said = Vec::new();
-        for p in 0..self.keys.new.columns.len() {
-            said.extend(self.part(p));
-        }
-        said.extend(settings(then, now));
+        let [was, is] = [old, new].map(|hash| beginning(hash, 12));
+        let bank = match old == new {
+            true => format!("as before ({is})"),
+            false => format!("{file} ({is}, was {was}); the key is solved anew for the data on the sheets"),
+        };
+        let _ = writeln!(text, "  bank: {bank}");
+        let parts = (0..self.keys.new.columns.len()).flat_map(|p| self.part(p));
+        let mut said: Vec<String> = parts.chain(settings(then, now)).collect();
         if said.is_empty() && old != new {
             said.push("no key, tolerance or setting differs: only words do".to_owned());
         }
@@ -126,12 +119,9 @@ impl ChangesTold<'_> {
                     shown::per_cent(farthest, 3)
                 ),
                 Why::Tolerance => {
-                    let old = self.keys.parts[part]
-                        .map_or_else(String::new, |p| tolerances::tolerance(&self.keys.old, p));
-                    format!(
-                        "{label}: the tolerance is {}, was {old}",
-                        tolerances::tolerance(&self.keys.new, part)
-                    )
+                    let old = self.keys.parts[part].map(|p| tolerances::tolerance(&self.keys.old, p));
+                    let (new, old) = (tolerances::tolerance(&self.keys.new, part), old.unwrap_or_default());
+                    format!("{label}: the tolerance is {new}, was {old}")
                 }
                 _ => format!("{label}: another unit, or it must be written or not"),
             });
@@ -174,8 +164,8 @@ impl ChangesTold<'_> {
             .map(|s| (s, total(self.after, s) - total(self.before, s)))
             .filter(|(_, d)| d.abs() > DUST)
             .collect();
-        let (gain, lose) =
-            (moved.iter().filter(|(_, d)| *d > 0.0).count(), moved.iter().filter(|(_, d)| *d < 0.0).count());
+        let gain = moved.iter().filter(|(_, d)| *d > 0.0).count();
+        let lose = moved.len() - gain;
         let n = self.keys.new.students.len().max(1) as f64;
         let mean = |g: &Grading| (0..self.keys.new.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
         let _ = writeln!(
@@ -190,24 +180,14 @@ impl ChangesTold<'_> {
         let mut rows = vec![terminal::head("student | name | total | change | by part")];
         for (student, change) in moved.iter().take(SHOWN) {
             let of = self.changes.iter().filter(|c| c.student == *student && c.gain().abs() > DUST);
-            let parts: Vec<String> = of
-                .map(|c| {
-                    let why: Vec<&str> = c.why.iter().map(|why| why.as_str()).collect();
-                    format!("{} {} ({})", self.label(c.part), signed(c.gain()), why.join(", "))
-                })
-                .collect();
+            let parts = of.map(|c| {
+                let why: Vec<&str> = c.why.iter().map(|why| why.as_str()).collect();
+                format!("{} {} ({})", self.label(c.part), signed(c.gain()), why.join(", "))
+            });
+            let parts = parts.collect::<Vec<_>>().join(", ");
             let (id, name) = &self.students[*student];
-            rows.push(vec![
-                id.clone(),
-                name.clone(),
-                format!(
-                    "{} -> {}",
-                    points(total(self.before, *student)),
-                    points(total(self.after, *student))
-                ),
-                signed(*change),
-                parts.join(", "),
-            ]);
+            let [was, is] = [self.before, self.after].map(|grading| points(total(grading, *student)));
+            rows.push(vec![id.clone(), name.clone(), format!("{was} -> {is}"), signed(*change), parts]);
         }
         if !moved.is_empty() {
             text.push_str(&terminal::table(&rows, &[0, 1, 4]));
@@ -218,20 +198,16 @@ impl ChangesTold<'_> {
     }
 
     pub fn csv(&self, policy: &Policy) -> Vec<u8> {
-        let mut rows = Vec::new();
-        for change in self.changes {
+        let row = |change: &MarkChange| {
             let Column { number, problem, part, .. } = &self.keys.new.columns[change.part];
-            let why: Vec<String> = change
-                .why
-                .iter()
-                .map(|w| match (w, policy.correction(*number, problem, part, change.is.is_some())) {
-                    (Why::Correction, Some(c)) if !c.why.is_empty() => format!("correction: {}", c.why),
-                    _ => w.as_str().to_owned(),
-                })
-                .collect();
+            let correction = policy.correction(*number, problem, part, change.is.is_some());
+            let why = change.why.iter().map(|w| match (w, correction) {
+                (Why::Correction, Some(c)) if !c.why.is_empty() => format!("correction: {}", c.why),
+                _ => w.as_str().to_owned(),
+            });
             let shown = |p: Option<f64>| p.map_or_else(String::new, points);
             let verdict = |v: Option<Verdict>| v.map_or("", |v| v.as_str()).to_owned();
-            rows.push(ChangeRow {
+            ChangeRow {
                 student: self.keys.new.students[change.student].id.clone(),
                 problem: number.to_string(),
                 part: part.clone(),
@@ -239,40 +215,30 @@ impl ChangesTold<'_> {
                 points_after: shown(change.after),
                 verdict_before: verdict(change.was),
                 verdict_after: verdict(change.is),
-                why: why.join("; "),
-            });
-        }
-        ChangeRow::csv(&rows)
+                why: why.collect::<Vec<_>>().join("; "),
+            }
+        };
+        ChangeRow::csv(&self.changes.iter().map(row).collect::<Vec<_>>())
     }
 }
 
 /// Which settings of the course differ.
 fn settings(old: &Policy, new: &Policy) -> Vec<String> {
     let mut said = Vec::new();
-    for correction in new.corrections.iter().filter(|c| {
-        !old.corrections
-            .iter()
-            .any(|o| (o.part.text(), o.share.to_bits(), o.to) == (c.part.text(), c.share.to_bits(), c.to))
-    }) {
-        said.push(correction.in_words(&correction.part.text()));
-    }
+    let of = |c: &Correction| (c.part.text(), c.share.to_bits(), c.to);
+    let came = |c: &&Correction| old.corrections.iter().all(|o| of(o) != of(c));
+    said.extend(new.corrections.iter().filter(came).map(|c| c.in_words(&c.part.text())));
     let gone = |c: &&Correction| !new.corrections.iter().any(|n| n.part.text() == c.part.text());
-    for correction in old.corrections.iter().filter(gone) {
-        said.push(format!("the correction of {} is gone", correction.part.text()));
-    }
+    let gone = old.corrections.iter().filter(gone);
+    said.extend(gone.map(|c| format!("the correction of {} is gone", c.part.text())));
+    let points = |p: &Policy| p.points.iter().map(|(p, x)| (p.text(), x.to_bits())).collect::<Vec<_>>();
     let differ = [
         ("due", old.due != new.due || old.zone != new.zone || old.day_first != new.day_first),
         ("extensions", old.extensions != new.extensions),
         ("attempts", old.attempts != new.attempts),
         ("late", old.late != new.late),
         ("credit", old.credit != new.credit),
-        (
-            "points",
-            old.points
-                .iter()
-                .map(|(p, x)| (p.text(), x.to_bits()))
-                .ne(new.points.iter().map(|(p, x)| (p.text(), x.to_bits()))),
-        ),
+        ("points", points(old) != points(new)),
         ("drop lowest", old.drop_lowest != new.drop_lowest),
         ("round", old.rounding != new.rounding),
     ];

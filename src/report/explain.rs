@@ -189,7 +189,7 @@ impl ExplainedMarks<'_> {
                     "label": label,
                     "unit": if unit.is_number() { "" } else { unit.ascii() },
                     "unit_required": entry.unit_required,
-                    "key": unit.text_with(&shown(*value)),
+                    "key": in_unit(entry, *value),
                     "eom": or(entry.eom.map(shown), "none"),
                     "energy": or(entry.energy.map(shown), "none"),
                     "gap": or(entry.gap.map(gap), "unknown"),
@@ -260,9 +260,8 @@ impl ExplainedMarks<'_> {
         let catalogue = Catalogue::shared("en");
         let methods = row.methods.split_whitespace().map(|id| {
             let at = self.key.methods.iter().position(|m| m == id);
-            let value = at.and_then(|m| entry.wrong.iter().find(|w| usize::from(w.method) == m));
-            let comes = value
-                .map(|w| entry.unit.text_with(&shown::significant(entry.unit.from_si(w.value), FIGURES)));
+            let wrong = at.and_then(|m| entry.wrong.iter().find(|w| usize::from(w.method) == m));
+            let comes = wrong.map(|w| in_unit(entry, w.value));
             let told = catalogue.get(id).map(|e| format!("{} {}", plain(&e.did), plain(&e.see)));
             json!({"id": id, "comes": comes, "told": told})
         });
@@ -329,11 +328,9 @@ impl ExplainedMarks<'_> {
     /// What the relation comes to with the student's own answers.
     fn follow(&self, index: usize, row: &AnswerRow) -> Option<Value> {
         let entry = &self.key.parts[index];
-        let written = self
-            .problem
-            .follows
-            .iter()
-            .find(|f| self.problem.questions.get(f.question).is_some_and(|q| q.id == entry.part))?;
+        let asked = |question: usize| self.problem.questions.get(question);
+        let is_here = |question: usize| asked(question).is_some_and(|q| q.id == entry.part);
+        let written = self.problem.follows.iter().find(|f| is_here(f.question))?;
         let follow = self.key.follows.iter().find(|f| f.part == index)?;
         let number = |part: usize, row: &AnswerRow| {
             let (entry, mut units) = (self.key.parts.get(part)?, UnitCache::default());
@@ -360,7 +357,7 @@ impl ExplainedMarks<'_> {
         let value = if near(by(true)) <= near(by(false)) { by(true) } else { by(false) };
         let from: Vec<&str> =
             follow.from.iter().filter_map(|p| self.key.parts.get(*p)).map(|e| e.part.as_str()).collect();
-        let value = entry.unit.text_with(&shown::significant(entry.unit.from_si(value), FIGURES));
+        let value = in_unit(entry, value);
         Some(json!({"text": written.text, "from": from.join(" and "), "value": value}))
     }
 }
@@ -373,12 +370,16 @@ fn rule(question: &crate::bank::Question, entry: &KeyEntry, value: f64, half_wid
             None => "a thousandth of the largest term, because the answer may vanish".to_owned(),
         };
     }
-    match question.relative {
-        Relative::Fixed(_) => format!("{} % of the key", shown::per_cent(share, 3)),
-        Relative::Widens { .. } => {
-            format!("{} % of the key, by its condition number", shown::per_cent(share, 3))
-        }
-    }
+    let why = match question.relative {
+        Relative::Fixed(_) => "",
+        Relative::Widens { .. } => ", by its condition number",
+    };
+    format!("{} % of the key{why}", shown::per_cent(share, 3))
+}
+
+/// A number in the unit that is asked, with it.
+fn in_unit(entry: &KeyEntry, si: f64) -> String {
+    entry.unit.text_with(&shown::significant(entry.unit.from_si(si), FIGURES))
 }
 
 fn signed_per_cent(share: f64) -> String {

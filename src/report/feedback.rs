@@ -4,7 +4,7 @@
 //! The template `feedback.md` receives `title`, `name`, `student`, `set`, `total` (`14 of 20 points`), `notes` (what does not
 //! count, or nothing handed in) and `problems`: a list of `number`, `title`, `points` and `parts`, each with `sign`, `name`
 //! (`1.omega`), `asked`, `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
-use crate::finding::Finding;
+use crate::finding::{Finding, push_new};
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Hints;
@@ -194,9 +194,7 @@ impl FeedbackWriter<'_> {
                 lines.push(self.words.say("marks.see", &[("see", &entry.see)]));
             }
             lines.push(self.words.say("marks.hint", &[("hint", &entry.hint)]));
-            if !told.contains(&lines) {
-                told.push(lines);
-            }
+            push_new(&mut told, lines);
         }
         let mut lines = if told.len() < 2 {
             told.concat()

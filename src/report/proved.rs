@@ -105,26 +105,21 @@ pub fn table(rows: &[ProvedQuestion]) -> String {
 pub fn verdict(rows: &[ProvedQuestion]) -> String {
     let answers: usize = rows.iter().map(|r| r.answers).sum();
     let enclosed: usize = rows.iter().map(|r| r.enclosed).sum();
-    let mut text = String::new();
-    if let Some(worst) =
-        rows.iter().filter(|r| r.answers > 0).max_by(|a, b| a.gap_ulps.total_cmp(&b.gap_ulps))
-    {
-        text = if worst.gap_ulps > 0.0 {
-            let ulps = shown::significant(worst.gap_ulps, 3);
+    let worst = rows.iter().filter(|r| r.answers > 0).max_by(|a, b| a.gap_ulps.total_cmp(&b.gap_ulps));
+    let differ = match worst {
+        Some(ProvedQuestion { gap_ulps, name, whose, .. }) if *gap_ulps > 0.0 => {
+            let ulps = shown::significant(*gap_ulps, 3);
             format!(
-                "Equations of motion and work and energy differ by {ulps} ulps at most ({} of {}). ",
-                worst.name, worst.whose
+                "Equations of motion and work and energy differ by {ulps} ulps at most ({name} of {whose}). "
             )
-        } else {
-            "Equations of motion and work and energy agree to the last bit. ".to_owned()
-        };
-    }
-    let widest = rows.iter().fold(0.0f64, |w, r| w.max(r.widest));
-    text.push_str(&format!(
-        "{enclosed} of {answers} numbers are enclosed: the true answer for the printed data lies within {} of the tolerance.",
-        shown::figures(widest, 1)
-    ));
-    text
+        }
+        Some(_) => "Equations of motion and work and energy agree to the last bit. ".to_owned(),
+        None => String::new(),
+    };
+    let widest = shown::figures(rows.iter().fold(0.0f64, |w, r| w.max(r.widest)), 1);
+    format!(
+        "{differ}{enclosed} of {answers} numbers are enclosed: the true answer for the printed data lies within {widest} of the tolerance."
+    )
 }
 
 /// The questions that do not hold.

@@ -1,6 +1,7 @@
 //! What the marks of a class tell: numbers only, with the sizes below which they tell nothing.
+use crate::finding::push_new;
 use crate::grade::verdict::Verdict;
-use crate::report::marks::Marks;
+use crate::report::marks::{CountingRow, Marks};
 use crate::report::stats::items::Matrix;
 use crate::report::stats::spread::Distribution;
 use crate::report::stats::{
@@ -178,18 +179,20 @@ fn slip_kind(slip: &str) -> String {
 }
 
 /// How often each word stands in the rows that count, most first.
-fn words(
-    marks: &Marks,
-    of: &dyn Fn(&crate::report::marks::CountingRow) -> Vec<String>,
-) -> Vec<(String, usize)> {
+fn words(marks: &Marks, of: &dyn Fn(&CountingRow) -> Vec<String>) -> Vec<(String, usize)> {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for row in marks.cells.iter().filter_map(|c| c.row.as_ref()) {
         for word in of(row).into_iter().filter(|w| !w.is_empty()) {
             *counts.entry(word).or_default() += 1;
         }
     }
+    most_first(counts)
+}
+
+/// Things with their numbers, the most frequent first, equal ones by name.
+fn most_first(counts: BTreeMap<String, usize>) -> Vec<(String, usize)> {
     let mut list: Vec<_> = counts.into_iter().collect();
-    list.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    list.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
     list
 }
 
@@ -257,16 +260,12 @@ fn mistakes(marks: &Marks) -> (Vec<MistakeCount>, (usize, usize)) {
     }
     let mut list: Vec<MistakeCount> = counts
         .into_iter()
-        .map(|(id, count)| {
-            let mut also: Vec<(String, usize)> = count.also.into_iter().collect();
-            also.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
-            MistakeCount {
-                ids: vec![id],
-                also: also.into_iter().map(|(id, _)| id).collect(),
-                answers: count.parts.values().sum(),
-                who: count.who,
-                parts: count.parts.into_iter().collect(),
-            }
+        .map(|(id, count)| MistakeCount {
+            ids: vec![id],
+            also: most_first(count.also).into_iter().map(|(id, _)| id).collect(),
+            answers: count.parts.values().sum(),
+            who: count.who,
+            parts: count.parts.into_iter().collect(),
         })
         .collect();
     MistakeCount::sort(&mut list);
@@ -304,9 +303,7 @@ fn fairness(marks: &Marks) -> (Vec<DatumComparison>, Vec<(usize, usize)>) {
             let Some(drawn) = drawn(*s) else { continue };
             cases.entry(&drawn.case).or_default().push(*share);
             for (symbol, _) in &drawn.data {
-                if !symbols.contains(&symbol.as_str()) {
-                    symbols.push(symbol);
-                }
+                push_new(&mut symbols, symbol);
             }
         }
         cases.retain(|_, group| group.len() >= LEAST_IN_GROUP);

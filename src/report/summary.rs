@@ -8,22 +8,13 @@ use crate::sheet::terminal;
 /// Verdicts, a row for each part, and what is odd about the submissions.
 pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String {
     let form = if graded.wide { "wide" } else { "long" };
-    let mut text = format!("{} in {form} form:", terminal::count(graded.cells, "answer cell"));
-    let mut first = true;
-    for verdict in Verdict::ALL {
-        let n = graded.count(*verdict);
-        if n > 0 {
-            text.push_str(if first { " " } else { ", " });
-            first = false;
-            text.push_str(&format!("{n} {verdict}"));
-        }
-    }
-    text.push('\n');
-    let mut rows = vec![
-        ["part", "right", "wrong", "unreadable", "blank", "right of those that count"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
+    let verdicts = Verdict::ALL.iter().map(|verdict| (graded.count(*verdict), verdict));
+    let verdicts = verdicts.filter(|(n, _)| *n > 0).map(|(n, verdict)| format!("{n} {verdict}"));
+    let verdicts = verdicts.collect::<Vec<_>>().join(", ");
+    let cells = terminal::count(graded.cells, "answer cell");
+    let mut text = format!("{cells} in {form} form: {verdicts}").trim_end().to_owned() + "\n";
+    let mut rows =
+        vec![terminal::head("part | right | wrong | unreadable | blank | right of those that count")];
     for (column, counts) in table.columns.iter().zip(&graded.by_column) {
         let of = |verdicts: &[Verdict]| verdicts.iter().map(|v| counts[*v as usize]).sum::<u64>();
         let right = of(&[Verdict::Right]);
@@ -43,10 +34,8 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
     text.push_str(terminal::table(&rows, &[0]).trim_end());
     let handed =
         graded.points.chunks(table.columns.len().max(1)).filter(|p| p.iter().any(Option::is_some)).count();
-    text.push_str(&format!(
-        "\n  {handed} of {} handed in.",
-        terminal::count(table.students.len(), "student")
-    ));
+    let students = terminal::count(table.students.len(), "student");
+    text.push_str(&format!("\n  {handed} of {students} handed in."));
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
     }

@@ -2,19 +2,17 @@
 use crate::csv_field::push_line;
 use crate::num::shown;
 use crate::words::Words;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// A cell of a table: what is shown, and what stands in the CSV file.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct TableCell {
     pub shown: String,
     /// Is it finished HTML?
     pub rich: bool,
     /// Is it a number, written with a point?
-    #[serde(skip)]
     pub number: bool,
     /// Plain.
-    #[serde(skip)]
     pub raw: String,
 }
 
@@ -90,19 +88,6 @@ pub struct Table {
     pub rows: Vec<Vec<TableCell>>,
 }
 
-/// A table as the page shows it: what `report-table.html` receives as `t`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct TableView {
-    name: &'static str,
-    caption: String,
-    head: Vec<String>,
-    texts: usize,
-    rows: Vec<Vec<TableCell>>,
-    /// Rows here, and in the file.
-    shown: usize,
-    all: usize,
-}
-
 impl Table {
     /// A table that shows all its columns.
     pub fn new(
@@ -114,25 +99,26 @@ impl Table {
         Self { name, columns, texts, shown: columns.split(' ').count(), rows: rows.collect() }
     }
 
-    /// The first rows for the page, in the words of a language.
-    pub fn view(&self, words: &Words, most: usize) -> TableView {
-        let rows = self.rows.iter().take(most).map(|row| {
-            let cells = row.iter().take(self.shown).map(|cell| match cell.number {
-                true => TableCell { shown: words.number(&cell.shown), ..cell.clone() },
-                false => cell.clone(),
-            });
-            cells.collect()
-        });
+    /// The first rows for the page, in the words of a language: what `report-table.html` receives as `t`. `shown` are the rows here,
+    /// `all` those of the file.
+    pub fn view(&self, words: &Words, most: usize) -> Value {
+        let cell = |cell: &TableCell| {
+            let shown = if cell.number { words.number(&cell.shown) } else { cell.shown.clone() };
+            json!({"shown": shown, "rich": cell.rich})
+        };
+        let rows = self.rows.iter().take(most);
+        let rows = rows.map(|row| row.iter().take(self.shown).map(cell).collect::<Vec<_>>());
         let head = self.columns.split(' ').take(self.shown);
-        TableView {
-            name: self.name,
-            caption: words.get(&format!("report.table.{}", self.name)).to_owned(),
-            head: head.map(|name| words.get(&format!("report.column.{name}")).to_owned()).collect(),
-            texts: self.texts,
-            rows: rows.collect(),
-            shown: self.rows.len().min(most),
-            all: self.rows.len(),
-        }
+        let head = head.map(|name| words.get(&format!("report.column.{name}")));
+        json!({
+            "name": self.name,
+            "caption": words.get(&format!("report.table.{}", self.name)),
+            "head": head.collect::<Vec<_>>(),
+            "texts": self.texts,
+            "rows": rows.collect::<Vec<_>>(),
+            "shown": self.rows.len().min(most),
+            "all": self.rows.len(),
+        })
     }
 
     /// The table as CSV; cells that a spreadsheet would run have an apostrophe in front.
@@ -169,9 +155,10 @@ mod tests {
         assert!(table.csv().starts_with(b"slip,answers\n'=HYPERLINK(1.5),-1.5\n"));
         let german = Words::of("de").unwrap();
         let view = table.view(&german, 2);
-        let shown: Vec<&str> = view.rows[0].iter().map(|c| c.shown.as_str()).collect();
-        assert_eq!(shown, ["=HYPERLINK(1.5)", "\u{2212}1,5"]);
-        assert_eq!((view.rows.len(), view.shown, view.all), (2, 2, 3));
-        assert_eq!(view.head, ["Kürzel", "Antworten"]);
+        let row =
+            json!([{"shown": "=HYPERLINK(1.5)", "rich": false}, {"shown": "\u{2212}1,5", "rich": false}]);
+        assert_eq!(view["rows"], json!([row, row]));
+        assert_eq!([&view["shown"], &view["all"]], [2, 3]);
+        assert_eq!(view["head"], json!(["Kürzel", "Antworten"]));
     }
 }

@@ -39,15 +39,11 @@ pub fn tolerance(table: &KeyTable, part: usize) -> String {
 
 /// The table: what changes with each tolerance that is tried, of so many answers that count with these totals.
 pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answers: u64) -> String {
+    let answers =
+        terminal::count(answers, "answer") + if answers == 1 { " that counts" } else { " that count" };
+    let students = terminal::count(now.students.len(), "student");
     let mut text = format!(
-        "{}: {} of {}; answers that would become right (+) or no longer be right (-)\n",
-        graded,
-        if answers == 1 {
-            "1 answer that counts".to_owned()
-        } else {
-            format!("{answers} answers that count")
-        },
-        terminal::count(now.students.len(), "student")
+        "{graded}: {answers} of {students}; answers that would become right (+) or no longer be right (-)\n"
     );
     let changed = |c: &ToleranceChange| match (c.gained, c.lost) {
         (0, 0) => "0".to_owned(),
@@ -87,10 +83,9 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
     let catalogue = Catalogue::shared("en");
     for trial in trials.iter().filter(|t| !t.what.methods.is_empty()) {
         let total = trial.what.total();
+        let (share, answers) = (shown::per_cent(trial.share, 3), terminal::count(total.methods, "answer"));
         text.push_str(&format!(
-            "  warning: at {} % {} of a known wrong method would be right:\n",
-            shown::per_cent(trial.share, 3),
-            terminal::count(total.methods, "answer")
+            "  warning: at {share} % {answers} of a known wrong method would be right:\n"
         ));
         let mut list: Vec<(&String, &u64)> = trial.what.methods.iter().collect();
         list.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));

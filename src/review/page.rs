@@ -5,7 +5,7 @@ use crate::finding::Findings;
 use crate::inspect::sentences;
 use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
-use crate::picture::svg;
+use crate::picture::svg::{self, escaped};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::problem::sweep::Sweep;
@@ -164,13 +164,11 @@ fn tables(found: SweepTables, texts: &Texts) -> Vec<Value> {
     let refusals: Vec<Vec<String>> =
         found.refusals.into_iter().map(|(count, rule)| vec![rule, count.to_string()]).collect();
     let name = |name: &str| texts.words.get(&format!("gallery.{name}")).to_owned();
-    let headed = |name: &str, rows: Vec<Vec<String>>| {
+    let headed = |title: &str, mut rows: Vec<Vec<String>>| {
         let width = rows.first().map_or(0, Vec::len);
-        let mut head = vec![String::new(); width];
-        if let Some(first) = head.first_mut() {
-            first.push_str(texts.words.get(&format!("gallery.{name}")));
-        }
-        std::iter::once(head).chain(rows).collect::<Vec<_>>()
+        let head = std::iter::once(name(title)).chain(std::iter::repeat_n(String::new(), width));
+        rows.insert(0, head.take(width).collect());
+        rows
     };
     let last = found.mistakes.first().map_or(0, |head| head.len() - 1);
     let all = [
@@ -214,11 +212,6 @@ fn notes(problem: &Problem, sweep: &Sweep, fit: &[String]) -> Vec<Value> {
     }
     notes.extend_from_slice(fit);
     notes.iter().map(|note| template::finished(&in_code(note))).collect()
-}
-
-/// A text as HTML.
-fn escaped(text: &str) -> String {
-    svg::escaped(text)
 }
 
 /// What stands between backticks, as code.

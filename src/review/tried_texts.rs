@@ -1,7 +1,7 @@
 //! Statements and worked solutions of a bank, tried on a variant of each case.
 use crate::bank::node::shorten;
 use crate::bank::{Bank, Problem};
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, push_new};
 use crate::key::SheetKey;
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
@@ -64,26 +64,19 @@ pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Fi
                     add_formulas(&mut out.faults, problem, texts, &text);
                     for what in [&problem.title, &*text].into_iter().flat_map(document::dropped) {
                         let note = TextNote { problem: problem.id.clone(), what: not_kept(&what) };
-                        if !out.notes.contains(&note) {
-                            out.notes.push(note);
-                        }
+                        push_new(&mut out.notes, note);
                     }
                 }
-                Err(fault) if out.faults.contains(&fault) => {}
-                Err(fault) => out.faults.push(fault),
+                Err(fault) => push_new(&mut out.faults, fault),
             }
             match solution::worked(problem, &variant, i + 1, Detail::Short, (&texts.words, &texts.templates))
             {
                 Ok((_, None)) => {}
                 Ok((_, Some(what))) => {
                     let what = short_page(problem, variant.case, what);
-                    let note = TextNote { problem: problem.id.clone(), what };
-                    if !out.notes.contains(&note) {
-                        out.notes.push(note);
-                    }
+                    push_new(&mut out.notes, TextNote { problem: problem.id.clone(), what });
                 }
-                Err(fault) if out.unsolved.contains(&fault) => {}
-                Err(fault) => out.unsolved.push(fault),
+                Err(fault) => push_new(&mut out.unsolved, fault),
             }
         }
     }
@@ -100,9 +93,7 @@ fn add_formulas(findings: &mut Findings, problem: &Problem, texts: &Texts, markd
         {
             finding = finding.in_file(file);
         }
-        if !findings.contains(&finding) {
-            findings.push(finding);
-        }
+        push_new(findings, finding);
     }
 }
 
@@ -131,26 +122,13 @@ fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
 
 /// What a text of students does not keep, in words.
 fn not_kept(what: &Dropped) -> String {
-    match what {
-        Dropped::Tag(html) => {
-            format!(
-                "`{}` is dropped: the tags are dropped, the words stay; write it in Markdown",
-                shorten(html)
-            )
-        }
-        Dropped::Html(html) => {
-            format!("`{}` is dropped: it does not reach students, nor does what stands in it", shorten(html))
-        }
-        Dropped::Link(url) => {
-            format!(
-                "the link to `{}` is dropped: only http, https, mailto and places nearby stay",
-                shorten(url)
-            )
-        }
-        Dropped::Picture(url) => {
-            format!("the picture `{}` is dropped: pages hold only what the program draws", shorten(url))
-        }
-    }
+    let (before, text, why) = match what {
+        Dropped::Tag(html) => ("", html, "the tags are dropped, the words stay; write it in Markdown"),
+        Dropped::Html(html) => ("", html, "it does not reach students, nor does what stands in it"),
+        Dropped::Link(url) => ("the link to ", url, "only http, https, mailto and places nearby stay"),
+        Dropped::Picture(url) => ("the picture ", url, "pages hold only what the program draws"),
+    };
+    format!("{before}`{}` is dropped: {why}", shorten(text))
 }
 
 /// What [`tried`] finds in the whole bank; where that is nothing, a whole sheet is made in every format that this program makes

@@ -83,7 +83,7 @@ quantities! {
     Omega "omega" "rad/s" Magnitude "angular speed at the end, a magnitude";
     V "v" "m/s" Magnitude "speed of the mass centre at the end, a magnitude";
     A "a" "m/s^2" Directed "acceleration of the mass centre at the end, positive forward";
-    Alpha "alpha" "rad/s^2" Signed "angular acceleration at the end, positive with rolling forward or with growing angle";
+    Alpha "alpha" "rad/s^2" Signed "angular acceleration at the end, positive with rolling forward or with growing angle; of joined bodies without an angle, counter-clockwise";
     Friction "friction" "N" Directed "friction force on the body at the end, positive up the incline";
     Normal "normal" "N" Magnitude "normal force of the surface";
     MuRequired "mu_required" "1" Magnitude "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";

@@ -151,6 +151,9 @@ pub enum JointKind {
         through_m: [Num; 2],
         /// Direction of the line, degrees counter-clockwise from the right.
         direction_deg: Num,
+        /// Is that the direction as it was written turned about, so that it pushes to the left of it? What lies ahead on the line lies
+        /// ahead as written.
+        reversed: bool,
         /// Can it only push, so that the point can leave it?
         one_sided: bool,
         /// Kinetic friction coefficient; `None` if it is smooth.

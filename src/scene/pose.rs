@@ -636,7 +636,8 @@ impl<'a, T: Real> Layout<'a, T> {
         })
     }
     /// Rate of the leading angle at the start: a spin is that of its body, a speed that of its mass centre, positive where the
-    /// leading angle grows. `None` where what has it does not move with that angle.
+    /// leading angle grows if that is its own, else up, or to the right on a level. `None` where what has it does not move with
+    /// that angle.
     pub fn start_rate(&self) -> Option<T> {
         let Some((Coordinate { body, degree }, number)) = self.scene.start_speeds().next() else {
             return Some(T::zero());
@@ -650,8 +651,9 @@ impl<'a, T: Real> Layout<'a, T> {
             Degree::Turn if planar.clockwise => -poses[body].turn().0,
             Degree::Turn => poses[body].turn().0,
             Degree::Along => {
-                let [x, y] = poses[body].point([along(self.n, planar.centre), T::zero()]).map(|x| x.first);
-                (x.square() + y.square()).root()
+                let way = poses[body].point([along(self.n, planar.centre), T::zero()]).map(|x| x.first);
+                let length = dot(way, way).root();
+                if body == self.lead { length } else { length.signed(upward(way.map(|x| x / length))) }
             }
         };
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })

@@ -21,14 +21,11 @@ pub fn pairs(id: &str, variants: &[StudentVariant]) -> (Vec<Coincidence>, bool) 
     let mut found = Vec::new();
     let mut more = false;
     let mut tell = |what: &str, a: usize, b: usize| {
-        if found.len() < LISTED {
-            let (a, b) = (a.min(b), a.max(b));
-            found.push((a, b, what.to_owned()));
-            true
-        } else {
-            more = true;
-            false
+        more |= found.len() == LISTED;
+        if !more {
+            found.push((a.min(b), a.max(b), what.to_owned()));
         }
+        !more
     };
     // Equal data: sorted, so that equals are neighbours.
     let mut order: Vec<usize> = (0..variants.len()).collect();
@@ -42,6 +39,7 @@ pub fn pairs(id: &str, variants: &[StudentVariant]) -> (Vec<Coincidence>, bool) 
             }
         }
     }
+    let mut compared = 0;
     // Answers within tolerance: sorted by the part that separates best, only neighbours are compared.
     let numbers: Vec<Vec<(f64, f64)>> = variants.iter().map(|v| numbers(v.key)).collect();
     let parts = numbers.first().map_or(0, Vec::len);
@@ -69,7 +67,6 @@ pub fn pairs(id: &str, variants: &[StudentVariant]) -> (Vec<Coincidence>, bool) 
         let best = (0..parts).min_by_key(|p| candidates(*p)).unwrap_or(0);
         let order = sorted(best);
         let reach = widest(best);
-        let mut compared = 0;
         'all: for (i, a) in order.iter().enumerate() {
             for b in &order[i + 1..] {
                 if numbers[*b][best].0 - numbers[*a][best].0 > reach {
@@ -77,21 +74,20 @@ pub fn pairs(id: &str, variants: &[StudentVariant]) -> (Vec<Coincidence>, bool) 
                 }
                 compared += 1;
                 if compared > COMPARED {
-                    more = true;
                     break 'all;
                 }
                 let near = |x: &(f64, f64), y: &(f64, f64)| (x.0 - y.0).abs() <= x.1.max(y.1);
                 let alike = numbers[*a].iter().zip(&numbers[*b]).all(|(x, y)| near(x, y));
-                if alike && variants[*a].data != variants[*b].data {
-                    if found.len() >= LISTED {
-                        more = true;
-                        break 'all;
-                    }
-                    found.push((*a.min(b), *a.max(b), "answers within tolerance".to_owned()));
+                if alike
+                    && variants[*a].data != variants[*b].data
+                    && !tell("answers within tolerance", *a, *b)
+                {
+                    break 'all;
                 }
             }
         }
     }
+    more |= compared > COMPARED;
     found.sort();
     let pairs = found
         .into_iter()

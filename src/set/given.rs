@@ -2,7 +2,7 @@
 //! the sheets stays what it was, and both roads are solved anew.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Draw, Problem};
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, push_new};
 use crate::key::ProblemKey;
 use crate::problem::maker::Variant;
 use crate::problem::{make_key, maker};
@@ -66,13 +66,7 @@ pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Vec<GivenFault>> 
     for result in solved {
         match result {
             Ok(given) => found.push(given),
-            Err(more) => {
-                for fault in more {
-                    if !faults.contains(&fault) {
-                        faults.push(fault);
-                    }
-                }
-            }
+            Err(more) => more.into_iter().for_each(|fault| push_new(&mut faults, fault)),
         }
     }
     // What is wrong with the bank goes before what is wrong for somebody.

@@ -4,6 +4,7 @@ use crate::finding::{Finding, Findings, FirstFindings};
 use crate::key::{Answer, KeyEntry, ProblemKey, SheetKey};
 use crate::problem::make_key;
 use rayon::prelude::*;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The columns.
 #[rustfmt::skip] // a table
@@ -166,8 +167,7 @@ const AS_STORED: f64 = 1e-9;
 /// give where no hash tells an edit from another way of solving.
 pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<usize, Findings> {
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(unmarked(stored));
-    let mut rows: rustc_hash::FxHashMap<(String, String, String), (usize, csv::StringRecord)> =
-        rustc_hash::FxHashMap::default();
+    let mut rows: FxHashMap<(String, String, String), (usize, csv::StringRecord)> = FxHashMap::default();
     let mut findings = FirstFindings::default();
     let mut other = 0;
     for record in reader.records() {
@@ -175,12 +175,11 @@ pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<
             findings.push(Finding::new("", "a record cannot be read"));
             continue;
         };
-        let line = record.position().map_or(0, |p| usize::try_from(p.line()).unwrap_or(0));
+        let line = line(record.position());
         let cell = |i: usize| record.get(i).unwrap_or_default().to_owned();
         if rows.insert((cell(0), cell(1), cell(2)), (line, record.clone())).is_some() {
-            findings.push(
-                Finding::new("", format!("{} {}.{} stands twice", cell(0), cell(1), cell(2))).at(line, 1),
-            );
+            let what = format!("{} {}.{} stands twice", cell(0), cell(1), cell(2));
+            findings.push(Finding::new("", what).at(line, 1));
         }
     }
     for key in keys {
@@ -202,6 +201,11 @@ pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<
         }
     }
     findings.told().into_result(other)
+}
+
+/// The line of a record in its file.
+fn line(position: Option<&csv::Position>) -> usize {
+    position.map_or(0, |p| usize::try_from(p.line()).unwrap_or(0))
 }
 
 /// One row into its entry, or what is wrong with it. Is it what the entry was, up to rounding?
@@ -252,7 +256,7 @@ pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
     if is_of(stored, keys) {
         return Findings::default();
     }
-    let known: rustc_hash::FxHashSet<&str> = keys.iter().map(|k| k.student.as_str()).collect();
+    let known: FxHashSet<&str> = keys.iter().map(|k| k.student.as_str()).collect();
     let mut findings = FirstFindings::default();
     let body = unmarked(stored);
     let columns = columns(body);
@@ -263,7 +267,7 @@ pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
             findings.push(Finding::new("", "a record cannot be read"));
             continue;
         };
-        let line = record.position().map_or(0, |p| usize::try_from(p.line()).unwrap_or(0));
+        let line = line(record.position());
         let field = |i: usize| {
             let text = String::from_utf8_lossy(record.get(i).unwrap_or_default());
             unguarded(&text).to_owned()

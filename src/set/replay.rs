@@ -1,7 +1,7 @@
 //! Drawing a stored set again to see that nothing has changed.
 use crate::bank::Bank;
 use crate::draw::stream;
-use crate::finding::{Finding, Findings, FirstFindings};
+use crate::finding::{Finding, Findings, FirstFindings, push_new};
 use crate::key::{FindWrong, SheetKey, WrongValue};
 use crate::problem::maker::Unsatisfiable;
 use crate::set::dealer::{Dealer, Dealt, indices, stored};
@@ -118,12 +118,8 @@ pub fn each<T: Send>(
         let dealt = dealer.deal(&student.student).map_err(undrawn)?;
         let mut faults = Findings::default();
         if student.problems.len() != problems.len() {
-            let what = format!(
-                "{} has {} problems, the set {}",
-                student.student,
-                student.problems.len(),
-                problems.len()
-            );
+            let (name, own) = (&student.student, student.problems.len());
+            let what = format!("{name} has {own} problems, the set {}", problems.len());
             return Err(Finding::new("students", what).into());
         }
         for ((index, variant), old) in problems.iter().zip(&dealt.variants).zip(&student.problems) {
@@ -140,7 +136,7 @@ pub fn each<T: Send>(
     for result in dealt {
         match result {
             Ok(one) => made.push(one),
-            Err(more) => faults.extend(more.into_iter().filter(|f| !faults.contains(f)).collect::<Vec<_>>()),
+            Err(more) => more.into_iter().for_each(|fault| push_new(&mut faults, fault)),
         }
     }
     if faults.is_empty() {

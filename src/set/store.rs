@@ -177,44 +177,23 @@ impl StoredSet {
         self.written(None)
     }
 
-    /// One line for each student.
+    /// A line for each field, and one for each student and each coincidence.
     fn written(&self, key_sha256: Option<String>) -> String {
-        let mut out = String::from("{\n");
-        let seal = key_sha256.map(|seal| ("key_sha256", json(&seal)));
-        let before = [
-            ("format", json(&self.format)),
-            ("name", json(&self.name)),
-            ("seed", json(&self.seed)),
-            ("program", json(&self.program)),
-            ("draw_version", json(&self.draw_version)),
-            ("language", json(&self.language)),
-            ("formats", json(&self.formats)),
-            ("page", json(&self.page)),
-            ("bank", json(&self.bank)),
-        ];
-        for (name, value) in before.into_iter().chain(seal).chain([("problems", json(&self.problems))]) {
-            out.push_str(&format!("  \"{name}\": {value},\n"));
-        }
-        lines(&mut out, "students", self.students.iter().map(json));
-        out.push_str(",\n");
-        lines(&mut out, "coincidences", self.coincidences.iter().map(json));
-        out.push_str("\n}\n");
-        out
+        // Maps with text keys and finite numbers only: this cannot fail.
+        let fields = serde_json::to_value(self).unwrap_or_default();
+        let lines = fields.as_object().into_iter().flatten().filter_map(|(name, value)| {
+            let text = match (name.as_str(), value.as_array()) {
+                ("key_sha256", _) => Value::from(key_sha256.as_deref()?).to_string(),
+                ("students" | "coincidences", Some(items)) if !items.is_empty() => {
+                    let items: Vec<String> = items.iter().map(|item| format!("    {item}")).collect();
+                    format!("[\n{}\n  ]", items.join(",\n"))
+                }
+                _ => value.to_string(),
+            };
+            Some(format!("  \"{name}\": {text}"))
+        });
+        format!("{{\n{}\n}}\n", lines.collect::<Vec<_>>().join(",\n"))
     }
-}
-
-fn lines(out: &mut String, name: &str, items: impl Iterator<Item = String>) {
-    let items: Vec<String> = items.map(|i| format!("    {i}")).collect();
-    if items.is_empty() {
-        out.push_str(&format!("  \"{name}\": []"));
-    } else {
-        out.push_str(&format!("  \"{name}\": [\n{}\n  ]", items.join(",\n")));
-    }
-}
-
-fn json<T: Serialize>(value: &T) -> String {
-    // Maps with text keys and finite numbers only: this cannot fail.
-    serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
 }
 
 #[cfg(test)]

@@ -55,10 +55,10 @@ impl<'w> Converter<'w> {
         let mut styles: Vec<&str> = Vec::new();
         let mut picture = |name: &str, screen: &'d Screen| {
             let id = format!("{}{name}", place.prefix);
-            let mut svg = if styles.contains(&screen.style()) {
+            let mut svg = if styles.contains(&screen.style.as_str()) {
                 screen.inline_without_style(&id)
             } else {
-                styles.push(screen.style());
+                styles.push(screen.style.as_str());
                 screen.inline(&id)
             };
             svg.truncate(svg.trim_end().len());

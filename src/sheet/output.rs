@@ -51,6 +51,7 @@ pub struct DocumentWriter<'o> {
 }
 
 /// One document written: its files, and its part of the booklets.
+#[derive(Default)]
 pub struct WrittenDocument {
     /// Who gets it.
     pub head: Head,
@@ -86,13 +87,8 @@ impl<'o> DocumentWriter<'o> {
         converter: &mut Converter,
         tools: Option<&Tools>,
     ) -> Result<WrittenDocument, Finding> {
-        let mut made = WrittenDocument {
-            head,
-            files: Vec::new(),
-            html: String::new(),
-            tex: String::new(),
-            document: Document::default(),
-        };
+        let mut made = WrittenDocument { head, ..WrittenDocument::default() };
+        let Texts { templates, words, .. } = self.texts;
         let screens = match self.wants(Format::Md) || self.wants(Format::Html) {
             true => document.screens(),
             false => Vec::new(),
@@ -107,22 +103,17 @@ impl<'o> DocumentWriter<'o> {
                     document.plain().into_bytes()
                 }
                 Format::Html => {
-                    let body = converter.body(
-                        &document,
-                        &screens,
-                        PlaceInPage { lower: 0, prefix: "", boxes: tools.map_or(&[], |tools| &tools.parts) },
-                    );
+                    let boxes = tools.map_or(&[][..], |tools| &tools.parts);
+                    let alone = PlaceInPage { boxes, ..PlaceInPage::default() };
+                    let body = converter.body(&document, &screens, alone);
                     let prefix = format!("{}-", html::part_id(at));
-                    made.html = converter.body(
-                        &document,
-                        &screens,
-                        PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] },
-                    );
-                    html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body, tools)?
+                    let in_booklet = PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] };
+                    made.html = converter.body(&document, &screens, in_booklet);
+                    html::page(templates, words, self.name, &made.head, &body, tools)?
                 }
                 Format::Tex => {
                     made.tex = tex::body(&document);
-                    tex::page(&self.texts.templates, &self.texts.words, &made.head, &made.tex)?
+                    tex::page(templates, words, &made.head, &made.tex)?
                 }
                 Format::Pdf => self.pressed(&[(&made.head, &document)])?,
             };

@@ -3,7 +3,7 @@
 //! For hints it holds the wrong methods that the bank lists, too, as they are written there: for every student and case the
 //! same.
 //!
-//! The scene is a question (`PublicProblem`): what is asked of which bodies, without what happens to them. It has no regimes, no
+//! The scene is a question (`public_problem`): what is asked of which bodies, without what happens to them. It has no regimes, no
 //! bounds, no cases and no ranges, and is the same for every student of the problem; what is drawn stands beside it. With the
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
@@ -14,9 +14,7 @@ use crate::page::sheet_file::FORMAT;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{Label, Scene};
-use serde::Serialize;
 use serde_json::{Map, Value, json};
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Writes sheet files of one set.
@@ -45,7 +43,7 @@ impl<'b> Writer<'b> {
         let mut scenes = Vec::new();
         for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
             let text = |case| match bank.self_check {
-                true => PublicProblem::new(bank, &tree, problem, case).text(),
+                true => public_problem(bank, &tree, problem, case).to_string(),
                 false => "null".to_owned(),
             };
             scenes.push(problem.cases.iter().map(text).collect());
@@ -131,93 +129,56 @@ fn put(fields: &mut Map<String, Value>, name: &str, text: &str) {
     }
 }
 
-/// A problem as it is put to everybody: the scene that is asked about, the data that are given, the questions.
+/// A problem as it is put to everybody: the scene that is asked about, the data that are given, the questions, and wrong methods; of
+/// the whole bank the settings that checking needs, as they are written.
 ///
-/// Its fields are all that a sheet says of a problem besides the drawn data, so that nothing of how a draw came about can get
+/// These fields are all that a sheet says of a problem besides the drawn data, so that nothing of how a draw came about can get
 /// into it.
-#[derive(Debug, Serialize)]
-struct PublicProblem {
-    /// Id of the bank.
-    bank: Value,
-    title: String,
-    /// Settings of the whole bank that checking needs: `reveal`, `tolerance`, `units`, and of `grading` the `hints`, as they are
-    /// written.
-    #[serde(flatten)]
-    common: Map<String, Value>,
-    /// The one problem, by its id.
-    problems: BTreeMap<String, PublicQuestions>,
-}
-
-/// The problem of a [`PublicProblem`].
-#[derive(Debug, Serialize)]
-struct PublicQuestions {
-    title: String,
-    /// Name and unit of all that may be given, by symbol.
-    data: Map<String, Value>,
-    /// Bodies, ties, start and end.
-    scene: Value,
-    /// What is asked, by part.
-    questions: Map<String, Value>,
-    /// Wrong methods, by id.
-    #[serde(skip_serializing_if = "Map::is_empty")]
-    mistakes: Map<String, Value>,
-}
-
-impl PublicProblem {
-    /// The question of a problem whose text stands in the tree of its bank.
-    fn new(bank: &Bank, tree: &Node, problem: &Problem, case: &Case) -> Self {
-        let common = ["reveal", "tolerance", "units"];
-        let common =
-            common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(tree.field(name)?))));
-        let hints = tree.field("grading").and_then(|g| g.field("hints")).map(to_json);
-        let hints = hints.map(|level| ("grading".to_owned(), json!({"hints": level})));
-        let whole = tree.field("problems").and_then(|p| p.field(&problem.id));
-        let of = |name: &str, id: &str| whole.and_then(|p| p.field(name)).and_then(|list| list.field(id));
-        let mut data = Map::new();
-        for datum in &problem.data {
-            if let Some(Value::Object(mut fields)) = of("data", &datum.symbol).map(to_json) {
-                fields.shift_remove("draw");
-                put(&mut fields, "name", &datum.name);
-                data.insert(datum.symbol.clone(), Value::Object(fields));
-            }
-        }
-        let mut questions = Map::new();
-        for q in &problem.questions {
-            if let Some(Value::Object(mut fields)) = of("questions", &q.id).map(to_json) {
-                // Why a wrong method may lie near is for who reads the bank.
-                fields.shift_remove("unguarded");
-                put(&mut fields, "ask", &q.ask);
-                questions.insert(q.id.clone(), Value::Object(fields));
-            }
-        }
-        let mut mistakes = Map::new();
-        for mistake in problem.mistakes.iter().filter(|m| is_everywhere(problem, m)) {
-            if let Some(Value::Object(mut fields)) = of("mistakes", &mistake.id).map(to_json) {
-                // Why it may lie near a right answer is for who reads the bank, and a case would tell which one was drawn.
-                fields.shift_remove("unguarded");
-                fields.shift_remove("cases");
-                mistakes.insert(mistake.id.clone(), Value::Object(fields));
-            }
-        }
-        let own = |case: &Case| of("cases", &case.written).and_then(|c| c.field("scene"));
-        let scene = own(case).or_else(|| whole.and_then(|p| p.field("scene")));
-        let asked = PublicQuestions {
-            title: problem.title.clone(),
-            data,
-            scene: scene.map_or(Value::Null, to_json),
-            questions,
-            mistakes,
-        };
-        Self {
-            bank: tree.field("bank").map_or(Value::Null, to_json),
-            title: bank.title.clone(),
-            common: common.chain(hints).collect(),
-            problems: BTreeMap::from([(problem.id.clone(), asked)]),
+fn public_problem(bank: &Bank, tree: &Node, problem: &Problem, case: &Case) -> Value {
+    let whole = tree.field("problems").and_then(|p| p.field(&problem.id));
+    let of = |name: &str, id: &str| whole.and_then(|p| p.field(name)).and_then(|list| list.field(id));
+    // What is written of something in a list, without the fields that are for who reads the bank.
+    let written = |list: &str, id: &str, without: &[&str]| {
+        let Some(Value::Object(mut fields)) = of(list, id).map(to_json) else { return None };
+        without.iter().for_each(|name| drop(fields.shift_remove(*name)));
+        Some(fields)
+    };
+    let data = problem.data.iter().filter_map(|datum| {
+        let mut fields = written("data", &datum.symbol, &["draw"])?;
+        put(&mut fields, "name", &datum.name);
+        Some((datum.symbol.clone(), Value::Object(fields)))
+    });
+    let questions = problem.questions.iter().filter_map(|q| {
+        let mut fields = written("questions", &q.id, &["unguarded"])?;
+        put(&mut fields, "ask", &q.ask);
+        Some((q.id.clone(), Value::Object(fields)))
+    });
+    // A case of a wrong method would tell which one was drawn.
+    let mistakes = problem.mistakes.iter().filter(|m| is_everywhere(problem, m)).filter_map(|mistake| {
+        let fields = written("mistakes", &mistake.id, &["unguarded", "cases"])?;
+        Some((mistake.id.clone(), Value::Object(fields)))
+    });
+    let own = of("cases", &case.written).and_then(|c| c.field("scene"));
+    let scene = own.or_else(|| whole.and_then(|p| p.field("scene")));
+    let mut asked = json!({
+        "title": problem.title,
+        "data": data.collect::<Map<_, _>>(),
+        "scene": scene.map_or(Value::Null, to_json),
+        "questions": questions.collect::<Map<_, _>>(),
+    });
+    let mistakes: Map<String, Value> = mistakes.collect();
+    if !mistakes.is_empty() {
+        asked["mistakes"] = Value::Object(mistakes);
+    }
+    let mut public = json!({"bank": tree.field("bank").map(to_json), "title": bank.title});
+    for name in ["reveal", "tolerance", "units"] {
+        if let Some(setting) = tree.field(name) {
+            public[name] = to_json(setting);
         }
     }
-
-    fn text(&self) -> String {
-        // Text keys only: this cannot fail.
-        serde_json::to_string(self).unwrap_or_else(|_| "null".to_owned())
+    if let Some(level) = tree.field("grading").and_then(|g| g.field("hints")) {
+        public["grading"] = json!({"hints": to_json(level)});
     }
+    public["problems"] = json!({&problem.id: asked});
+    public
 }

@@ -15,7 +15,7 @@ use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Num, Owner, Quantity, Scene, Slope, Span, Start};
+use crate::scene::{Label, Num, Owner, Quantity, Scene, Slope, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -230,12 +230,8 @@ impl<'b> Statement<'b> {
             }
         }
         if self.values {
-            let given = self
-                .problem
-                .data
-                .iter()
-                .enumerate()
-                .filter(|(i, _)| drawn.get(*i).is_some_and(Option::is_some));
+            let given = self.problem.data.iter().enumerate();
+            let given = given.filter(|(i, _)| drawn.get(*i).is_some_and(Option::is_some));
             let text = |i| template::finished(&self.value_tex(i, drawn));
             view.value("value", template::map(given.map(|(i, datum)| (datum.symbol.as_str(), text(i)))));
         }
@@ -250,9 +246,7 @@ impl<'b> Statement<'b> {
             view.value("questions", list);
         }
         self.templates.render(&self.name, view, out)?;
-        while out.last().is_some_and(u8::is_ascii_whitespace) {
-            out.pop();
-        }
+        out.truncate(out.trim_ascii_end().len());
         out.extend_from_slice(b"\n\n");
         if let Some(line) = figure {
             out.extend_from_slice(line.as_bytes());
@@ -276,9 +270,7 @@ impl<'b> Statement<'b> {
         } else {
             self.questions(variant, number, view, out)?;
         }
-        while out.last().is_some_and(u8::is_ascii_whitespace) {
-            out.pop();
-        }
+        out.truncate(out.trim_ascii_end().len());
         out.push(b'\n');
         Ok(())
     }
@@ -304,9 +296,23 @@ impl<'b> Statement<'b> {
             self.templates.render(ask, view, &mut text)?;
             texts[*i] = String::from_utf8_lossy(&text).trim().to_owned();
         }
-        let scene = &self.problem.cases[variant.case].scene;
-        let forms = forms(self.words, self.problem, scene, &self.common, &variant.within);
-        Ok(question_list(self.words, self.problem, number, &forms, &texts))
+        let (words, scene) = (self.words, &self.problem.cases[variant.case].scene);
+        let rows =
+            self.problem.questions.iter().zip(&variant.within).zip(&texts).map(|((q, within), ask)| {
+                let many = (q.points - 1.0).abs() > f64::EPSILON;
+                let points = || words.say("sheet.points", &[("n", &words.number(&q.points.to_string()))]);
+                template::texts([
+                    ("number", number.to_string().as_str()),
+                    ("id", &q.id),
+                    ("ask", ask),
+                    ("form", &form(words, self.problem, q, scene, &self.common, *within)),
+                    ("unit", q.unit.ascii()),
+                    ("figures", &q.figures.to_string()),
+                    ("points", &many.then(points).unwrap_or_default()),
+                    ("answer", document::ANSWER),
+                ])
+            });
+        Ok(template::list(rows.collect()))
     }
 
     /// The series of the period and how many of its terms this swing takes to be within the tolerance, for a student who sums it.
@@ -349,14 +355,13 @@ impl<'b> Statement<'b> {
             Num::Derived(i) => self.derived_tex(scene, i),
             Num::Fixed(x) => format!("${}{unit}$", self.words.tex_number(&x.to_string())),
         };
-        let whole = |num: Num, symbol: &str, unit: &str| match num {
-            Num::Datum(i) => {
-                let tex = self.problem.data.get(i).map_or(symbol, |d| d.tex.as_str());
-                let value = self.value_tex(i, drawn);
-                format!("${tex} = {}", &value[1..])
-            }
-            Num::Derived(i) => self.derived_tex(scene, i),
-            Num::Fixed(x) => format!("${symbol} = {}{unit}$", self.words.tex_number(&x.to_string())),
+        let whole = |num: Num, symbol: &str, unit: &str| {
+            let symbol = match num {
+                Num::Datum(i) => self.problem.data.get(i).map_or(symbol, |d| d.tex.as_str()),
+                Num::Derived(_) => return text(num, unit),
+                Num::Fixed(_) => symbol,
+            };
+            format!("${symbol} = {}", &text(num, unit)[1..])
         };
         for body in scene.bodies.iter().filter(|b| !b.particles.is_empty()) {
             let rows = body.particles.iter().map(|p| {
@@ -390,30 +395,6 @@ impl<'b> Statement<'b> {
     }
 }
 
-fn question_list(
-    words: &Words,
-    problem: &Problem,
-    number: usize,
-    forms: &[String],
-    asks: &[String],
-) -> template::Value {
-    let rows = problem.questions.iter().zip(forms).zip(asks).map(|((q, form), ask)| {
-        let many = (q.points - 1.0).abs() > f64::EPSILON;
-        let points = || words.say("sheet.points", &[("n", &words.number(&q.points.to_string()))]);
-        template::texts([
-            ("number", number.to_string().as_str()),
-            ("id", &q.id),
-            ("ask", ask),
-            ("form", form),
-            ("unit", q.unit.ascii()),
-            ("figures", &q.figures.to_string()),
-            ("points", &many.then(points).unwrap_or_default()),
-            ("answer", document::ANSWER),
-        ])
-    });
-    template::list(rows.collect())
-}
-
 /// Words that may give the direction of a quantity of this label, forward one first.
 pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'w str; 2] {
     let body = match owner {
@@ -426,13 +407,22 @@ pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'
     }
 }
 
-/// How each answer is to be written, with these relative tolerances.
-fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
-    let form = |(q, within): (&Question, &f64)| form(words, problem, q, scene, common, *within);
-    problem.questions.iter().zip(within).map(form).collect()
+/// Words that give the sign of what is told to the right, up, or in a sense of turning, the positive one first.
+fn sense_words(scene: &Scene, label: Label) -> Option<[&'static str; 2]> {
+    if label.quantity.is_directed() {
+        return None;
+    }
+    let signs = make_key::word_signs(scene, label)?;
+    let senses = [
+        (signs.right, ["sheet.right", "sheet.left"]),
+        (signs.up, ["sheet.up", "sheet.down"]),
+        (signs.counter_clockwise, ["sheet.counter_clockwise", "sheet.clockwise"]),
+    ];
+    let (sign, [one, other]) = senses.into_iter().find(|(sign, _)| *sign != 0)?;
+    Some(if sign > 0 { [one, other] } else { [other, one] })
 }
 
-/// How an answer is to be written: `in N, signed or with up / down`.
+/// How an answer is to be written, with this relative tolerance: `in N, signed or with up / down`.
 fn form(
     words: &Words,
     problem: &Problem,
@@ -460,12 +450,12 @@ fn form(
             words.say("sheet.in_unit", &[("unit", &unit)]).replace(' ', "\u{a0}")
         }
     };
-    let mut add = |more: &str| {
-        text.push_str(", ");
-        text.push_str(more);
-    };
+    let mut add = |more: &str| text.extend([", ", more]);
     if q.label.quantity.is_directed() && make_key::offers_words(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
+    } else if let Some([positive, negative]) = sense_words(scene, q.label) {
+        let [positive, negative] = [positive, negative].map(|word| words.get(word));
+        add(&words.say("sheet.signed", &[("forward", positive), ("back", negative)]));
     }
     if let Some(range) = range(scene, q) {
         add(words.get(range));

@@ -28,20 +28,16 @@ pub fn unknown_names(bank: &Bank, templates: &Templates) -> Findings {
     let mut findings = Findings::default();
     for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
         let name = statement::template_name(problem);
-        match templates.variables(&name) {
-            Ok(used) => {
-                for unknown in used.iter().filter(|u| {
-                    !TEMPLATE_NAMES.contains(&u.as_str()) && problem.data.iter().all(|d| d.symbol != **u)
-                }) {
-                    let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
-                    findings.push(
-                        Finding::new(unknown, format!("is no datum of {}", problem.id))
-                            .in_file(templates.own_file(&name).unwrap_or(&name))
-                            .hint(format!("its data: {}", known.join(", "))),
-                    );
-                }
-            }
-            Err(fault) => findings.push(fault),
+        let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
+        let used = templates.variables(&name).unwrap_or_else(|fault| {
+            findings.push(fault);
+            Vec::new()
+        });
+        let has = |name: &str| TEMPLATE_NAMES.contains(&name) || known.contains(&name);
+        for unknown in used.iter().filter(|name| !has(name)) {
+            let fault = Finding::new(unknown, format!("is no datum of {}", problem.id));
+            let fault = fault.in_file(templates.own_file(&name).unwrap_or(&name));
+            findings.push(fault.hint(format!("its data: {}", known.join(", "))));
         }
     }
     findings
@@ -60,11 +56,8 @@ pub fn never_given(bank: &Bank, templates: &Templates) -> Findings {
             continue;
         }
         for symbol in problem.data.iter().map(|d| &d.symbol).filter(|s| *s != "g" && !used.contains(s)) {
-            findings.push(
-                Finding::new("", format!("the statement never gives `{symbol}`"))
-                    .in_file(file)
-                    .hint(format!("write `{{{{ {symbol} }}}}` where it belongs")),
-            );
+            let fault = Finding::new("", format!("the statement never gives `{symbol}`")).in_file(file);
+            findings.push(fault.hint(format!("write `{{{{ {symbol} }}}}` where it belongs")));
         }
     }
     findings

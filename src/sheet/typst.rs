@@ -2,7 +2,7 @@
 //!
 //! Everything is written as calls with texts in quotes (`#strong[..];`, `"kg"`), so that no text of anybody can become
 //! markup. A formula or an element that has no translation is a finding, never a gap.
-use crate::finding::Finding;
+use crate::finding::{Finding, push_new};
 use crate::picture::svg;
 use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break, units_apart};
 use crate::sheet::formula::unfit;
@@ -86,11 +86,7 @@ pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String,
 /// Pieces with something in them, with commas between; no piece twice.
 fn joined(pieces: &[&str]) -> String {
     let mut kept: Vec<&str> = Vec::new();
-    for piece in pieces.iter().filter(|p| !p.is_empty()) {
-        if !kept.contains(piece) {
-            kept.push(piece);
-        }
-    }
+    pieces.iter().filter(|p| !p.is_empty()).for_each(|piece| push_new(&mut kept, *piece));
     kept.join(", ")
 }
 
@@ -216,9 +212,7 @@ impl TypstPage<'_> {
     fn mark(&mut self, mark: Mark) -> Result<(), Finding> {
         match mark {
             Mark::Start(tag) => self.start(tag)?,
-            Mark::End(TagEnd::TableHead) => {
-                self.out.push_str("),\n");
-            }
+            Mark::End(TagEnd::TableHead) => self.out.push_str("),\n"),
             Mark::End(TagEnd::Item) => {
                 if let Some((begin, true)) = self.items.pop() {
                     self.out.insert_str(begin, "#question(labels)[");
@@ -343,12 +337,13 @@ impl TypstPage<'_> {
 
     fn formula(&mut self, tex: &str, block: bool) -> Result<(), Finding> {
         let formula = formula(tex, block, self.words)?;
+        let gap = if block { " " } else { "" };
         let equation = format!(
             "math.equation(alt: {}, block: {block}, ${}{}{}$)",
             quoted(&formula.alt),
-            if block { " " } else { "" },
+            gap,
             formula.typst.trim(),
-            if block { " " } else { "" }
+            gap
         );
         if block || formula.alt.chars().count() > UNBROKEN {
             let _ = write!(self.out, "#{equation};");
@@ -525,10 +520,7 @@ impl<'e> FormulaReader<'e> {
             }
             Event::StateChange(_) => {
                 self.next -= 1;
-                let rest = self.row(font, true)?;
-                for piece in rest.0 {
-                    row.push(piece);
-                }
+                self.row(font, true)?.0.into_iter().for_each(|piece| row.push(piece));
             }
             Event::End => return Err("a group ends where an element should be".into()),
             Event::EnvironmentFlow(_) => return Err("`&` or `\\\\` where an element should be".into()),

@@ -6,8 +6,7 @@ use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
 use crate::simulate::student::SimulatedAnswer;
 use crate::simulate::truth::{HEADER, TrueKind, Truth};
-use crate::simulate::written;
-use crate::simulate::written::WrittenCell;
+use crate::simulate::written::{self, WrittenCell};
 use crate::words::Words;
 
 /// One student's work.
@@ -59,12 +58,8 @@ pub fn copy(habits: &Habits, seed: u64, works: &mut [Work]) {
                 else {
                     continue;
                 };
-                let cell = match from.cell.clone() {
-                    WrittenCell::Number { digits, unit, way } if disguise => {
-                        WrittenCell::Number { digits: written::disguised(&digits), unit, way }
-                    }
-                    cell => cell,
-                };
+                let cell = from.cell.clone();
+                let cell = if disguise { cell.with_digits(written::disguised) } else { cell };
                 let verdict = cell.verdict(&entry);
                 let truth = Truth {
                     kind: TrueKind::Copied,
@@ -143,11 +138,10 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
         rows.sort_by_key(|r| r.minute);
     }
     let shown = |minute: i64| Zone::default().shown(minute * MINUTE);
-    let mut submissions = Vec::new();
     let mut truth = Vec::new();
     push_line(&mut truth, HEADER);
     let separator = if habits.spreadsheet { b';' } else { b',' };
-    header(habits, &mut submissions);
+    let mut submissions = header(habits).as_bytes().to_vec();
     for (i, row) in rows.iter().enumerate() {
         // What varies without meaning anything varies by what is answered, not by where the row stands.
         let odd = row.handed.problem + row.handed.part + usize::try_from(row.handed.attempt).unwrap_or(0);
@@ -175,23 +169,11 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
         submissions.extend_from_slice(if habits.spreadsheet { b"\r\n" } else { b"\n" });
         let t = &row.handed.truth;
         let figures = t.figures.map_or_else(String::new, |f| f.to_string());
-        push_line(
-            &mut truth,
-            [
-                (i + 2).to_string().as_str(),
-                row.student,
-                &problem,
-                row.part,
-                &row.handed.attempt.to_string(),
-                &answer,
-                t.kind.as_str(),
-                &t.method,
-                &figures,
-                &t.from,
-                if t.right { "yes" } else { "no" },
-                row.verdict,
-            ],
-        );
+        let (line, attempt, right) = (i + 2, row.handed.attempt, if t.right { "yes" } else { "no" });
+        let [line, attempt] = [line.to_string(), attempt.to_string()];
+        let what: [&str; 6] = [&problem, row.part, &attempt, &answer, t.kind.as_str(), &t.method];
+        let fields = [line.as_str(), row.student].into_iter().chain(what);
+        push_line(&mut truth, fields.chain([figures.as_str(), &t.from, right, row.verdict]));
     }
     Files {
         submissions,
@@ -201,14 +183,13 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
     }
 }
 
-fn header(habits: &Habits, out: &mut Vec<u8>) {
-    let text = match (habits.spreadsheet, habits.times.is_some()) {
+fn header(habits: &Habits) -> &'static str {
+    match (habits.spreadsheet, habits.times.is_some()) {
         (false, false) => "student,problem,part,answer\n",
         (false, true) => "student,problem,part,answer,submitted_at\n",
         (true, false) => "\u{feff}STUDENT;Problem;Part ;Answer;Device\r\n",
         (true, true) => "\u{feff}Submitted_at;STUDENT;Problem;Part ;Answer;Device\r\n",
-    };
-    out.extend_from_slice(text.as_bytes());
+    }
 }
 
 /// What stands in the cell; `odd` tells whether a blank has blanks in it.

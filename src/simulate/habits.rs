@@ -153,15 +153,11 @@ impl Habits {
     pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
         let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();
-        match habits(&tree, &faults) {
-            Some(habits) if faults.is_empty() => Ok(habits),
-            _ => {
-                if faults.is_empty() {
-                    faults.at(&tree, "these are no habits");
-                }
-                Err(faults.into_sorted(file))
-            }
+        let habits = habits(&tree, &faults);
+        if habits.is_none() && faults.is_empty() {
+            faults.at(&tree, "these are no habits");
         }
+        habits.filter(|_| faults.is_empty()).ok_or_else(|| faults.into_sorted(file))
     }
 
     /// Ids of wrong methods that are named and that `known` does not have, each with what may have been meant.
@@ -183,53 +179,42 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
         faults.at(n, format!("expected a title, found {}", n.kind()));
     }
     let part = |n: &Node, f: &Faults| Some(share(n, f));
-    let absent = fields.read("absent", part).unwrap_or(0.0);
-    let attempts = fields.get("attempts").map(|n| counts(n, "attempts", MOST_ATTEMPTS, faults));
-    let improves = fields.read("improves", part).unwrap_or(0.0);
+    let kind = |name: &str| {
+        TrueKind::DECLARED.iter().copied().find(|k| k.as_str() == name).ok_or_else(|| {
+            let known = TrueKind::DECLARED.iter().map(|k| k.as_str());
+            let near = spell::did_you_mean(name, known.clone());
+            near.unwrap_or_else(|| format!("the kinds are {}", known.collect::<Vec<_>>().join(", ")))
+        })
+    };
+    let unit = |name: &str| {
+        let found = UNITS.iter().find(|(u, _)| *u == name).map(|(_, w)| *w);
+        found.ok_or_else(|| "the ways are asked, other, none".to_owned())
+    };
     let answers = fields.need("answers", "{right: 70, wrong method: 30}");
-    let answers = answers.and_then(|n| {
-        mix(n, "kinds of answers", faults, &|name| {
-            TrueKind::DECLARED.iter().copied().find(|k| k.as_str() == name).ok_or_else(|| {
-                let known = TrueKind::DECLARED.iter().map(|k| k.as_str());
-                let near = spell::did_you_mean(name, known.clone());
-                near.unwrap_or_else(|| format!("the kinds are {}", known.collect::<Vec<_>>().join(", ")))
-            })
-        })
-    });
+    let answers = answers.and_then(|n| mix(n, "kinds of answers", faults, &kind));
     let (any_method, methods) = fields.get("wrong methods").map_or((1.0, Vec::new()), |n| methods(n, faults));
-    let carries_on = fields.read("carries on", part).unwrap_or(0.0);
-    let follows_on = fields.read("follows on", part).unwrap_or(0.0);
-    let figures = fields.get("figures").map(|n| counts(n, "figures", MOST_FIGURES, faults));
-    let on_the_way = fields.get("figures on the way").map(|n| counts(n, "figures", MOST_FIGURES, faults));
-    let copying = fields.get("copying").and_then(|n| copying(n, faults));
-    let units = fields.get("units").map(|n| {
-        mix(n, "ways of writing units", faults, &|name| {
-            let found = UNITS.iter().find(|(u, _)| *u == name).map(|(_, w)| *w);
-            found.ok_or_else(|| "the ways are asked, other, none".to_owned())
-        })
-    });
-    let words = fields.read("direction by word", part).unwrap_or(0.0);
-    let commas = fields.read("decimal commas", part).unwrap_or(0.0);
-    let spreadsheet = fields.read("spreadsheet", |n, f| choice(n, &YES_OR_NO, f)).unwrap_or(false);
-    let times = fields.get("handed in").and_then(|n| times(n, faults));
+    let attempts = |n: &Node, f: &Faults| counts(n, "attempts", MOST_ATTEMPTS, f);
+    let figures = |n: &Node, f: &Faults| counts(n, "figures", MOST_FIGURES, f);
     // A field that is there and cannot be read is a finding already.
     Some(Habits {
-        absent,
-        attempts: attempts.unwrap_or(Some(Mix::only(1)))?,
-        improves,
-        answers: answers?,
+        absent: fields.read("absent", part).unwrap_or(0.0),
+        attempts: fields.read("attempts", attempts).unwrap_or(Mix::only(1)),
+        improves: fields.read("improves", part).unwrap_or(0.0),
+        answers: answers.unwrap_or(Mix::only(TrueKind::Right)),
         methods,
         any_method,
-        carries_on,
-        follows_on,
-        figures: figures.unwrap_or(Some(Mix::only(4)))?,
-        on_the_way: on_the_way.unwrap_or(Some(Mix::only(3)))?,
-        copying,
-        units: units.unwrap_or(Some(Mix::only(UnitHabit::Asked)))?,
-        words,
-        commas,
-        spreadsheet,
-        times,
+        carries_on: fields.read("carries on", part).unwrap_or(0.0),
+        follows_on: fields.read("follows on", part).unwrap_or(0.0),
+        figures: fields.read("figures", figures).unwrap_or(Mix::only(4)),
+        on_the_way: fields.read("figures on the way", figures).unwrap_or(Mix::only(3)),
+        copying: fields.read("copying", copying),
+        units: fields
+            .read("units", |n, f| mix(n, "ways of writing units", f, &unit))
+            .unwrap_or(Mix::only(UnitHabit::Asked)),
+        words: fields.read("direction by word", part).unwrap_or(0.0),
+        commas: fields.read("decimal commas", part).unwrap_or(0.0),
+        spreadsheet: fields.read("spreadsheet", |n, f| choice(n, &YES_OR_NO, f)).unwrap_or(false),
+        times: fields.read("handed in", times),
     })
 }
 

@@ -30,13 +30,22 @@ pub struct SimulatedAnswer {
     pub truth: Truth,
 }
 
-/// Where a number comes from, before it is written.
+/// Where a number comes from, before it is written and judged.
 struct Idea {
-    kind: TrueKind,
-    method: String,
-    figures: Option<u32>,
-    from: String,
+    truth: Truth,
     cell: WrittenCell,
+}
+
+impl Idea {
+    fn new(kind: TrueKind, cell: WrittenCell, figures: Option<u32>) -> Self {
+        let (method, from, right, verdict) = (String::new(), String::new(), false, "");
+        Self { truth: Truth { kind, method, figures, from, right, verdict }, cell }
+    }
+    /// The same, from this student or part.
+    fn from(mut self, from: &str) -> Self {
+        from.clone_into(&mut self.truth.from);
+        self
+    }
 }
 
 /// One part of one problem.
@@ -112,7 +121,7 @@ impl<'h> SimulatedStudent<'h> {
                     let wrong = leads.then(|| cell.si(&part.entry().unit)).flatten();
                     memory.wrong.retain(|(p, _)| *p != index);
                     memory.wrong.extend(wrong.map(|x| (index, x)));
-                    let truth = truth(idea, verdict);
+                    let truth = judged(idea.truth, verdict);
                     let done = truth.right;
                     let round = usize::try_from(attempt).unwrap_or(1) - 1;
                     if rounds.len() <= round {
@@ -149,14 +158,11 @@ impl<'h> SimulatedStudent<'h> {
     /// The right answer, rounded.
     fn right(&mut self, part: &WorkedPart) -> Idea {
         match &part.entry().answer {
-            Answer::Word { right, .. } => plain(TrueKind::Right, WrittenCell::Word(right), None),
+            Answer::Word { right, .. } => Idea::new(TrueKind::Right, WrittenCell::Word(right), None),
             Answer::Number { value, .. } => {
                 let figures = self.figures();
-                plain(
-                    TrueKind::Right,
-                    WrittenCell::number(*value, &part.entry().unit, figures),
-                    Some(figures),
-                )
+                let cell = WrittenCell::number(*value, &part.entry().unit, figures);
+                Idea::new(TrueKind::Right, cell, Some(figures))
             }
         }
     }
@@ -168,12 +174,12 @@ impl<'h> SimulatedStudent<'h> {
         offered: &'static [&'static str],
     ) -> Option<Idea> {
         match kind {
-            TrueKind::Blank => Some(plain(kind, WrittenCell::Blank, None)),
+            TrueKind::Blank => Some(Idea::new(kind, WrittenCell::Blank, None)),
             TrueKind::Garbage => Some(self.garbage()),
             TrueKind::WrongMethod | TrueKind::WrongSign => {
                 let others: Vec<&str> = offered.iter().copied().filter(|o| *o != right).collect();
                 let word = others.get(self.chance.below(others.len())).copied()?;
-                Some(plain(kind, WrittenCell::Word(word), None))
+                Some(Idea::new(kind, WrittenCell::Word(word), None))
             }
             _ => None,
         }
@@ -181,14 +187,14 @@ impl<'h> SimulatedStudent<'h> {
 
     fn garbage(&mut self) -> Idea {
         let text = written::GARBAGE[self.chance.below(written::GARBAGE.len())];
-        plain(TrueKind::Garbage, WrittenCell::Garbage(text), None)
+        Idea::new(TrueKind::Garbage, WrittenCell::Garbage(text), None)
     }
 
     /// A number that came about in this way; `None` where that is not possible.
     fn number(&mut self, kind: TrueKind, value: f64, part: &WorkedPart, memory: &mut Memory) -> Option<Idea> {
         let unit = &part.entry().unit;
         let figures = self.figures();
-        let idea = |cell: WrittenCell| plain(kind, cell, Some(figures));
+        let idea = |cell: WrittenCell| Idea::new(kind, cell, Some(figures));
         Some(match kind {
             TrueKind::Right => return None,
             TrueKind::RoundedOnTheWay => return self.rounded(part, memory),
@@ -201,7 +207,7 @@ impl<'h> SimulatedStudent<'h> {
             TrueKind::UnitSlip => {
                 let meant = written::other_unit(unit, &mut self.chance)?;
                 let cell = WrittenCell::number(value, &meant, figures).with_unit(unit.clone());
-                Idea { from: meant.ascii().to_owned(), ..idea(cell) }
+                idea(cell).from(meant.ascii())
             }
             TrueKind::WrongUnit => {
                 let strange = written::strange_unit(unit, &mut self.chance)?;
@@ -211,14 +217,10 @@ impl<'h> SimulatedStudent<'h> {
                 let tens = [1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3];
                 idea(WrittenCell::number(value * tens[self.chance.below(tens.len())], unit, figures))
             }
-            TrueKind::TypingError => match WrittenCell::number(value, unit, figures) {
-                WrittenCell::Number { digits, unit, way } => idea(WrittenCell::Number {
-                    digits: written::mistyped(&digits, &mut self.chance),
-                    unit,
-                    way,
-                }),
-                _ => return None,
-            },
+            TrueKind::TypingError => {
+                let cell = WrittenCell::number(value, unit, figures);
+                idea(cell.with_digits(|digits| written::mistyped(digits, &mut self.chance)))
+            }
             TrueKind::OtherPart => {
                 let numbers = part.key.parts.iter().enumerate().filter_map(|(i, e)| match e.answer {
                     Answer::Number { value, .. } if i != part.index => Some((e, value)),
@@ -226,9 +228,9 @@ impl<'h> SimulatedStudent<'h> {
                 });
                 let others: Vec<(&KeyEntry, f64)> = numbers.collect();
                 let (other, value) = *others.get(self.chance.below(others.len()))?;
-                Idea { from: other.part.clone(), ..idea(WrittenCell::number(value, &other.unit, figures)) }
+                idea(WrittenCell::number(value, &other.unit, figures)).from(&other.part)
             }
-            TrueKind::Blank => plain(kind, WrittenCell::Blank, None),
+            TrueKind::Blank => Idea::new(kind, WrittenCell::Blank, None),
             TrueKind::Garbage => self.garbage(),
             TrueKind::Followed | TrueKind::Copied => return None,
         })
@@ -245,11 +247,8 @@ impl<'h> SimulatedStudent<'h> {
         }
         let all = memory.by_hand.iter().find(|(f, _)| *f == figures).map(|(_, all)| all)?;
         let si = all.iter().find(|h| h.label == label)?.value()?;
-        Some(plain(
-            TrueKind::RoundedOnTheWay,
-            WrittenCell::number(si, &part.entry().unit, figures),
-            Some(figures),
-        ))
+        let cell = WrittenCell::number(si, &part.entry().unit, figures);
+        Some(Idea::new(TrueKind::RoundedOnTheWay, cell, Some(figures)))
     }
 
     /// A wrong method that spoils this part, by the favourites of the class.
@@ -277,7 +276,9 @@ impl<'h> SimulatedStudent<'h> {
         let figures = self.figures();
         let method = part.key.methods.get(usize::from(method))?.clone();
         let cell = WrittenCell::number(wrong.value, &part.entry().unit, figures);
-        Some(Idea { method, ..plain(TrueKind::WrongMethod, cell, Some(figures)) })
+        let mut idea = Idea::new(TrueKind::WrongMethod, cell, Some(figures));
+        idea.truth.method = method;
+        Some(idea)
     }
 
     /// The wrong method of an earlier part, used again.
@@ -304,9 +305,9 @@ impl<'h> SimulatedStudent<'h> {
             return None;
         }
         let figures = self.figures();
-        let from = part.problem.questions.get(*from)?.id.clone();
+        let from = part.problem.questions.get(*from)?;
         let cell = WrittenCell::number(si, &part.entry().unit, figures);
-        Some(Idea { from, ..plain(TrueKind::Followed, cell, Some(figures)) })
+        Some(Idea::new(TrueKind::Followed, cell, Some(figures)).from(&from.id))
     }
 
     /// Unit and direction as the habits are. Slips that live in the unit keep theirs.
@@ -314,8 +315,8 @@ impl<'h> SimulatedStudent<'h> {
         let unit: &Unit = &part.entry().unit;
         let written = self.habits.units.at(self.chance.share());
         let by_word = self.chance.meets(self.habits.words);
-        let (figures, cell) = (idea.figures.unwrap_or(4), idea.cell.clone());
-        let cell = match idea.kind {
+        let (figures, cell) = (idea.truth.figures.unwrap_or(4), idea.cell.clone());
+        let cell = match idea.truth.kind {
             TrueKind::UnitSlip | TrueKind::WrongUnit | TrueKind::OtherPart | TrueKind::TypingError => cell,
             _ => written::in_habit(cell, unit, written, figures, &mut self.chance),
         };
@@ -326,13 +327,10 @@ impl<'h> SimulatedStudent<'h> {
     }
 }
 
-fn plain(kind: TrueKind, cell: WrittenCell, figures: Option<u32>) -> Idea {
-    Idea { kind, method: String::new(), figures, from: String::new(), cell }
-}
-
-fn truth(idea: Idea, verdict: &'static str) -> Truth {
+/// Judges what was done by the verdict that it gets.
+fn judged(truth: Truth, verdict: &'static str) -> Truth {
     // Neither a right number without the unit that is demanded is to be marked right, nor one with too few figures.
-    let enough = idea.figures.is_none_or(|f| f >= SENSIBLE);
-    let right = idea.kind.deserves() && enough && verdict != "missing unit";
-    Truth { kind: idea.kind, method: idea.method, figures: idea.figures, from: idea.from, right, verdict }
+    let enough = truth.figures.is_none_or(|f| f >= SENSIBLE);
+    let right = truth.kind.deserves() && enough && verdict != "missing unit";
+    Truth { right, verdict, ..truth }
 }

@@ -50,6 +50,14 @@ impl WrittenCell {
         Self::Number { digits, unit, way: None }
     }
 
+    /// The same with other digits, where it is a number.
+    pub fn with_digits(mut self, other: impl FnOnce(&str) -> String) -> Self {
+        if let Self::Number { digits, .. } = &mut self {
+            *digits = other(digits);
+        }
+        self
+    }
+
     /// The same number with another unit behind it.
     pub fn with_unit(mut self, other: Unit) -> Self {
         if let Self::Number { unit, .. } = &mut self {
@@ -85,16 +93,9 @@ impl WrittenCell {
         match (self, &entry.answer) {
             (Self::Blank, _) => "blank",
             (Self::Garbage(_), _) => "unreadable",
-            (Self::Word(word), Answer::Word { right, .. }) => {
-                if word == right {
-                    "right"
-                } else {
-                    "wrong"
-                }
-            }
-            (Self::Word(_), Answer::Number { .. }) | (Self::Number { .. }, Answer::Word { .. }) => {
-                "unreadable"
-            }
+            (Self::Word(word), Answer::Word { right, .. }) if word == right => "right",
+            (Self::Word(_), Answer::Word { .. }) => "wrong",
+            (Self::Word(_), _) | (_, Answer::Word { .. }) => "unreadable",
             (Self::Number { unit, .. }, Answer::Number { value, half_width, .. }) => match unit {
                 Some(unit) if !entry.unit.agrees(unit) => "wrong dimension",
                 None if entry.unit_required && !entry.unit.is_number() => "missing unit",

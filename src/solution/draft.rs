@@ -185,6 +185,17 @@ impl<'a> Draft<'a> {
             let digits = shown::significant(x, FIGURES);
             let symbol = draft.symbols.given(&datum.tex, x, &digits, &unit, datum.degrees);
             draft.data[found.unknown.datum] = Some(symbol);
+            draft.values[found.unknown.datum] = x;
+            // What the scene works out from it is told by it.
+            for (i, number) in draft.scene.formulas.numbers.iter().enumerate() {
+                if number.formula.names().any(|g| g.datum == found.unknown.datum)
+                    && let Ok(from) = asked::expression(&mut draft, &number.formula, &|draft, g| {
+                        Ok(asked::given_as(draft, g))
+                    })
+                {
+                    draft.handed.push((Num::Derived(i), from));
+                }
+            }
         }
         draft
     }

@@ -71,6 +71,9 @@ impl Expr {
     fn in_degrees(&self, symbols: &Symbols) -> bool {
         match self {
             Self::Symbol(s) => symbols.is_degrees(*s),
+            // An angle over 180 degrees, times pi, is one in radians.
+            Self::Quotient(over, under) => over.in_degrees(symbols) && !under.in_degrees(symbols),
+            Self::Of(Function::Sine | Function::Cosine | Function::ArcCosine, _) => false,
             _ => self.parts().into_iter().any(|part| part.in_degrees(symbols)),
         }
     }

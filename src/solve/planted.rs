@@ -113,6 +113,7 @@ fn guide(at: Spot, direction: f64, mu_k: Option<f64>) -> Joint {
         at,
         through_m,
         direction_deg: f(direction),
+        reversed: false,
         one_sided: false,
         mu_k: mu_k.map(f),
     })

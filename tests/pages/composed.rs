@@ -288,6 +288,67 @@ problems:
       end: {angle: {of: body, reaches: 0 deg}}
     questions: {distance: {value: h, unit: m, ask: h}}
     statement: s
+  half-the-pull:
+    title: A pull that stands in a formula of the scene
+    data:
+      m:  {name: mass, unit: kg, draw: 4 to 8 step 1}
+      P:  {name: pull, unit: N, unknown: 50 to 200 step 1}
+      th: {name: slope, unit: deg, draw: 15 to 25 step 1}
+      a0: {name: acceleration, unit: m/s^2, draw: 2.0 to 3.0 step 0.1, measured: a}
+    scene:
+      surfaces: {inc: {slope: th}}
+      bodies: {disc: {mass: m, shape: {disc: 0.2 m}, moves: along inc}}
+      ties:
+        - rolls: {body: disc, on its: rim}
+        - cord: {from: {body: disc, tied at: centre, leaves: forward}, pulled with: P/2}
+      start: at rest
+      end: at once
+    cond limit: 60
+    questions: {x: {value: P, unit: N, ask: P}}
+    statement: s
+  grindstone:
+    title: A grindstone
+    data:
+      m:  {name: mass, unit: kg, draw: 40 to 60 step 1}
+      R:  {name: radius, unit: m, draw: 0.20 to 0.30 step 0.01}
+      N:  {name: force of the axe, unit: N, draw: 120 to 200 step 10}
+      t1: {name: time, unit: s, draw: 6.0 to 9.0 step 0.1, measured: t}
+      F:  {name: friction, unit: N, unknown: 10 to 300 step 1}
+    scene:
+      bodies: {stone: {mass: m, shape: {disc: R}, radii: {rim: R}, moves: about a fixed axle}}
+      forces: [couple: {on: stone, moment: F*R, sense: back}]
+      start: {stone: {spin: 850 rpm}}
+      end: {turning point: stone}
+    cond limit: 60
+    questions: {mu: {value: F/N, unit: \"1\", ask: mu}}
+    statement: s
+  from-which-height:
+    title: The height of a slope
+    data:
+      v:  {name: speed, unit: m/s, draw: 2.0 to 4.0 step 0.1, measured: v}
+      th: {name: slope, unit: deg, draw: 15 to 25 step 1}
+      h:  {name: height, unit: m, unknown: 0.1 to 5 step 0.01}
+    scene:
+      surfaces: {inc: {slope: th}}
+      bodies: {ball: {mass: any, shape: {sphere: any}, moves: along inc, positive: down}}
+      ties: [rolls: {body: ball, on its: rim}]
+      start: at rest
+      end: {descent: {of: ball, by: h}}
+    cond limit: 60
+    questions: {h: {value: h, unit: m, ask: h}}
+    statement: s
+  part-across:
+    title: A part of a velocity
+    data:
+      th: {name: slope, unit: deg, draw: 15 to 40 step 1}
+    scene:
+      surfaces: {inc: {slope: th}}
+      bodies: {disc: {mass: any, shape: {disc: any}, moves: along inc, positive: down}}
+      ties: [rolls: {body: disc, on its: rim}]
+      start: at rest
+      end: {travel: {of: disc, by: 0.3 m}}
+    questions: {x: {value: v*sin(pi/2 - th), unit: m/s, ask: v_x}, y: {value: v*cos(th - pi/6), unit: m/s, ask: w}}
+    statement: s
 ";
 
 #[test]

@@ -4,8 +4,11 @@ use crate::support;
 use pulldown_cmark::{Event, Parser};
 use scraper::{Html, Selector};
 use slipstick::bank::{Bank, overlay};
+use slipstick::grade::{compare::compare, verdict::Verdict};
+use slipstick::key::Answer;
 use slipstick::num::trig;
 use slipstick::picture::svg;
+use slipstick::problem::make_key;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
@@ -44,6 +47,15 @@ fn told(language: &str) -> Vec<Told> {
 
 /// Sheets of all problems of all banks: the document of one student after the other.
 fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &Document)) {
+    each_with_variants(language, students, &mut |told, head, document, _| see(told, head, document));
+}
+
+/// The same with what was drawn.
+fn each_with_variants(
+    language: &str,
+    students: u32,
+    see: &mut dyn FnMut(&Told, &Head, &Document, &[Variant]),
+) {
     for told in told(language) {
         let problems: Vec<usize> = (0..told.bank.problems.len()).collect();
         let sheets = Sheets::new(&told.templates, &told.words, &told.bank, "a set & more", &problems);
@@ -55,8 +67,38 @@ fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &
             let variants: Vec<Variant> =
                 makers.iter().map(|m| m.variant(&id).expect("satisfiable")).collect();
             let (head, document) = sheets.document(&id, NAME, &variants, &mut room).expect("renders");
-            see(&told, &head, &document);
+            see(&told, &head, &document, &variants);
         }
+    }
+}
+
+/// Whoever takes the magnitude of the key and, of the words that the sheet offers for the sign, the first for a positive key and the
+/// second for a negative one, is right.
+#[test]
+fn the_words_of_a_sheet_give_the_sign_of_the_key() {
+    for language in ["en", "de"] {
+        let mut seen = 0;
+        each_with_variants(language, 5, &mut |told, _, document, variants| {
+            for (number, (problem, variant)) in (1..).zip(told.bank.problems.iter().zip(variants)) {
+                for part in make_key::key(problem, variant).parts {
+                    let Answer::Number { value, .. } = part.answer else { continue };
+                    let name = format!("`{number}.{}`", part.part);
+                    let line =
+                        document.markdown.lines().find(|line| line.contains(&name)).expect("its question");
+                    let words: Vec<&str> = line.split('`').skip(3).step_by(2).collect();
+                    let [positive, negative] = words[..] else { continue };
+                    let word = if value > 0.0 { positive } else { negative };
+                    let cell = format!(
+                        "{} {word}",
+                        part.unit.text_with(&part.unit.from_si(value).abs().to_string())
+                    );
+                    let judged = compare(&cell, &part);
+                    assert_eq!(judged.verdict, Verdict::Right, "{}: {cell}: {line}", problem.id);
+                    seen += 1;
+                }
+            }
+        });
+        assert!(seen > 100, "{seen}");
     }
 }
 

@@ -790,3 +790,115 @@ end: {angle: {of: wheel, reaches: 5 rad}}
         all_near(&told(&text, &["wheel.v", "drag.normal"]), &[v, normal], 1e-12);
     }
 }
+
+/// Which way a guide pushes says nothing of where bodies lie: the guided end of a rod lies ahead as the line is written.
+#[test]
+fn the_side_on_which_a_guide_pushes_moves_no_body() {
+    let linkage = |along: &str, pushes: &str| {
+        format!(
+            "
+bodies:
+  crank: {{mass: 2 kg, shape: {{rod: 0.3 m}}, moves: in the plane, angle: from right}}
+  rod: {{mass: 1 kg, shape: {{rod: 1 m}}, moves: in the plane, side: ahead}}
+joints:
+  O: {{pins: crank.A}}
+  A: {{hinges: [crank.B, rod.A]}}
+  B: {{guides: rod.B, along: {along}{pushes}}}
+start: {{crank: {{angle: 60 deg, spin: 1 rad/s}}}}
+end: at once
+"
+        )
+    };
+    // The end is at 0.3 cos u + sqrt(1 - (0.3 sin u)^2) along the line, u the angle of the crank from there.
+    let speed = |u: f64| {
+        let (s, c) = u.to_radians().sin_cos();
+        0.3 * (s + 0.3 * s * c / (1.0 - 0.09 * s * s).sqrt()).abs()
+    };
+    let lines: [(&str, f64, [&str; 2]); 4] = [
+        ("horizontal", 60.0, ["up", "down"]),
+        ("vertical", 150.0, ["left", "right"]),
+        ("30 deg", 30.0, ["up", "down"]),
+        ("210 deg", -150.0, ["up", "left"]),
+    ];
+    for (along, from_line, pushes) in lines {
+        for pushes in ["", pushes[0], pushes[1]] {
+            let field = if pushes.is_empty() { String::new() } else { format!(", pushes: {pushes}") };
+            // Of which side the guide would have to pull nothing is asked here.
+            let found = told_anyhow(&linkage(along, &field), &["rod.B.v"]);
+            all_near(&found, &[speed(from_line)], 1e-13);
+        }
+    }
+}
+
+/// The speed of what only slides is positive to the right, or up its line, wherever the crank stands.
+#[test]
+fn a_piston_is_set_off_to_the_right() {
+    for (angle, along, moves) in
+        [(60.0, "horizontal", "v_x"), (-60.0, "horizontal", "v_x"), (30.0, "vertical", "v_y")]
+    {
+        for speed in [2.0, -2.0] {
+            let text = format!(
+                "
+bodies:
+  crank: {{mass: 2 kg, shape: {{rod: 0.3 m}}, moves: in the plane, angle: from right}}
+  rod: {{mass: 1 kg, shape: {{rod: 1 m}}, moves: in the plane}}
+  piston: {{mass: 1 kg, moves: in the plane}}
+joints:
+  O: {{pins: crank.A}}
+  A: {{hinges: [crank.B, rod.A]}}
+  B: {{hinges: [rod.B, piston]}}
+  cylinder: {{guides: piston, along: {along}}}
+start: {{crank: {{angle: {angle} deg}}, piston: {{speed: {speed} m/s}}}}
+end: at once
+"
+            );
+            all_near(&told(&text, &[&format!("piston.{moves}")]), &[speed], 1e-13);
+        }
+    }
+}
+
+/// The roads follow the angle of the body that leads: an end that is told of another body is no end of theirs.
+#[test]
+fn an_end_is_told_of_the_body_that_leads() {
+    let found = |end: &str| {
+        let text = format!(
+            "bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {{}}
+    scene:
+      bodies:
+        crank: {{mass: 2 kg, shape: {{rod: 0.3 m}}, moves: in the plane, angle: from right}}
+        rod: {{mass: 1 kg, shape: {{rod: 1 m}}, moves: in the plane}}
+        piston: {{mass: 1 kg, moves: in the plane}}
+      joints:
+        O: {{pins: crank.A}}
+        A: {{hinges: [crank.B, rod.A]}}
+        B: {{hinges: [rod.B, piston]}}
+        cylinder: {{guides: piston, along: horizontal}}
+      start: {{crank: {{angle: 60 deg, spin: 6 rad/s}}}}
+      end: {end}
+    questions: {{q: {{quantity: rod.omega, unit: rad/s, ask: none}}}}
+    statement: s
+"
+        );
+        load::scenes_only(&text, "t.yaml").map_err(|f| f.iter().map(ToString::to_string).collect::<Vec<_>>())
+    };
+    for end in [
+        "{speed: {of: rod, reaches: 5.7 rad/s}}",
+        "{angle: {of: rod, reaches: 80 deg}}",
+        "{angle: {of: piston, reaches: 80 deg}}",
+        "{turning point: piston}",
+    ] {
+        let told = found(end).expect_err("no end").concat();
+        assert!(
+            told.contains("followed by the angle of `crank`") && told.contains("end it at `of: crank`"),
+            "{told}"
+        );
+    }
+    for end in ["{speed: {of: crank, reaches: 5.7 rad/s}}", "{time: {of: piston, is: 0.01 s}}"] {
+        found(end).expect("an end");
+    }
+}

@@ -459,3 +459,37 @@ problems:
         }
     }
 }
+
+/// Launched by one spring, stopped by another, which has the stretch that is given of it: `1/2 k1 0.2^2 - 1/2 k1 0.1^2` runs up against
+/// `1/2 k2 ((x - D)^2 - x^2)`. Tests before this one had one spring in both motions.
+#[test]
+fn another_spring_keeps_its_own_stretch() {
+    let text = |name: &str, leaves: &str, stretch: &str| {
+        on_incline(
+            "{mass: 2 kg, moves: along incline}",
+            "      x: {name: stretch, unit: m, draw: 0.10 to 0.50 step 0.01}",
+            &format!(
+                "      ties: [cord: {{name: left, from: {{body: it, tied at: centre, leaves: back}}, spring: {{stiffness: 100 N/m, stretch: -0.2 m, attached: rigidly}}}}]
+      start: at rest
+      end: {{travel: {{of: it, by: 0.1 m}}}}
+      next:
+        ties: [cord: {{name: {name}, from: {{body: it, tied at: centre, leaves: {leaves}}}, spring: {{stiffness: 50 N/m, stretch: {stretch}, attached: rigidly}}}}]
+        end: {{turning point: it}}"
+            ),
+            "      way: {quantity: displacement, motion: next, unit: m, ask: a}",
+        )
+        .replace("beta: {name: slope, unit: deg, draw: 10 to 30 step 1}", "c: {name: c, unit: m, draw: always 1}")
+        .replace("{slope: beta}", "level")
+    };
+    for name in ["right", "left"] {
+        let problem = problem(&text(name, "forward", "x"));
+        for s in 0..seeds(50) {
+            let variant = drawn(&problem, s);
+            let x = variant.data[1];
+            near(answers(&problem, &variant)[0], x + (x * x + 2.0 * 1.5 / 50.0).sqrt(), "way");
+        }
+    }
+    let findings = load::scenes_only(&text("left", "back", "x"), "bank.yaml").expect_err("two stretches");
+    assert!(findings[0].to_string().contains("goes on with the stretch that it has"), "{findings:?}");
+    load::scenes_only(&text("left", "back", "-0.2 m"), "bank.yaml").expect("one stretch");
+}

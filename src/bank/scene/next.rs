@@ -4,8 +4,8 @@ use crate::bank::scene::SceneReader;
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Quantity, Rest, Scene,
-    SpringTie, Start, Taken, Tie,
+    Attach, Coordinate, Degree, Derived, End, Far, Given, JointKind, Label, Num, Owner, Quantity, Rest,
+    Scene, SpringTie, Start, Taken, Tie,
 };
 use std::borrow::Cow;
 
@@ -113,6 +113,11 @@ fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
     let contact = |s: &Scene| s.joints.iter().any(|j| matches!(j.kind, JointKind::Contact { .. }));
     let placed = next.bodies.iter().filter_map(|b| b.planar.as_ref()).any(|p| p.origin_m.is_some());
     let driven = next.bodies.iter().filter_map(|b| b.planar.as_ref()).any(|p| p.driven.is_some());
+    let hooked_anew = first.springs().any(|s| {
+        again(first, next, &s).is_some_and(|now| {
+            Handover::steps(next, now.stretch_m, false) != Handover::steps(first, s.stretch_m, false)
+        })
+    });
     let names = |s: &Scene| s.bodies.iter().map(|b| b.name.clone()).collect::<Vec<_>>();
     Some(if first.is_still() || matches!(first.end, End::Leaves(_)) {
         (
@@ -137,6 +142,11 @@ fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
         ("the blow that sets it off does not come again", "write `forces` under `next` without it")
     } else if stretched {
         ("a spring told by its stretch at the start has another one here", "tell it by its natural length")
+    } else if hooked_anew {
+        (
+            "a spring of both motions goes on with the stretch that it has at the end of the first",
+            "write the `stretch` that it has in the first motion, or give another spring a place or a name of its own",
+        )
     } else if contact(first) || contact(next) || placed || driven {
         ("of joined bodies, those follow on that pins, hinges, guides and cords hold", "ask for one motion")
     } else if names(first) != names(next) {
@@ -146,6 +156,16 @@ fn apart(first: &Scene, next: &Scene) -> Option<(&'static str, &'static str)> {
     } else {
         return None;
     })
+}
+
+/// The spring of the motion that follows which is this one of the motion before it: at the same place, and of the same name if
+/// there is more than one.
+fn again(first: &Scene, next: &Scene, spring: &SpringTie) -> Option<SpringTie> {
+    let name = |s: &Scene, tie: usize| s.owner_name(Owner::Tie(tie)).map(Cow::into_owned);
+    let one = first.springs().count() == 1 && next.springs().count() == 1;
+    let place = |s: &SpringTie| (s.from.body, s.from.forward, matches!(s.from.attach, Attach::Centre));
+    next.springs()
+        .find(|s| place(s) == place(spring) && (one || name(next, s.tie) == name(first, spring.tie)))
 }
 
 /// Puts the state at the end of the first motion for that at the start of the next.
@@ -190,22 +210,16 @@ fn take_over(first: &Scene, next: &mut Scene, data: usize) {
         let left = hand.number(steps, false, "what is left of it");
         hand.next.end = if let End::Time(..) = at { End::Time(c, left) } else { End::Position(c, left) };
     }
-    // The springs of both motions, by the names of their cords; of one and one these may differ.
-    let named = |s: &Scene, tie: usize| s.owner_name(Owner::Tie(tie)).map(Cow::into_owned);
-    let [before, now]: [Vec<SpringTie>; 2] = [first, &*hand.next].map(|s| s.springs().collect());
-    for spring in &before {
-        let same = |s: &&SpringTie| named(hand.next, s.tie) == named(first, spring.tie);
-        let Some(now) = now.iter().find(same).or(now.first().filter(|_| now.len() + before.len() == 2))
-        else {
-            continue;
-        };
-        let now = now.tie;
+    // A spring of both motions is one by the name of its cord.
+    let before: Vec<SpringTie> = first.springs().collect();
+    for spring in before {
+        let Some(now) = again(first, hand.next, &spring) else { continue };
         let pull = hand.take(Label { quantity: Quantity::Tension, of: Owner::Tie(spring.tie) }, false);
         let mut steps = vec![pull];
         steps.extend(Handover::steps(first, spring.stiffness_n_m, false));
         steps.push(Step::Divide);
         let stretch = hand.number(steps, false, "its stretch");
-        if let Some(Tie::Cord(cord)) = hand.next.ties.get_mut(now)
+        if let Some(Tie::Cord(cord)) = hand.next.ties.get_mut(now.tie)
             && let Far::Spring { stretch_m, .. } = &mut cord.to
         {
             *stretch_m = stretch;

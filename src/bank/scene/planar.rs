@@ -285,7 +285,7 @@ impl SceneReader<'_> {
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
-        let mut direction_deg = along?;
+        let (mut direction_deg, mut reversed) = (along?, false);
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.
             match (direction_deg, pushes) {
@@ -298,6 +298,7 @@ impl SceneReader<'_> {
                         f.hint(node, "the line cannot push that way", hint);
                     } else if along_push < 0.0 {
                         direction_deg = Num::Fixed(if d > 0.0 { d - 180.0 } else { d + 180.0 });
+                        reversed = true;
                     }
                 }
                 (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
@@ -308,7 +309,8 @@ impl SceneReader<'_> {
             }
         }
         let one_sided = pushes.is_some();
-        Some(JointKind::Guide { at: at?, through_m: through?, direction_deg, one_sided, mu_k: mu_k? })
+        let (at, through_m, mu_k) = (at?, through?, mu_k?);
+        Some(JointKind::Guide { at, through_m, direction_deg, reversed, one_sided, mu_k })
     }
 
     /// A force on a point of a body in the plane, or a blow.

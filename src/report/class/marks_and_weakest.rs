@@ -3,46 +3,15 @@ use crate::report::class::{ClassReporter, Rich};
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::PartStudy;
 use crate::report::table::{percent, points};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// Weakest parts that are told.
 const WEAKEST: usize = 3;
 
-/// A student's marks, as the template receives them; numbers are finished.
-#[derive(Serialize)]
-pub(super) struct StudentLine {
-    id: String,
-    name: String,
-    /// Points of each problem; empty where the sheet does not have it.
-    problems: Vec<String>,
-    total: String,
-    most: String,
-    /// Did they hand in anything?
-    took_part: bool,
-}
-
-/// A part in which points were lost.
-#[derive(Serialize)]
-pub(super) struct WeakPart {
-    part: String,
-    /// What is asked: finished HTML.
-    asked: String,
-    /// Share of the points; none where few answered.
-    share: Option<String>,
-    /// Of those who handed in: how many were asked it, were right, gave no answer to it.
-    asked_of: usize,
-    right: usize,
-    blank: usize,
-    /// The wrong method of most answers to it: what was done, with its id and the number of answers; empty where no two answers
-    /// have one in common.
-    did: String,
-    id: String,
-    answers: usize,
-}
-
 impl ClassReporter<'_> {
-    /// Every student of the roster, in its order.
-    pub(super) fn student_lines(&self) -> Vec<StudentLine> {
+    /// Every student of the roster, in its order, with the points of each problem, empty where the sheet does not have it; numbers
+    /// are finished.
+    pub(super) fn student_lines(&self) -> Vec<Value> {
         let marks = self.marks;
         let number = |value: f64| self.words.number(&points(value));
         let line = |(s, student): (usize, &crate::report::marks::Student)| {
@@ -53,20 +22,21 @@ impl ClassReporter<'_> {
                 if points.is_empty() { String::new() } else { number(points.iter().sum()) }
             };
             let (total, most) = marks.totals[s];
-            StudentLine {
-                id: student.id.clone(),
-                name: student.name.clone(),
-                problems: (0..marks.class.problems.len()).map(of_problem).collect(),
-                total: number(total),
-                most: number(most),
-                took_part: marks.took_part(s),
-            }
+            json!({
+                "id": student.id,
+                "name": student.name,
+                "problems": (0..marks.class.problems.len()).map(of_problem).collect::<Vec<_>>(),
+                "total": number(total),
+                "most": number(most),
+                "took_part": marks.took_part(s),
+            })
         };
         marks.class.students.iter().enumerate().map(line).collect()
     }
 
-    /// The parts that lost the class the greatest share of their points.
-    pub(super) fn weakest(&self, rich: Rich) -> Vec<WeakPart> {
+    /// The parts that lost the class the greatest share of their points, which is told where enough answered; of those who handed in
+    /// how many were asked it, were right and gave no answer; and the wrong method of most answers, where two have one in common.
+    pub(super) fn weakest(&self, rich: Rich) -> Vec<Value> {
         let ease = |(p, part): (usize, &PartStudy)| part.ease.filter(|e| *e < 1.0).map(|e| (p, e));
         let mut lost: Vec<(usize, f64)> = self.study.parts.iter().enumerate().filter_map(ease).collect();
         lost.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
@@ -79,17 +49,17 @@ impl ClassReporter<'_> {
             let favourites = self.favourites();
             let most = favourites.iter().max_by_key(|m| here(m)).filter(|m| here(m) > 1);
             let entry = most.and_then(|m| m.ids.first()).and_then(|id| self.catalogue.get(id));
-            WeakPart {
-                part: part.label(),
-                asked: rich(&part.asked),
-                share: (study.asked >= LEAST_FOR_SHARE).then(|| percent(ease)),
-                right: study.right,
-                blank: study.asked.saturating_sub(study.answered),
-                asked_of: study.asked,
-                did: entry.map_or_else(String::new, |e| rich(&e.did)),
-                id: entry.map_or_else(String::new, |e| e.id.clone()),
-                answers: most.map_or(0, here),
-            }
+            json!({
+                "part": part.label(),
+                "asked": rich(&part.asked),
+                "share": (study.asked >= LEAST_FOR_SHARE).then(|| percent(ease)),
+                "right": study.right,
+                "blank": study.asked.saturating_sub(study.answered),
+                "asked_of": study.asked,
+                "did": entry.map_or_else(String::new, |e| rich(&e.did)),
+                "id": entry.map_or("", |e| &e.id),
+                "answers": most.map_or(0, here),
+            })
         });
         weak.collect()
     }

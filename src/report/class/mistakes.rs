@@ -5,48 +5,36 @@ use crate::report::study::{LEVEL, MistakeCount};
 use crate::report::table::percent;
 use crate::template;
 use crate::words::plain::plain;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// Mistakes told in words; all are in the table.
 const FAVOURITES: usize = 6;
 /// Parts of a mistake that are named.
 const PARTS: usize = 6;
 
-/// A favourite mistake, as the template receives it.
-#[derive(Serialize)]
-pub(super) struct Favourite {
-    students: usize,
-    /// Of those who handed in; none where they are few.
-    share: Option<String>,
-    parts: String,
-    ids: Vec<String>,
-    /// What they do, and what to show them: finished HTML, empty where nothing is known.
-    they: String,
-    advice: String,
-    /// Other methods that fit some of the answers: what was done, with the id. Finished HTML.
-    also: Vec<String>,
-}
-
 impl ClassReporter<'_> {
-    /// The mistakes for the next lecture, or the name of the phrase that says why there are none.
-    pub(super) fn lecture(&self, rich: Rich) -> (Option<&'static str>, Vec<Favourite>) {
+    /// The mistakes for the next lecture, or the name of the phrase that says why there are none. What they do, what to show them, and
+    /// `also` what else was done that fits some of the answers, is finished HTML; the share of those who handed in is told where they
+    /// are not few.
+    pub(super) fn lecture(&self, rich: Rich) -> (Option<&'static str>, Vec<Value>) {
         let took = self.study.took_part.len();
         // What a single student did is no matter for a lecture.
         let all = self.favourites().into_iter().filter(|m| m.students() > 1).take(FAVOURITES);
         let told = all.map(|mistake| {
             let entry = mistake.ids.first().and_then(|id| self.catalogue.get(id));
             let (they, advice) = entry.map_or((String::new(), ""), |entry| advice(&entry.note));
-            Favourite {
-                students: mistake.students(),
-                share: (took >= LEAST_FOR_SHARE).then(|| percent(mistake.students() as f64 / took as f64)),
-                parts: self.where_made(&mistake),
-                they: rich(&they),
-                advice: rich(advice),
-                ids: mistake.ids,
-                also: mistake.also.iter().map(|id| self.with_words(id, &mut *rich)).collect(),
-            }
+            let share = mistake.students() as f64 / took as f64;
+            json!({
+                "students": mistake.students(),
+                "share": (took >= LEAST_FOR_SHARE).then(|| percent(share)),
+                "parts": self.where_made(&mistake),
+                "they": rich(&they),
+                "advice": rich(advice),
+                "also": mistake.also.iter().map(|id| self.with_words(id, &mut *rich)).collect::<Vec<_>>(),
+                "ids": mistake.ids,
+            })
         });
-        let told: Vec<Favourite> = told.collect();
+        let told: Vec<Value> = told.collect();
         let why = match self.study.wrong.0 {
             0 => "no_wrong",
             _ if self.study.mistakes.is_empty() => "no_method",

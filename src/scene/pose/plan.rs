@@ -69,7 +69,9 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             };
             let own = if at.body == body { Some(at) } else { self.slider(at, body) }?;
             let ring = self.layout.apart(j);
-            Some(Guided { at: self.spot(own), through, unit: *unit, ring })
+            let reversed = matches!(joint.kind, JointKind::Guide { reversed: true, .. });
+            let unit = if reversed { unit.map(|x| -x) } else { *unit };
+            Some(Guided { at: self.spot(own), through, unit, ring })
         })
     }
     /// The point of `body` that is hinged to a slider, a body that does not turn, or to a wheel at the point that is guided.
