@@ -152,8 +152,13 @@ fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     let several = Some(count.as_str()).filter(|_| freedoms > 1 && slips.is_none());
     let held = scene.is_sprung();
     let twice = freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_));
+    // A motion that follows takes over one speed.
+    let follows = !scene.start.is_empty() && node.path.ends_with(".next");
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 4] = [
+    let rules: [SceneRule; 6] = [
+        (slips.filter(|_| follows), "start", "`{}` slips, so its speed and its spin at the start are both given, or it starts from rest",
+            "write `start: at rest`"),
+        (several.filter(|_| follows), "start", "a scene with {} freedoms starts from rest", "write `start: at rest`"),
         (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away, or write `slips:` for a wheel that they keep from rolling"),
         (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is solved at an instant alone",
             "let the wheel roll, take the spring away, or write `end: at once`"),

@@ -418,48 +418,6 @@ problems:
     assert!(findings[0].to_string().contains("the time is not told"), "{findings:?}");
 }
 
-/// A weight draws a block until the cord is cut: then there are two freedoms. The block slides on until it stops, the weight falls.
-#[test]
-fn a_cut_cord_leaves_two_freedoms() {
-    let text = "bank: b
-title: B
-problems:
-  p:
-    title: P
-    data:
-      v0: {name: speed, unit: m/s, draw: 1.0 to 4.0 step 0.1}
-      d: {name: way, unit: m, draw: 0.5 to 2.0 step 0.1}
-    scene:
-      surfaces: {floor: level}
-      bodies:
-        a: {mass: 3 kg, moves: along floor}
-        w: {mass: 3 kg, moves: vertically, positive: down}
-      ties:
-        - slides: {body: a, mu_k: 0.2}
-        - cord: {from: {body: a, tied at: centre, leaves: forward}, to: {body: w, tied at: centre, leaves: up}}
-      start: {w: {speed: v0}}
-      end: {travel: {of: w, by: d}}
-      next: {ties: [slides: {body: a, mu_k: 0.2}], end: {turning point: a}}
-    questions:
-      way: {quantity: a.displacement, motion: next, unit: m, ask: a}
-      fall: {quantity: w.v, motion: next, unit: m/s, ask: a}
-      total: {value: t + next.t, unit: s, ask: a}
-    statement: s
-";
-    let problem = problem(text);
-    for s in 0..seeds(100) {
-        let variant = drawn(&problem, s);
-        let [v0, d, _] = variant.data[..] else { panic!("three data") };
-        let a = 0.8 * G / 2.0;
-        let v = (v0 * v0 + 2.0 * a * d).sqrt();
-        let late = v / (0.2 * G);
-        let found = answers(&problem, &variant);
-        for (found, exact) in found.into_iter().zip([v * late / 2.0, v + G * late, (v - v0) / a + late]) {
-            near(found, exact, "after the cut");
-        }
-    }
-}
-
 /// Launched by one spring, stopped by another, which has the stretch that is given of it: `1/2 k1 0.2^2 - 1/2 k1 0.1^2` runs up against
 /// `1/2 k2 ((x - D)^2 - x^2)`. Tests before this one had one spring in both motions.
 #[test]
