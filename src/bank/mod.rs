@@ -94,6 +94,13 @@ pub struct Datum {
     pub unknown: Option<Draw>,
 }
 
+impl Problem {
+    /// The numbers of printed values, as its scenes take them; 0 for what is not there.
+    pub fn numbers(&self, values: &[Option<Decimal>]) -> Vec<f64> {
+        self.data.iter().zip(values).map(|(d, value)| value.map_or(0.0, |v| d.number(v))).collect()
+    }
+}
+
 impl Datum {
     /// The number of a printed value, as the scene takes it: SI, slopes in degrees. It is the nearest double.
     pub fn number(&self, value: Decimal) -> f64 {
@@ -167,6 +174,10 @@ impl Case {
     /// Are its data the same in every draw?
     pub fn is_constant(&self) -> bool {
         self.draws.iter().flatten().all(|draw| draw.count() == 1)
+    }
+    /// The least values of its data: all there are of constants.
+    pub fn least(&self) -> Vec<Option<Decimal>> {
+        self.draws.iter().map(|draw| draw.as_ref().map(|d| d.range().0)).collect()
     }
 }
 

@@ -29,6 +29,7 @@ const DIRECTED: Range = (NOT_NEGATIVE.0, NOT_NEGATIVE.1, ACTS_WHITHER);
 const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0", "");
 const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees", "");
 const ACUTE: Range = (|x| x > -90.0 && x < 90.0, "between -90 and 90 degrees", "");
+const LEFT_OF_IT_LEFT: Range = (|x| x > 0.0 && x < 180.0, "between 0 and 180 degrees", "");
 const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees", "");
 
 const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
@@ -58,6 +59,8 @@ impl Need {
     pub const PLACE: Self = need("a place", "m", ANY, "0.25 m");
     pub const TIME: Self = need("a time", "s", NOT_NEGATIVE, "2 s");
     pub const ANGLE: Self = need("an angle", "deg", A_TURN, "30 deg");
+    pub const PUSHES_UP: Self = need("an angle of a line that pushes up", "deg", ACUTE, "30 deg");
+    pub const PUSHES_LEFT: Self = need("an angle of a line that pushes left", "deg", LEFT_OF_IT_LEFT, "30 deg");
     pub const TILT: Self = need("an angle to the surface", "deg", ACUTE, "30 deg");
     pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
     pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");

@@ -591,17 +591,24 @@ impl<'n> ProblemRead<'n> {
             }
         }
         let several = kept.len() > 1;
-        let other = |touching: Touching| {
-            scene::read(node, &case.symbols, touching, self.data.len(), &Faults::default()).scene
-        };
+        // Each way is read once: as a case, where it is kept, and as a rival of the others.
+        let readings = Touching::all(read.touches.len()).map(|touching| {
+            let kept = kept.iter().any(|(t, ..)| *t == touching);
+            let reading = match (touching == Touching::default(), kept) {
+                (true, _) => read.clone(),
+                (_, true) => self.read(node, &case.symbols, touching),
+                _ if WHOLE => scene::read(node, &case.symbols, touching, self.data.len(), &Faults::default()),
+                _ => SceneRead::default(),
+            };
+            (touching, reading)
+        });
+        let readings: Vec<(Touching, SceneRead)> = readings.collect();
         let one = |(touching, word, regimes): (Touching, String, Vec<String>)| {
             let mut one = case.clone();
             one.regimes = regimes;
-            let others = Touching::all(read.touches.len()).filter(|t| WHOLE && *t != touching);
-            one.rivals = others.filter_map(other).collect();
-            if touching != Touching::default() {
-                one.read = Some(self.read(node, &case.symbols, touching));
-            }
+            let others = readings.iter().filter(|(t, _)| WHOLE && *t != touching);
+            one.rivals = others.filter_map(|(_, reading)| reading.scene.clone()).collect();
+            one.read = readings.iter().find(|(t, _)| *t == touching).map(|(_, reading)| reading.clone());
             if several {
                 one.name = if case.name.is_empty() { word } else { format!("{}, {word}", case.name) };
             }

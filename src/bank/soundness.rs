@@ -5,7 +5,7 @@ use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
 use crate::finding::{Finding, told};
 use crate::scene::{
     Attach, Body, Coordinate, Cord, CordEnd, Degree, End, Far, Grows, Joint, JointKind, Made, Num,
-    RotaryInertia, Scene, Tie,
+    RotaryInertia, Scene, Slope, Tie,
 };
 use crate::units::spell;
 
@@ -210,7 +210,9 @@ fn carrier(scene: &Scene, node: &Node, faults: &Faults) {
     let on_surface = scene.bodies.iter().any(|b| b.line.is_some_and(|l| l.surface));
     let unclear = fast && scene.start.is_empty() && on_surface;
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 5] = [
+    let rules: [SceneRule; 6] = [
+        (is(scene.lies_level() && carrier.slope == Slope::Vertical), "carried", "a lift moves across a horizontal plane, not in it",
+            "leave `carried` out: nothing in that plane is changed by it"),
         (Some(name).filter(|_| pinned), "carried", "`{}` is pinned, and the scene is carried",
             "write `moves: in the plane` and a joint `O: {pins: rod.A}`"),
         (is(particles && !pinned), "carried", "a body of particles is not carried", "remove `carried`"),

@@ -722,8 +722,13 @@ fn joint_forces(view: &SceneView, plane: &PlaneLayout, laid: &[Laid], body: usiz
                     let foot = at - normal * (view.of(radius_m) * plane.scale);
                     forces.push(pressing(j, foot, found(Quantity::Normal), normal, name(j, "N")));
                     if rolls {
-                        let rubs = found(if teeth { Quantity::RimForce } else { Quantity::Friction });
-                        forces.push(force(foot, rubs, normal.right(), name(j, "F")).of(Role::Friction));
+                        let right = normal.right();
+                        let (quantity, up) = match teeth {
+                            true => (Quantity::RimForce, 1.0),
+                            false => (Quantity::Friction, pose::upward([right.x, right.y])),
+                        };
+                        let along = right * up;
+                        forces.push(force(foot, found(quantity), along, name(j, "F")).of(Role::Friction));
                     }
                 }
                 JointKind::Cord { place_m, .. } => {

@@ -130,8 +130,9 @@ impl PlaneLayout {
         let lead = view.scene.lead()?;
         let start = view.of(view.scene.planar(lead)?.start_deg?);
         let said = |quantity: Quantity| view.solved(quantity, Owner::Body(lead));
-        let (turned, rise) = (said(Quantity::Phi)?.to_degrees(), said(Quantity::Rise)?);
         let numbers = Numbers::<f64>::new(view.scene, &view.variant.data);
+        let per_way = pose::Layout::new(view.scene, &numbers)?.turned(1.0);
+        let (turned, rise) = (said(Quantity::Phi)?.to_degrees() / per_way, said(Quantity::Rise)?);
         let before = self.centre(view, &self.start, lead).y;
         // How far it turns is a magnitude: the sense is the one in which its mass centre rises as much as it is said to.
         let tried = [1.0, -1.0].into_iter().filter_map(|sense| {

@@ -106,15 +106,11 @@ fn drawn(bank: &Bank, problem: &Problem, seed: u64) -> Result<Data, Findings> {
 
 /// The data where a case has nothing but constants; of several such cases the first that holds.
 fn constants(problem: &Problem) -> Option<Data> {
-    let constant = |case: &&Case| case.draws.iter().flatten().all(|draw| draw.count() == 1);
     let of_case = |(i, case): (usize, &Case)| {
-        let values: Vec<Option<Decimal>> =
-            case.draws.iter().map(|draw| draw.as_ref().map(|d| d.range().0)).collect();
-        let number = |(i, v): (usize, &Option<Decimal>)| v.map_or(0.0, |v| problem.data[i].number(v));
-        let data = values.iter().enumerate().map(number).collect();
-        (i, data, printed(problem, &values))
+        let values = case.least();
+        (i, problem.numbers(&values), printed(problem, &values))
     };
-    let mut all = problem.cases.iter().enumerate().filter(|(_, case)| constant(case)).map(of_case);
+    let mut all = problem.cases.iter().enumerate().filter(|(_, case)| case.is_constant()).map(of_case);
     let first = all.next()?;
     let holds = |(case, data, _): &Data| {
         agree::solve(&problem.cases[*case].scene, data).is_ok_and(|solved| fits(problem, *case, &solved))

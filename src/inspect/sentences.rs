@@ -609,6 +609,49 @@ mod tests {
         assert!(moves(3.0, 2.0).contains("the driving force is 1.5000 times the resistance"));
     }
 
+    /// How every condition can come out has its sentence, whatever it is about: a name that is put together is found out only where
+    /// it is said.
+    #[test]
+    fn every_condition_has_its_sentences() {
+        let joined = "
+bank: t
+title: t
+problems:
+  p:
+    title: t
+    data: {}
+    scene:
+      bodies: {rod: {mass: 2 kg, shape: {rod: 1 m}, moves: in the plane, angle: from vertical}}
+      joints: {floor: {guides: rod.A, along: horizontal, pushes: up}, cord: {links: rod.B, to: [0 m, 3 m]}}
+      start: {rod: {angle: 10 deg}}
+      end: {angle: {of: rod, reaches: 20 deg}}
+    questions: {v: {ask: v}}
+";
+        let bank = load::scenes_only(joined, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"));
+        let joined = &bank.problems[0].cases[0].scene;
+        let mut scenes = vec![joined.clone()];
+        scenes.push(Scene { joints: Vec::new(), ..joined.clone() });
+        scenes.push(Scene { joints: joined.joints[1..].to_vec(), ..joined.clone() });
+        let numbers = [f64::NAN, -1.0, 0.0, 1.0, 2.0, f64::INFINITY];
+        for (scene, kind) in scenes.iter().flat_map(|s| CheckKind::ALL.iter().map(move |kind| (s, *kind))) {
+            for (required, available) in numbers.iter().flat_map(|r| numbers.iter().map(move |a| (*r, *a))) {
+                // Of what follows the kind of its condition is told as a body is of others.
+                for (of, ok) in (0..CheckKind::ALL.len()).flat_map(|of| [(of, true), (of, false)]) {
+                    let of = if kind == CheckKind::Next { of } else { 0 };
+                    let one = Check { kind, of, ok, required, available, margin: 1.0 };
+                    assert!(!check(scene, &[], &one).is_empty(), "{one:?}");
+                }
+            }
+        }
+        // How the end is reached or not hangs on the whole scene: the names stand in the source.
+        let source = include_str!("sentences.rs");
+        let (_, all) = source.split_once("let how = match (c.ok, matches!").expect("it is there");
+        let (all, _) = all.split_once("\n    };").expect("it ends");
+        let names: Vec<&str> = all.split('"').skip(1).step_by(2).collect();
+        let said: Vec<String> = names.iter().map(|name| say(&format!("reaches.{name}"), &[])).collect();
+        assert!(names.len() > 10 && said.iter().all(|text| !text.is_empty()), "{names:?}");
+    }
+
     /// A name that is put together is found out only where it is said.
     #[test]
     fn what_is_not_solved_has_its_sentence() {

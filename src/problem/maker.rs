@@ -221,17 +221,11 @@ impl<'p> Maker<'p> {
             return index;
         }
         *self.happening[index].get_or_init(|| {
-            let happens = |case: &Case| {
-                let values = case
-                    .draws
-                    .iter()
-                    .zip(&self.problem.data)
-                    .map(|(draw, datum)| draw.as_ref().map_or(0.0, |draw| datum.number(draw.range().0)));
-                let data: Vec<f64> = values.collect();
-                agree::solve(&case.scene, &data).is_ok_and(|s| s.checks.iter().all(|c| c.ok))
-            };
             let mut like = cases.iter().enumerate().filter(|(_, c)| alike(c));
-            like.find(|(_, c)| happens(c)).map_or(index, |(i, _)| i)
+            let happening = |case: &Case| {
+                happens(std::slice::from_ref(&case.scene), &self.problem.numbers(&case.least()))
+            };
+            like.find(|(_, c)| happening(c)).map_or(index, |(i, _)| i)
         })
     }
 
@@ -260,14 +254,45 @@ impl<'p> Maker<'p> {
         (index, values, data)
     }
 
-    /// The variant of such a draw. `None` where it does not hold the rules.
-    pub fn again(&self, student: &str, tries: u32) -> Option<Variant> {
+    /// The variant of such a draw.
+    ///
+    /// # Errors
+    /// The draw, if it does not hold the rules, and which one refuses it.
+    pub fn again(&self, student: &str, tries: u32) -> Result<Variant, Box<RefusedDraw>> {
         let (case, values, data) = self.drawn(student, tries);
         let mut refusals = Refusals::default();
         // It will hold.
-        let (solved, wrong) = self.solve_within(case, &data, Scope::ALL, &mut refusals, &mut Err).ok()?;
-        let within = make_key::within(self.problem, &solved);
-        Some(Variant { case, values, data, solved, tries, refusals, within, wrong })
+        match self.solve_within(case, &data, Scope::ALL, &mut refusals, &mut Err) {
+            Ok((solved, wrong)) => {
+                let within = make_key::within(self.problem, &solved);
+                Ok(Variant { case, values, data, solved, tries, refusals, within, wrong })
+            }
+            Err(refused) => Err(Box::new(self.refusal(refused, (case, values, data), tries, refusals))),
+        }
+    }
+
+    /// A draw that a rule refuses.
+    fn refusal(
+        &self,
+        refused: Refused,
+        (case, values, data): (usize, Vec<Option<Decimal>>, Vec<f64>),
+        tries: u32,
+        mut refusals: Refusals,
+    ) -> RefusedDraw {
+        refusals.add(refused);
+        let table = refusals.table(self.problem, case);
+        let why = table.into_iter().map(|(why, _)| why).next().unwrap_or_default();
+        let variant = from_values(self.problem, case, &values).unwrap_or_else(|_| Variant {
+            case,
+            values,
+            data,
+            solved: Solved::none(),
+            tries,
+            refusals,
+            within: Vec::new(),
+            wrong: Vec::new(),
+        });
+        RefusedDraw { why, variant }
     }
 
     /// What the first road alone makes of such a draw: the answers with their tolerances, unproved, and no wrong methods.
@@ -315,20 +340,7 @@ impl<'p> Maker<'p> {
             if found.iter().any(|(rule, _)| *rule == refused.rule) {
                 continue;
             }
-            refusals.add(refused);
-            let table = refusals.table(self.problem, index);
-            let why = table.into_iter().map(|(why, _)| why).next().unwrap_or_default();
-            let variant = from_values(self.problem, index, &values).unwrap_or_else(|_| Variant {
-                case: index,
-                values,
-                data,
-                solved: Solved::none(),
-                tries: n,
-                refusals,
-                within: Vec::new(),
-                wrong: Vec::new(),
-            });
-            found.push((refused.rule, RefusedDraw { why, variant }));
+            found.push((refused.rule, self.refusal(refused, (index, values, data), n, refusals)));
         }
         found.into_iter().map(|(_, draw)| draw).collect()
     }

@@ -3,7 +3,7 @@ use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
     Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
-    Spot, SpringTie, Surface, Tie,
+    Spot, SpringTie, Strut, StrutEnd, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -371,7 +371,9 @@ impl Scene {
                 _ => return None,
             }
         }
-        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.is_empty();
+        // A spring that stays across a level line pulls across it.
+        let across = |s: &Strut| matches!(s.to, StrutEnd::Guide { direction_deg: Num::Fixed(d), .. } if d % 180.0 == 0.0);
+        let pushed = self.pushes.iter().any(|p| p.at.body == lead) || !self.struts.iter().all(across);
         found.filter(|_| !pushed)
     }
     /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?

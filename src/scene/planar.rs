@@ -223,6 +223,16 @@ impl JointKind {
             _ => &[Quantity::Impulse],
         }
     }
+    /// Is it a level line in every draw?
+    pub const fn is_level(&self) -> bool {
+        match self {
+            Self::Guide { direction_deg: Num::Fixed(at), .. }
+            | Self::Contact { surface: Surface::Line { direction_deg: Num::Fixed(at), .. }, .. } => {
+                *at % 180.0 == 0.0
+            }
+            _ => false,
+        }
+    }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {
         matches!(self, Self::Guide { one_sided: true, .. } | Self::Contact { teeth: false, .. })

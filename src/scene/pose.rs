@@ -446,9 +446,9 @@ impl<T: Real> Arc<T> {
 pub struct Touch<T> {
     /// Unit vector from the surface to the body.
     pub normal: [T; 2],
-    /// Unit vector along the surface, to the right of that.
+    /// Unit vector along the surface, in the sense in which friction is told; of teeth, to the right of that.
     pub along: [T; 2],
-    /// Radius of the wheel, negative where it touches on its inner side.
+    /// Radius of the wheel, negative where it touches on its inner side, and where the surface rises to the left.
     pub radius: T,
     /// Curvature of the way of its centre, positive where it bends away from the normal.
     pub bend: T,
@@ -590,6 +590,11 @@ impl<'a, T: Real> Layout<'a, T> {
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
         self.arc.map_or_else(|| T::of(1.0), |arc| arc.ratio)
+    }
+    /// How far the leading body turns on its way, or moves about the axis of the cylinder on which it only slides.
+    pub fn turned(&self, way: T) -> T {
+        let ratio = self.ratio().abs();
+        if ratio.is_zero() { way } else { way * ratio }
     }
     /// Direction of the axis of a body at which its torsion spring is relaxed; zero of another spring.
     pub fn relaxed(&self, strut: &Strut) -> Option<[T; 2]> {
@@ -767,7 +772,9 @@ impl<'a, T: Real> Layout<'a, T> {
     }
     /// How a body touches the surface of a joint with its centre at this place.
     pub fn touch(&self, joint: usize, centre: [T; 2]) -> Option<Touch<T>> {
-        let JointKind::Contact { radius_m, surface, .. } = self.scene.joints[joint].kind else { return None };
+        let JointKind::Contact { radius_m, surface, teeth, .. } = self.scene.joints[joint].kind else {
+            return None;
+        };
         let own = self.n.get(radius_m);
         let (normal, bend, radius) = match surface {
             Surface::Line { .. } => {
@@ -784,7 +791,9 @@ impl<'a, T: Real> Layout<'a, T> {
                 (out.map(|x| (x / apart).signed(sense)), (T::of(1.0) / apart).signed(sense), radius)
             }
         };
-        Some(Touch { normal, along: [normal[1], -normal[0]], radius, bend })
+        let right = [normal[1], -normal[0]];
+        let up = if teeth { 1.0 } else { upward(right) };
+        Some(Touch { normal, along: right.map(|x| x.signed(up)), radius: radius.signed(up), bend })
     }
     /// Where everything is when the leading angle has changed by this, radians; `None` for a body that the joints do not place.
     ///

@@ -1,4 +1,5 @@
 //! Dealing: the variants of one student and their key, problem by problem.
+use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Problem};
 use crate::finding::{Finding, Findings};
 use crate::key::{ProblemKey, SheetKey, WrongValue};
@@ -53,7 +54,14 @@ impl<'b> Dealer<'b> {
     /// Deals once more what is stored: of each problem only the draw that was taken, not the refused ones before it. `None`
     /// where anything differs; [`Dealer::deal`] then tells what.
     pub fn deal_again(&self, old: &StoredStudent) -> Option<Dealt> {
-        self.dealt_by(old, Maker::again)
+        self.dealt_by(old, |maker, student, tries| maker.again(student, tries).ok())
+    }
+
+    /// By which rule the draw that a student was dealt is refused now; `None` where another one is drawn in its place, or it holds.
+    pub fn refusal(&self, old: &StoredStudent, problem: usize) -> Option<String> {
+        let ((problem, maker), old_variant) = (self.makers.get(problem)?, old.problems.get(problem)?);
+        let refused = maker.again(&old.student, old_variant.tries).err()?;
+        (printed(problem, &refused.variant.values) == old_variant.data).then_some(refused.why)
     }
 
     /// The same by the first road alone: unproved, and without wrong methods ([`Dealer::wrong_values`]).
@@ -88,14 +96,16 @@ pub(crate) fn coded(key: ProblemKey, stored: &StoredVariant) -> ProblemKey {
     ProblemKey { code: stored.code(), ..key }
 }
 
+/// Values as printed, by the symbols of their data.
+fn printed(problem: &Problem, values: &[Option<Decimal>]) -> Map<String, Value> {
+    let drawn = values.iter().enumerate().filter_map(|(i, value)| Some((i, (*value)?)));
+    let text = |i, value| Value::String(statement::printed(problem, i, value));
+    drawn.filter_map(|(i, value)| Some((problem.data.get(i)?.symbol.clone(), text(i, value)))).collect()
+}
+
 /// What is stored of a variant: case and data as printed.
 pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
-    let mut data = Map::new();
-    for (i, datum) in problem.data.iter().enumerate() {
-        if let Some(drawn) = variant.values.get(i).copied().flatten() {
-            data.insert(datum.symbol.clone(), Value::String(statement::printed(problem, i, drawn)));
-        }
-    }
+    let data = printed(problem, &variant.values);
     let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
     let table = variant.refusals.names(problem, variant.case);
     let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();

@@ -122,9 +122,12 @@ pub fn each<T: Send>(
             let what = format!("{name} has {own} problems, the set {}", problems.len());
             return Err(Finding::new("students", what).into());
         }
-        for ((index, variant), old) in problems.iter().zip(&dealt.variants).zip(&student.problems) {
-            let new = stored(&bank.problems[*index], variant);
-            if let Some(what) = old.difference(&new) {
+        for (i, (index, old)) in problems.iter().zip(&student.problems).enumerate() {
+            let new = stored(&bank.problems[*index], &dealt.variants[i]);
+            if let Some(mut what) = old.difference(&new) {
+                if let Some(why) = dealer.refusal(student, i) {
+                    what = format!("{what}; the draw of the set is refused now: {why}");
+                }
                 faults.push(Finding::new(format!("students {}, {}", student.student, old.id), what));
             }
         }

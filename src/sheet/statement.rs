@@ -396,15 +396,22 @@ impl<'b> Statement<'b> {
 }
 
 /// Words that may give the direction of a quantity of this label, forward one first.
-pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'w str; 2] {
-    let body = match owner {
+pub fn direction_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> [&'w str; 2] {
+    let body = match label.of {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
     };
-    match body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line) {
-        Some(line) if !matches!(line.slope, Slope::Level) => [words.get("sheet.up"), words.get("sheet.down")],
-        _ => [words.get("sheet.forward"), words.get("sheet.back")],
-    }
+    let line = body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line);
+    let signs = match label.of {
+        Owner::Joint(_) => make_key::word_signs(scene, label),
+        _ => None,
+    };
+    let both = match signs {
+        Some(signs) if signs.forward == 0 && signs.up != 0 => ["sheet.up", "sheet.down"],
+        None if line.is_some_and(|line| line.slope != Slope::Level) => ["sheet.up", "sheet.down"],
+        _ => ["sheet.forward", "sheet.back"],
+    };
+    both.map(|word| words.get(word))
 }
 
 /// Words that give the sign of what is told to the right, up, or in a sense of turning, the positive one first.
@@ -431,7 +438,7 @@ fn form(
     common: &Common,
     within: f64,
 ) -> String {
-    let [forward, back] = direction_words(words, scene, q.label.of);
+    let [forward, back] = direction_words(words, scene, q.label);
     if q.label.quantity.is_word() {
         let list = make_key::offered(problem, q.label.quantity, scene);
         let said: Vec<&str> = list.iter().map(|word| words.of_key(word)).collect();

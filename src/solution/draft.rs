@@ -81,7 +81,7 @@ pub struct Draft<'a> {
     /// One for each datum of the problem; `None` where the case does not use it.
     data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
-    told: Vec<String>,
+    told: Vec<(SymbolId, String)>,
     /// Data that are `any`, each with the value that was chosen.
     pub chosen: Vec<SymbolId>,
     /// What was found, in order, once all sections are written.
@@ -175,7 +175,7 @@ impl<'a> Draft<'a> {
                 && !bodies.iter().all(Body::massless);
             let idle = draft.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {
-                draft.told.push(format!("{} = {printed}{again}", datum.tex));
+                draft.told.push((symbol, format!("{} = {printed}{again}", datum.tex)));
             }
             draft.data[i] = Some(symbol);
         }
@@ -249,7 +249,7 @@ impl<'a> Draft<'a> {
                     self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                     return symbol.into();
                 }
-                self.told.push(format!("{name}{written} = {}", self.symbols.shown(symbol)));
+                self.told.push((symbol, format!("{name}{written} = {}", self.symbols.shown(symbol))));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                 symbol.into()
             }
@@ -258,7 +258,7 @@ impl<'a> Draft<'a> {
 
     /// Is a datum or a constant told that bears this symbol?
     fn tells(&self, tex: &str) -> bool {
-        self.told.iter().any(|told| told.starts_with(&format!("{tex} =")))
+        self.told.iter().any(|(symbol, _)| self.symbols.tex(*symbol) == tex)
     }
 
     /// A constant of the data that is the same as an expression, in the same unit.
@@ -306,14 +306,13 @@ impl<'a> Draft<'a> {
     }
 
     /// The data as they are told, each a formula without dollars.
-    pub fn told(&self) -> &[String] {
-        &self.told
+    pub fn told(&self) -> impl Iterator<Item = &str> {
+        self.told.iter().map(|(_, text)| text.as_str())
     }
 
     /// Takes a quantity that is derived on the page out of the data.
     pub fn untell(&mut self, symbol: SymbolId) {
-        let start = format!("{} =", self.symbols.tex(symbol));
-        self.told.retain(|told| !told.starts_with(&start));
+        self.told.retain(|(told, _)| *told != symbol);
     }
 
     /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.

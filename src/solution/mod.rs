@@ -256,7 +256,7 @@ fn check(draft: &Draft) -> Result<(), DerivationStop> {
 
 fn given(draft: &Draft) -> SolutionSection {
     let mut section = SolutionSection::new("given", draft.words.get("solution.title.given"));
-    let data: Vec<String> = draft.told().iter().map(|d| format!("${d}$")).collect();
+    let data: Vec<String> = draft.told().map(|d| format!("${d}$")).collect();
     section.say(format!("{}.", data.join(", ")));
     section
 }

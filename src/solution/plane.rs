@@ -961,8 +961,9 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The change of the leading angle in degrees that the key has, with its sign.
     fn way_of_key(&mut self, first: f64) -> Option<f64> {
-        let way = self.key(of_body(Quantity::Phi, self.lead))?;
         let numbers = Numbers::<f64>::new(self.scene, &self.values);
+        let per_way = Layout::new(self.scene, &numbers)?.turned(1.0);
+        let way = self.key(of_body(Quantity::Phi, self.lead))? / per_way;
         let start = self.poses(0.0, true)?;
         let mut spin = self.value(&self.first);
         if self.scene.is_struck() {
@@ -1674,9 +1675,12 @@ impl<'d, 'a> Plane<'d, 'a> {
                 (normal, Some(sense.per(&apart).opposite()), radius)
             }
         };
-        let along = [normal[1].clone(), normal[0].opposite()];
         // Teeth press along the rim alone.
         let teeth = matches!(self.scene.joints[joint].kind, JointKind::Contact { teeth: true, .. });
+        let right = [normal[1].clone(), normal[0].opposite()];
+        let up = if teeth { 1.0 } else { pose::upward(right.each_ref().map(|x| self.value(&x.expr()))) };
+        let sense = if up < 0.0 { -1 } else { 1 };
+        let (along, radius) = (right.map(|x| x.signed(sense)), radius.signed(sense));
         if !teeth {
             self.add_hold(joint, forces[0], &[(at, normal)], bend);
         }
@@ -2142,6 +2146,9 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
             (Q::Phi, _) => {
                 let turned = self.turned();
+                let arc = self.arc_of(self.lead).filter(|(.., rolls)| *rolls);
+                let is = arc.map(|arc| self.turning_of(arc).times(turned).expr());
+                let turned = is.map_or(turned, |is| self.page.find(&[r"\varphi", r"\psi"], "rad", is));
                 return Ok(self.sized(turned));
             }
             (quantity, Owner::Joint(j)) if quantity != Q::T => {

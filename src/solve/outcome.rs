@@ -571,6 +571,8 @@ pub enum Unsupported {
     Overwound,
     /// Rods of a linkage come to lie in one line, from where they could go on in two ways.
     InLine,
+    /// A point of a body would pass through the surface that pushes another one: an impact.
+    Pierces,
     /// The cord of a spring that is slack where a motion ends and is drawn tight in the one that follows.
     SlackBetween,
 }

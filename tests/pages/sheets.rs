@@ -2,6 +2,7 @@
 //! that compiles.
 use crate::support;
 use pulldown_cmark::{Event, Parser};
+use rayon::prelude::*;
 use scraper::{Html, Selector};
 use slipstick::bank::{Bank, overlay};
 use slipstick::grade::{compare::compare, verdict::Verdict};
@@ -45,31 +46,27 @@ fn told(language: &str) -> Vec<Told> {
     all
 }
 
-/// Sheets of all problems of all banks: the document of one student after the other.
-fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &Document)) {
-    each_with_variants(language, students, &mut |told, head, document, _| see(told, head, document));
-}
-
-/// The same with what was drawn.
-fn each_with_variants(
-    language: &str,
-    students: u32,
-    see: &mut dyn FnMut(&Told, &Head, &Document, &[Variant]),
-) {
-    for told in told(language) {
-        let problems: Vec<usize> = (0..told.bank.problems.len()).collect();
-        let sheets = Sheets::new(&told.templates, &told.words, &told.bank, "a set & more", &problems);
+impl Told {
+    /// Sheets of all problems of the bank: the document of one student after the other, with what was drawn.
+    fn each_sheet(&self, students: u32, see: &mut dyn FnMut(&Head, &Document, &[Variant])) {
+        let problems: Vec<usize> = (0..self.bank.problems.len()).collect();
+        let sheets = Sheets::new(&self.templates, &self.words, &self.bank, "a set & more", &problems);
         let sheets = sheets.expect("the templates of the program");
-        let makers: Vec<Maker> = told.bank.problems.iter().map(|p| Maker::new(p, 5, "sheets")).collect();
+        let makers: Vec<Maker> = self.bank.problems.iter().map(|p| Maker::new(p, 5, "sheets")).collect();
         let mut room = SheetScratch::default();
         for student in 0..students {
             let id = format!("s{student}");
             let variants: Vec<Variant> =
                 makers.iter().map(|m| m.variant(&id).expect("satisfiable")).collect();
             let (head, document) = sheets.document(&id, NAME, &variants, &mut room).expect("renders");
-            see(&told, &head, &document, &variants);
+            see(&head, &document, &variants);
         }
     }
+}
+
+/// Every bank in every language.
+fn all_told() -> impl Iterator<Item = Told> {
+    Words::languages().flat_map(told)
 }
 
 /// Whoever takes the magnitude of the key and, of the words that the sheet offers for the sign, the first for a positive key and the
@@ -78,26 +75,31 @@ fn each_with_variants(
 fn the_words_of_a_sheet_give_the_sign_of_the_key() {
     for language in ["en", "de"] {
         let mut seen = 0;
-        each_with_variants(language, 5, &mut |told, _, document, variants| {
-            for (number, (problem, variant)) in (1..).zip(told.bank.problems.iter().zip(variants)) {
-                for part in make_key::key(problem, variant).parts {
-                    let Answer::Number { value, .. } = part.answer else { continue };
-                    let name = format!("`{number}.{}`", part.part);
-                    let line =
-                        document.markdown.lines().find(|line| line.contains(&name)).expect("its question");
-                    let words: Vec<&str> = line.split('`').skip(3).step_by(2).collect();
-                    let [positive, negative] = words[..] else { continue };
-                    let word = if value > 0.0 { positive } else { negative };
-                    let cell = format!(
-                        "{} {word}",
-                        part.unit.text_with(&part.unit.from_si(value).abs().to_string())
-                    );
-                    let judged = compare(&cell, &part);
-                    assert_eq!(judged.verdict, Verdict::Right, "{}: {cell}: {line}", problem.id);
-                    seen += 1;
+        for told in told(language) {
+            told.each_sheet(5, &mut |_, document, variants| {
+                for (number, (problem, variant)) in (1..).zip(told.bank.problems.iter().zip(variants)) {
+                    for part in make_key::key(problem, variant).parts {
+                        let Answer::Number { value, .. } = part.answer else { continue };
+                        let name = format!("`{number}.{}`", part.part);
+                        let line = document
+                            .markdown
+                            .lines()
+                            .find(|line| line.contains(&name))
+                            .expect("its question");
+                        let words: Vec<&str> = line.split('`').skip(3).step_by(2).collect();
+                        let [positive, negative] = words[..] else { continue };
+                        let word = if value > 0.0 { positive } else { negative };
+                        let cell = format!(
+                            "{} {word}",
+                            part.unit.text_with(&part.unit.from_si(value).abs().to_string())
+                        );
+                        let judged = compare(&cell, &part);
+                        assert_eq!(judged.verdict, Verdict::Right, "{}: {cell}: {line}", problem.id);
+                        seen += 1;
+                    }
                 }
-            }
-        });
+            });
+        }
         assert!(seen > 100, "{seen}");
     }
 }
@@ -217,8 +219,9 @@ fn closed(text: &str) {
 }
 
 fn sweep(students: u32) {
-    for language in Words::languages() {
-        each_sheet(language, students, &mut |told, head, document| {
+    for told in all_told() {
+        let language = told.words.language();
+        told.each_sheet(students, &mut |head, document, _| {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
@@ -302,33 +305,26 @@ fn solutions_of_many_students_are_sound_in_every_format() {
 
 #[test]
 fn booklets_are_valid_pages() {
-    for language in Words::languages() {
-        for told in told(language) {
-            let mut parts = Vec::new();
-            each_sheet(language, 3, &mut |other, head, document| {
-                if other.bank.id == told.bank.id {
-                    let prefix = format!("{}-", html::part_id(parts.len()));
-                    let body = Converter::new(&told.words).body(
-                        document,
-                        &document.screens(),
-                        PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] },
-                    );
-                    parts.push((head.clone(), body));
-                }
-            });
-            let list = parts.iter().map(|(head, body)| (head, body.as_str()));
-            let page = html::booklet(&told.templates, &told.words, "All <sheets>", list).expect("renders");
-            let page = String::from_utf8(page).expect("text");
-            // Each student has pages of his own, counted from 1, and begins on the front of a sheet of paper.
-            for i in 0..parts.len() {
-                let id = html::part_id(i);
-                assert!(page.contains(&format!("@page {id} {{ counter-increment: {id};")), "{id}");
-                assert!(page.contains(&format!("content: counter({id});")), "{id}");
-            }
-            assert!(page.contains("break-before: recto"));
-            assert_eq!(page.matches("@font-face").count(), 1);
-            valid(language, &page);
+    for told in all_told() {
+        let mut parts = Vec::new();
+        told.each_sheet(3, &mut |head, document, _| {
+            let prefix = format!("{}-", html::part_id(parts.len()));
+            let place = PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] };
+            let body = Converter::new(&told.words).body(document, &document.screens(), place);
+            parts.push((head.clone(), body));
+        });
+        let list = parts.iter().map(|(head, body)| (head, body.as_str()));
+        let page = html::booklet(&told.templates, &told.words, "All <sheets>", list).expect("renders");
+        let page = String::from_utf8(page).expect("text");
+        // Each student has pages of his own, counted from 1, and begins on the front of a sheet of paper.
+        for i in 0..parts.len() {
+            let id = html::part_id(i);
+            assert!(page.contains(&format!("@page {id} {{ counter-increment: {id};")), "{id}");
+            assert!(page.contains(&format!("content: counter({id});")), "{id}");
         }
+        assert!(page.contains("break-before: recto"));
+        assert_eq!(page.matches("@font-face").count(), 1);
+        valid(told.words.language(), &page);
     }
 }
 
@@ -337,8 +333,8 @@ fn booklets_are_valid_pages() {
 fn a_code_stands_for_what_was_drawn() {
     let mut codes = BTreeSet::new();
     let mut all = Vec::new();
-    for language in Words::languages() {
-        each_sheet(language, 40, &mut |_, head, _| {
+    for told in all_told() {
+        told.each_sheet(40, &mut |head, _, _| {
             assert!(head.code.len() == 6 && head.code.chars().all(|c| c.is_ascii_alphanumeric()));
             codes.insert(head.code.clone());
             all.push(head.code.clone());
@@ -355,19 +351,16 @@ fn latex_compiles() {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
+    let mut names = Vec::new();
     for language in Words::languages() {
         for told in told(language) {
             let mut parts = Vec::new();
-            each_sheet(language, 2, &mut |other, head, document| {
-                if other.bank.id == told.bank.id {
-                    parts.push((head.clone(), tex::body(document)));
-                }
-            });
+            told.each_sheet(2, &mut |head, document, _| parts.push((head.clone(), tex::body(document))));
             let list = parts.iter().map(|(head, body)| (head, body.as_str()));
             let text = tex::booklet(&told.templates, &told.words, "All <sheets>", list).expect("renders");
             let name = format!("{}-{language}", told.bank.id);
             std::fs::write(folder.path().join(format!("{name}.tex")), text).expect("written");
-            compiles(folder.path(), &name);
+            names.push(name);
         }
         // Formulas of solutions are longer.
         let mut parts = Vec::new();
@@ -383,8 +376,9 @@ fn latex_compiles() {
         let text = tex::booklet(&templates, &words, "All", list).expect("renders");
         let name = format!("solutions-{language}");
         std::fs::write(folder.path().join(format!("{name}.tex")), text).expect("written");
-        compiles(folder.path(), &name);
+        names.push(name);
     }
+    names.par_iter().for_each(|name| compiles(folder.path(), name));
 }
 
 /// One run of pdfLaTeX: no error, and nothing that sticks out of its line.

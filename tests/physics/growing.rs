@@ -385,3 +385,51 @@ fn a_growing_force_sets_off_what_was_in_balance() {
     }
     assert!(off > 100);
 }
+
+/// A block that a pull of 19.62 N just does not move, of 2 kg and drawn up: a pull that grows from a hair above that, and a motion that
+/// is all but stopped before the pull has grown, are within the margins of `moves` and `reaches`.
+#[test]
+fn what_a_growing_pull_just_moves_is_within_the_margin() {
+    let drawn = |pull: &str, speed: &str, end: &str| {
+        let text = format!(
+            "bank: b
+title: B
+cond limit: 1000
+problems:
+  p:
+    title: P
+    data: {{m: {{name: mass, unit: kg, draw: always 2}}}}
+    scene:
+      bodies: {{block: {{mass: m, moves: vertically, positive: up}}}}
+      ties:
+        - cord: {{from: {{body: block, tied at: centre, leaves: up}}, pulled with: {pull}}}
+      start: {{block: {{speed: {speed} m/s}}}}
+      end: {end}
+    questions: {{v: {{ask: v, unit: m/s}}}}
+    statement: x
+"
+        );
+        let text =
+            if speed == "0" { text.replace("      start: {block: {speed: 0 m/s}}\n", "") } else { text };
+        let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+        slipstick::problem::maker::Maker::new(&bank.problems[0], 1, "t")
+            .variant("1")
+            .map(|_| ())
+            .map_err(|e| e.to_string())
+    };
+    let grows = |from: &str, growth: &str| format!("{from} N, growing by: {growth}");
+    let (way, time) = ("{travel: {of: block, by: 1 m}}", "{time: {of: block, is: 1 s}}");
+    for (from, accepted) in [("19.63", false), ("21", false), ("22", true)] {
+        for (end, growth) in [(way, "{rate: 4 N/m, with: x}"), (time, "4 N/s")] {
+            let found = drawn(&grows(from, growth), "0", end);
+            assert_eq!(found.is_ok(), accepted, "{from} {end} {found:?}");
+            assert!(found.err().is_none_or(|why| why.contains("moves")), "{from}");
+        }
+    }
+    // Of 18.62 N + 4 N/m x the block is slowest after 0.25 m, where it has lost 0.125 J: at 0.3535534 m/s that is all.
+    for (speed, accepted) in [("0.36", false), ("0.5", true)] {
+        let found = drawn(&grows("18.62", "{rate: 4 N/m, with: x}"), speed, way);
+        assert_eq!(found.is_ok(), accepted, "{speed} {found:?}");
+        assert!(found.err().is_none_or(|why| why.contains("reaches")), "{speed}");
+    }
+}

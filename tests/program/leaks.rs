@@ -3,17 +3,17 @@
 //! Earlier tests looked at what one sheet holds (no key, no value of it). A word leaks across sheets: what stands in those with one
 //! answer and never in those with another, which no test of a single sheet can see.
 use crate::support;
-use crate::support::program;
+use crate::support::program::{self, Room};
 use rayon::prelude::*;
-use sha2::{Digest, Sha256};
+use rustc_hash::FxBuildHasher;
 use slipstick::bank::{Bank, Problem, load};
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use slipstick::cli::tell::Exit;
 use slipstick::problem::make_key;
 use slipstick::problem::maker::{Maker, Variant};
+use slipstick::scene::Label;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ffi::OsString;
 use std::fs;
+use std::hash::BuildHasher;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -59,36 +59,35 @@ fn banks() -> Vec<(Bank, String)> {
     all
 }
 
-/// Problems that ask for words, with the index of the first such question.
-fn in_words(bank: &Bank) -> impl Iterator<Item = (&Problem, usize)> {
-    let asked = |p: &Problem| {
-        p.questions
-            .iter()
-            .enumerate()
-            .filter(|(_, q)| q.label.quantity.is_word())
-            .map(|(i, _)| i)
-            .collect::<Vec<_>>()
-    };
-    bank.problems.iter().flat_map(move |p| asked(p).into_iter().map(move |q| (p, q)))
+/// Which of its questions a problem asks in words.
+fn in_words(problem: &Problem) -> Vec<usize> {
+    let asked = problem.questions.iter().enumerate().filter(|(_, q)| q.label.quantity.is_word());
+    asked.map(|(i, _)| i).collect()
 }
 
-/// A question in words: its bank, its problem, which question, and what a thousand seeds draw.
+/// A problem with questions in words: its bank, which questions, and what a thousand seeds draw.
 struct Asked {
     bank: String,
     problem: Problem,
-    question: usize,
+    questions: Vec<usize>,
     drawn: Vec<Variant>,
 }
 
-static ASKED: LazyLock<Vec<Asked>> = LazyLock::new(|| {
-    let mut all = Vec::new();
-    for (bank, _) in banks() {
-        for (problem, question) in in_words(&bank) {
-            let drawn = variants(problem, 1000);
-            all.push(Asked { bank: bank.id.clone(), problem: problem.clone(), question, drawn });
-        }
+impl Asked {
+    /// The quantity of each question.
+    fn labels(&self) -> impl Iterator<Item = Label> {
+        self.questions.iter().map(|q| self.problem.questions[*q].label)
     }
-    all
+}
+
+static ASKED: LazyLock<Vec<Asked>> = LazyLock::new(|| {
+    let problems =
+        banks().into_iter().flat_map(|(b, _)| b.problems.into_iter().map(move |p| (b.id.clone(), p)));
+    let asked =
+        problems.map(|(bank, problem)| (bank, in_words(&problem), problem)).filter(|(_, q, _)| !q.is_empty());
+    asked
+        .map(|(bank, questions, problem)| Asked { bank, drawn: variants(&problem, 1000), questions, problem })
+        .collect()
 });
 
 fn variants(problem: &Problem, count: u64) -> Vec<Variant> {
@@ -96,57 +95,37 @@ fn variants(problem: &Problem, count: u64) -> Vec<Variant> {
     (1..=count).into_par_iter().map(one).collect()
 }
 
-/// A set of this one problem with a sheet in every format for each of so many students, and each one's files and answer.
+/// A set of this one problem with a sheet in every format for each of so many students: the answers of each to these questions, and
+/// what stands in the files.
 fn sheets(
     text: &str,
     problem: &Problem,
-    question: usize,
+    questions: &[usize],
     language: &str,
     formats: &str,
-) -> Vec<(String, BTreeMap<String, String>)> {
-    const STUDENTS: usize = 200;
-    let room = tempfile::tempdir().unwrap();
-    let at = |name: &str| room.path().join(name).display().to_string();
-    fs::write(at("bank.yaml"), text).unwrap();
-    let rows: String = (0..STUDENTS).map(|i| format!("s{i:03}\n")).collect();
-    fs::write(at("roster.csv"), format!("student\n{rows}")).unwrap();
-    let args = [
-        "slipstick",
-        "generate",
-        &at("bank.yaml"),
-        "--roster",
-        &at("roster.csv"),
-        "--seed",
-        "5",
-        "--name",
-        "leaks",
-        "--problems",
-        &problem.id,
-        "--format",
-        formats,
-        "--language",
-        language,
-        "--out",
-        &at("set"),
-    ];
-    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
-    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(args.iter().map(OsString::from), io);
-    assert_eq!(exit, Exit::Fine, "{}", String::from_utf8_lossy(&err));
-    let key = fs::read_to_string(at("set/key.csv")).unwrap();
-    let part = &problem.questions[question].id;
-    (0..STUDENTS)
-        .map(|i| {
-            let row = key.lines().find(|l| l.starts_with(&format!("s{i:03},1,{part},"))).unwrap();
-            let answer = row.split(',').nth(3).unwrap().to_owned();
-            let folder = room.path().join(format!("set/students/s{i:03}"));
-            let files = fs::read_dir(folder).unwrap().map(|f| f.unwrap().path());
-            let files = files.map(|p| {
-                (p.file_name().unwrap().to_string_lossy().into_owned(), fs::read_to_string(&p).unwrap())
-            });
-            (answer, files.collect())
-        })
-        .collect()
+) -> Vec<(Vec<String>, BTreeSet<String>)> {
+    let students = support::seeds(200).max(50);
+    let room = Room::empty();
+    room.write("bank.yaml", text);
+    let rows: String = (0..students).map(|i| format!("s{i:03}\n")).collect();
+    room.write("roster.csv", &format!("student\n{rows}"));
+    let args = ["--seed", "5", "--name", "leaks", "--problems", &problem.id, "--format", formats];
+    let [bank, roster, set] = ["bank.yaml", "roster.csv", "set"].map(|name| room.path(name));
+    let more = ["--language", language, "--out", &set];
+    let ran = program::run(&[&["generate", &bank, "--roster", &roster], &args[..], &more].concat());
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    let key = room.read("set/key.csv");
+    let of_student = |i: u32| {
+        let answer = |question: &usize| {
+            let start = format!("s{i:03},1,{},", problem.questions[*question].id);
+            let row = key.lines().find(|l| l.starts_with(&start)).unwrap();
+            row.split(',').nth(3).unwrap().to_owned()
+        };
+        let files = program::tree(Path::new(&room.path(&format!("set/students/s{i:03}"))));
+        let files = files.into_iter().map(|(name, bytes)| (name, String::from_utf8(bytes).unwrap()));
+        (questions.iter().map(answer).collect(), tokens(&files.collect()))
+    };
+    (0..students).into_par_iter().map(of_student).collect()
 }
 
 /// What stands in a student's files, each token with how often, file by file; numbers only where they are no coordinates of a
@@ -162,7 +141,7 @@ fn tokens(files: &BTreeMap<String, String>) -> BTreeSet<String> {
         let text = match whole.split_once("id=\"program\"") {
             Some((before, rest)) => {
                 let (program, after) = rest.split_once("</script>").expect("the program ends");
-                found.insert(format!("{file}: {:x?}", Sha256::digest(program)));
+                found.insert(format!("{file}: {:x}", FxBuildHasher.hash_one(program)));
                 format!("{before}{after}")
             }
             None => whole.clone(),
@@ -188,24 +167,25 @@ fn tokens(files: &BTreeMap<String, String>) -> BTreeSet<String> {
 }
 
 /// Tokens that stand, or are missing, with one answer alone, though chance would have put them among the others too.
-fn telling(sheets: &[(String, BTreeSet<String>)]) -> Vec<String> {
-    let share =
-        |answer: &str| sheets.iter().filter(|(a, _)| a == answer).count() as f64 / sheets.len() as f64;
-    let shares: BTreeMap<&str, f64> = sheets.iter().map(|(a, _)| (a.as_str(), share(a))).collect();
-    let all: BTreeSet<&String> = sheets.iter().flat_map(|(_, t)| t).collect();
+fn telling(answers: &[&str], tokens: &[BTreeSet<String>]) -> Vec<String> {
+    let share = |answer: &str| answers.iter().filter(|a| **a == answer).count() as f64 / answers.len() as f64;
+    let mut stands: BTreeMap<&str, Vec<bool>> = BTreeMap::new();
+    for (i, tokens) in tokens.iter().enumerate() {
+        for token in tokens {
+            stands.entry(token).or_insert_with(|| vec![false; answers.len()])[i] = true;
+        }
+    }
     let mut faults = Vec::new();
-    for token in all {
+    for (token, stands) in stands {
         for there in [true, false] {
-            let with: Vec<&str> =
-                sheets.iter().filter(|(_, t)| t.contains(token) == there).map(|(a, _)| a.as_str()).collect();
-            let Some(first) = with.first().filter(|f| with.iter().all(|a| a == *f)) else { continue };
+            let mut with =
+                answers.iter().zip(&stands).filter(|(_, stands)| **stands == there).map(|(a, _)| *a);
+            let Some(first) = with.clone().next().filter(|first| with.all(|a| a == *first)) else { continue };
+            let sheets = stands.iter().filter(|stands| **stands == there).count();
             // By chance alone it would be rarer than one in a million that so many share an answer.
-            if std::iter::repeat_n(shares[first], with.len()).product::<f64>() < 1e-6 {
-                faults.push(format!(
-                    "`{token}` {} in {} sheets, all with `{first}`",
-                    if there { "stands" } else { "is missing" },
-                    with.len()
-                ));
+            if std::iter::repeat_n(share(first), sheets).product::<f64>() < 1e-6 {
+                let what = if there { "stands" } else { "is missing" };
+                faults.push(format!("`{token}` {what} in {sheets} sheets, all with `{first}`"));
             }
         }
     }
@@ -215,22 +195,26 @@ fn telling(sheets: &[(String, BTreeSet<String>)]) -> Vec<String> {
 #[test]
 fn no_token_of_a_students_files_goes_with_one_answer_in_words_alone() {
     for (bank, text) in banks() {
-        for (problem, question) in in_words(&bank) {
+        for problem in bank.problems.iter().filter(|problem| !in_words(problem).is_empty()) {
+            let questions = in_words(problem);
             let (english, german) = (("en", "html,md,tex"), ("de", "md"));
             let languages = if bank.id == "left-open" { vec![english] } else { vec![english, german] };
             for (language, formats) in languages {
-                let sheets = sheets(&text, problem, question, language, formats);
-                let sheets: Vec<_> = sheets.par_iter().map(|(a, files)| (a.clone(), tokens(files))).collect();
-                let answers: BTreeSet<&String> = sheets.iter().map(|(a, _)| a).collect();
-                assert!(answers.len() > 1, "{}: a question with one answer", problem.id);
-                let faults = telling(&sheets);
-                assert!(
-                    faults.is_empty(),
-                    "{}, {language}: {} leaks\n{}",
-                    problem.id,
-                    faults.len(),
-                    faults[..faults.len().min(20)].join("\n")
-                );
+                let (answers, tokens): (Vec<_>, Vec<_>) =
+                    sheets(&text, problem, &questions, language, formats).into_iter().unzip();
+                for of in 0..questions.len() {
+                    let answers: Vec<&str> = answers.iter().map(|answers| &*answers[of]).collect();
+                    let different: BTreeSet<_> = answers.iter().collect();
+                    assert!(different.len() > 1, "{}: a question with one answer", problem.id);
+                    let faults = telling(&answers, &tokens);
+                    assert!(
+                        faults.is_empty(),
+                        "{}, {language}: {} leaks\n{}",
+                        problem.id,
+                        faults.len(),
+                        faults[..faults.len().min(20)].join("\n")
+                    );
+                }
             }
         }
     }
@@ -241,9 +225,10 @@ fn no_token_of_a_students_files_goes_with_one_answer_in_words_alone() {
 fn a_planted_token_is_seen() {
     let sheet = |i: u32| {
         let answer = if i.is_multiple_of(2) { "up" } else { "down" };
-        (answer.to_owned(), BTreeSet::from(["the".to_owned(), format!("code {i}"), format!("{answer} ok")]))
+        (answer, BTreeSet::from(["the".to_owned(), format!("code {i}"), format!("{answer} ok")]))
     };
-    let faults = telling(&(0..200).map(sheet).collect::<Vec<_>>());
+    let (answers, tokens): (Vec<_>, Vec<_>) = (0..200).map(sheet).unzip();
+    let faults = telling(&answers, &tokens);
     assert_eq!(faults.len(), 4, "{faults:?}");
     assert!(faults.iter().all(|f| f.contains(" ok`")), "{faults:?}");
 }
@@ -335,8 +320,10 @@ const GUESSED: f64 = 0.85;
 
 #[test]
 fn no_range_of_a_datum_tells_an_answer_in_words() {
-    for Asked { bank, problem, question, drawn } in ASKED.iter() {
-        let word = |v: &Variant| v.solved.word(problem.questions[*question].label).unwrap().as_str();
+    for (Asked { bank, problem, drawn, .. }, label) in
+        ASKED.iter().flat_map(|a| a.labels().map(move |l| (a, l)))
+    {
+        let word = |v: &Variant| v.solved.word(label).unwrap().as_str();
         let words: BTreeSet<&str> = drawn.iter().map(word).collect();
         // The tolerance of a part is printed too, and may follow how near to each other the terms of its answer are.
         for (i, q) in problem.questions.iter().enumerate().filter(|(_, q)| q.relative.fixed().is_none()) {
@@ -380,8 +367,9 @@ fn no_range_of_a_datum_tells_an_answer_in_words() {
 /// Each word of a list that sheets print is right in at least a fifth of the variants that print it, over 1,000 seeds.
 #[test]
 fn every_word_of_a_printed_list_is_right_often_enough() {
-    for Asked { bank, problem, question, drawn } in ASKED.iter() {
-        let label = problem.questions[*question].label;
+    for (Asked { bank, problem, drawn, .. }, label) in
+        ASKED.iter().flat_map(|a| a.labels().map(move |l| (a, l)))
+    {
         let mut lists: BTreeMap<&[&str], BTreeMap<&str, u32>> = BTreeMap::new();
         for v in drawn {
             let list = make_key::offered(problem, label.quantity, &problem.cases[v.case].scene);

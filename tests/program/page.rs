@@ -1,10 +1,10 @@
 //! Sheets that check themselves: the program in the page answers what `slipstick check` answers, in Node and in a browser.
 use crate::readme_bank;
 use crate::support;
+use crate::support::program;
 use sha2::{Digest, Sha256};
 use slipstick::bank::load;
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use slipstick::cli::tell::Exit;
 use slipstick::grade::verdict::Verdict;
 use slipstick::key::{Answer, KeyEntry};
 use slipstick::misconception::catalogue::{Catalogue, CatalogueEntry};
@@ -13,21 +13,17 @@ use slipstick::page::check::{self, CheckedProblem};
 use slipstick::page::sheet_file::SheetFile;
 use slipstick::sheet::self_check::PROGRAM;
 use slipstick::words::Words;
-use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 
 /// Answers that are random besides right and wrong ones, over all banks of a language.
 const RANDOM: usize = 1000;
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(words, io);
-    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+    program::run(args).parts()
 }
 
 /// Words that follow each other by chance, the same in every run.
@@ -230,9 +226,15 @@ fn made(room: &Path, language: &'static str, banks: &[(String, String)]) -> Vec<
     all
 }
 
-fn built_in_sheets(room: &Path) -> Vec<Made> {
-    ["en", "de"].into_iter().flat_map(|language| made(room, language, &built_in(room, language))).collect()
-}
+/// The sheets of the built-in banks in both languages, made once for all tests, and their folder.
+static SHEETS: LazyLock<(PathBuf, Vec<Made>)> = LazyLock::new(|| {
+    let room = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sheets");
+    let _ = std::fs::remove_dir_all(&room);
+    std::fs::create_dir_all(&room).unwrap();
+    let all = ["en", "de"].into_iter().flat_map(|language| made(&room, language, &built_in(&room, language)));
+    let all = all.collect();
+    (room, all)
+});
 
 fn case(case: &Case) -> serde_json::Value {
     let check::Checked { verdict, reason, read, hints } = &case.told;
@@ -243,8 +245,7 @@ fn case(case: &Case) -> serde_json::Value {
 
 #[test]
 fn key_answers_are_right_and_what_is_just_beyond_the_tolerance_is_not() {
-    let room = tempfile::tempdir().unwrap();
-    for made in built_in_sheets(room.path()) {
+    for made in &SHEETS.1 {
         let right = |case: &Case| case.told.verdict == Verdict::Right;
         for (i, want) in [(0, true), (1, false)] {
             for case in &made.rounds[i] {
@@ -306,9 +307,9 @@ fn data_of(page: &str) -> serde_json::Value {
 /// What the page and `check` tell is one ladder; a bank without hints gives verdicts alone, and its pages carry no words for more.
 #[test]
 fn the_ladder_of_hints_is_that_of_check() {
-    let room = tempfile::tempdir().unwrap();
     let (mut hints, mut longest) = (0, 0);
-    for made in made(room.path(), "en", &built_in(room.path(), "en")).into_iter().step_by(3) {
+    let (made, all) = &*SHEETS;
+    for made in all.iter().filter(|made| made.language == "en").step_by(3) {
         let file = made.folder.join("sheet.json").display().to_string();
         for case in made.rounds[2].iter().chain(&made.rounds[3]) {
             let Case { part, cell, told } = case;
@@ -325,10 +326,11 @@ fn the_ladder_of_hints_is_that_of_check() {
         }
     }
     assert!(hints > 80 && longest >= 4, "{hints}, {longest}");
+    let room = tempfile::tempdir().unwrap();
     let at = |name: &str| room.path().join(name).display().to_string();
-    let text = std::fs::read_to_string(at("slip-and-roll.yaml")).unwrap();
+    let text = std::fs::read_to_string(made.join("slip-and-roll.yaml")).unwrap();
     std::fs::write(at("none.yaml"), text.replace("hints: explain", "hints: none")).unwrap();
-    let (roster, out) = (at("roster.csv"), at("none"));
+    let (roster, out) = (made.join("roster.csv").display().to_string(), at("none"));
     assert_eq!(
         run(&["generate", &at("none.yaml"), "--roster", &roster, "--seed", "7", "--out", &out]).0,
         Exit::Fine
@@ -356,10 +358,9 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
         return;
     }
     let room = tempfile::tempdir().unwrap();
-    let mut all = built_in_sheets(room.path());
     let others = made(room.path(), "en", &others(room.path()));
     assert!(others.len() > 40, "{} scenes of textbooks and the manual", others.len());
-    all.extend(others);
+    let all: Vec<&Made> = SHEETS.1.iter().chain(&others).collect();
     let mut cases = Vec::new();
     for made in &all {
         let answers: Vec<_> = made.rounds.iter().flatten().map(|c| [&c.part, &c.cell]).collect();
@@ -462,7 +463,7 @@ fn sheets_check_themselves_in_a_browser() {
         return;
     }
     let room = tempfile::tempdir().unwrap();
-    let all: Vec<Made> = built_in_sheets(room.path());
+    let (made, all) = &*SHEETS;
     let sheets: Vec<_> = all
         .iter()
         .map(|made| {
@@ -475,7 +476,7 @@ fn sheets_check_themselves_in_a_browser() {
         })
         .collect();
     let at = |name: &str| room.path().join(name).display().to_string();
-    let (roster, site, off) = (at("roster.csv"), at("site"), at("off"));
+    let (roster, site, off) = (made.join("roster.csv").display().to_string(), at("site"), at("off"));
     let generate = |bank: &str, out: &str, more: &[&str]| {
         let mut args = vec!["generate", bank, "--roster", &roster, "--seed", "7", "--out", out];
         args.extend(more);

@@ -1113,7 +1113,7 @@ fn hints_for_joined_bodies_fit_where_they_are_told() {
             ladder.to_owned(),
             "regime: rest (it stays at rest)\n\
              This is not what the ties say.\n  \
-             FAILS  moves: the body a does not move as declared: friction holds it at rest; for the forces that hold it write `pins:` in place of the rough guide\n\
+             FAILS  moves: the body a does not move as declared: friction holds it at rest, if it does not tip over; for the forces that hold it write `pins:` in place of the rough guide\n\
              method: closed form (auto): only an instant is asked, nothing has to be integrated\n",
         ),
     ];

@@ -280,7 +280,8 @@ impl SceneReader<'_> {
         let f = self.faults;
         let at = self.spot(node, bodies);
         let through = self.ground(fields.get("through"));
-        let along = fields.need("along", "horizontal").and_then(|n| self.direction(n, &LINES));
+        let along_node = fields.need("along", "horizontal");
+        let along = along_node.and_then(|n| self.direction(n, &LINES));
         let words = [("up", Ray::Up), ("down", Ray::Down), ("left", Ray::Left), ("right", Ray::Right)];
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
@@ -301,7 +302,12 @@ impl SceneReader<'_> {
                         reversed = true;
                     }
                 }
-                (Num::Datum(_) | Num::Derived(_), Ray::Up | Ray::Left) => {}
+                (Num::Datum(_), Ray::Up | Ray::Left) => {
+                    // In no draw may the left of the direction be the other side.
+                    let need = if pushes == Ray::Up { Need::PUSHES_UP } else { Need::PUSHES_LEFT };
+                    along_node.filter(|_| WHOLE).and_then(|n| self.number(n, need));
+                }
+                (Num::Derived(_), Ray::Up | Ray::Left) => {}
                 (Num::Datum(_) | Num::Derived(_), _) => {
                     let hint = "it pushes to the left of its direction: write the angle so that this is `up`";
                     f.hint(node, "a line along a drawn direction pushes up", hint);

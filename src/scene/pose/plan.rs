@@ -120,20 +120,24 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             let mut guides = self.guided(body);
             (guides.next(), guides.next())
         };
+        let turned = |[ahead, aside]: [T; 2]| {
+            let [c, s] = axis(planar, &layout.start);
+            [c * ahead - s * aside, s * ahead + c * aside]
+        };
         let origin = planar.origin_m.map(|place| ground(layout.n, place)).or_else(|| {
             // Guides that are parallel leave open where along them it is: nothing hangs on that.
             let one =
                 one.as_ref().filter(|one| other.as_ref().is_some_and(|o| parallel(one.unit, o.unit)))?;
-            let [c, s] = axis(planar, &layout.start);
-            let [ahead, aside] = one.at;
-            Some(less(one.through, [c * ahead - s * aside, s * ahead + c * aside]))
+            Some(less(one.through, turned(one.at)))
         });
         let from = |through, unit| origin.map_or_else(T::zero, |place| dot(less(place, through), unit));
         let step = if let Some(arc) = &layout.arc {
             let JointKind::Contact { at, .. } = layout.scene.joints[arc.joint].kind else { return None };
             Step::Arc(self.spot(at))
         } else if let (Some(track), None) = (self.rolls(body), held) {
-            Step::Wheel(track, from(track.through, track.unit))
+            // Where it is told where its axis begins, its centre is so far ahead of that.
+            let ahead = origin.map_or_else(T::zero, |_| dot(turned(track.at), track.unit));
+            Step::Wheel(track, from(track.through, track.unit) + ahead)
         } else {
             match (held, one, other, origin) {
                 (Some(held), ..) => Step::Leads(held),
@@ -241,7 +245,11 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
             && track.at[0].same(held.at[0])
             && track.at[1].same(held.at[1])
         {
-            return Some(Step::Rolls(held, track, start()));
+            // From where it rolls is not known before what holds it has its place at the start.
+            return Some(match self.at_start {
+                true => Step::Still(held, start()),
+                false => Step::Rolls(held, track, start()),
+            });
         }
         if let Some(ratio) = self.orbits(body, &held) {
             return Some(Step::Orbits(held, ratio, start()));
@@ -262,8 +270,10 @@ impl<'a, T: Real> Planner<'_, 'a, T> {
                 [along - from[0], aside - from[1]]
             };
             let apart = [beyond(own, held.at), beyond(other, far.at)];
-            let side = planar.side.or(self.planar(other.body)?.side);
-            Some(Step::Pair(held, other.body, far, apart, branch(side)))
+            let side = branch(planar.side.or(self.planar(other.body)?.side));
+            // Sides are told from the rod that is written first, which need not be the one that is reached first.
+            let side = if other.body < body { -side } else { side };
+            Some(Step::Pair(held, other.body, far, apart, side))
         })
     }
 }

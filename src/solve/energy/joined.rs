@@ -800,7 +800,7 @@ impl<'a, T: Real> Account<'a, T> {
         if let Some(time) = time.filter(|_| wanted.quantities.has(Quantity::T)) {
             self.say(road, Quantity::T, Owner::Scene, time);
         }
-        self.say(road, Quantity::Phi, Owner::Body(self.lead), open(way));
+        self.say(road, Quantity::Phi, Owner::Body(self.lead), open(self.layout.turned(way)));
         let poses = self.at(&place)?;
         let places = self.between(from.0, &poses, &place);
         for (b, body) in scene.bodies.iter().enumerate() {

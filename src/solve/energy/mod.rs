@@ -463,7 +463,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         self.equilibrium(&loosely, &start_powers, doubled);
         self.if_rolled();
         if !self.scene.growths.is_empty() {
-            return Ok((self.grown(constant, doubled), Count::default()));
+            return Ok((self.grown(constant, doubled, (&start_powers, &loosely)), Count::default()));
         }
         // A power of nothing neither drives nor resists: for the margin alone, nothing of it is proved.
         let drive = ball::unwatched(|| {
@@ -623,16 +623,18 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     /// The motion under forces that grow with a power of time, by impulse and momentum, or of place, by their work. `constant` is the
     /// power of all forces at the start per unit rate.
-    fn grown(mut self, constant: T, doubled: T) -> Road<T> {
+    fn grown(mut self, constant: T, doubled: T, at_start: (&[Power<T>], &[Store<T>])) -> Road<T> {
         let (zero, whole) = (T::zero(), T::of(1.0));
         let law = self.scene.law().unwrap_or(Law::EVEN);
         let growth = balance::grown_power(self.scene, &self.n, &self.mode);
         let found = [self.v0, constant, growth].iter().map(|x| x.sign()).find(|s| *s != 0.0);
         let sense = found.filter(|_| !self.held).unwrap_or(0.0);
-        // What begins at nothing is driven by its growth.
-        let drives = if constant.is_zero() { growth } else { constant }.signed(sense);
-        let drive = (drives.larger(zero), (-drives).larger(zero));
-        let drive = if self.held { (zero, zero) } else { drive };
+        let drive = match constant.is_zero() {
+            _ if self.held => (zero, zero),
+            // What begins at nothing, or in a balance, is driven by its growth.
+            true => (growth.signed(sense).larger(zero), (-growth.signed(sense)).larger(zero)),
+            false => ball::unwatched(|| self.driving(at_start.0, at_start.1, sense)),
+        };
         if sense == 0.0 {
             self.road.course = Some(Course { drive, ..Course::at_rest() });
             self.standing(&[whole]);

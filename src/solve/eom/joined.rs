@@ -999,6 +999,9 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
         by: Option<Steps>,
     ) -> Result<(), Refusal> {
         let scene = self.mechanism.scene;
+        if LOOKED_THROUGH && self.mechanism.pierces(self.sense, (stop.way, look())) {
+            return Err(Refusal::Unsupported(Unsupported::Pierces));
+        }
         teller.tell_met(&self.meets, stop.way)?;
         let rest = stop.why == Why::Rest || stop.half_square.is_zero();
         if teller.asked.quantities.has(Quantity::T) {
@@ -1008,7 +1011,7 @@ impl<'m, 'a, T: Real> Motion<'m, 'a, T> {
             };
             teller.say(Quantity::T, Owner::Scene, time);
         }
-        teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), stop.way);
+        teller.say(Quantity::Phi, Owner::Body(self.mechanism.lead), self.mechanism.turned(stop.way));
         let (mut state, mut response) = self.at(stop.way)?;
         if teller.pinned.is_some() {
             let place = self.place(stop.way, rest, by.is_none());

@@ -890,7 +890,14 @@ impl<'a, T: Real> Walk<'a, T> {
         // Told is the sense in which it moves at the end.
         let back = if self.turned { last.sign() } else { 1.0 };
         let sense = sense * back;
-        self.road.course = Some(Course { asked: Some(extent), ..Course::moving(sense, reached) });
+        // How much of the greatest kinetic energy is left where it is slowest: for margins alone.
+        let slowest = if cfg!(feature = "program") && straight && !least.same(last) {
+            let share = T::leading(|| least.f64() / from.f64().max(last.f64()));
+            if law.with == Grows::Time { share * share } else { share }
+        } else {
+            1.0
+        };
+        self.road.course = Some(Course { asked: Some(extent), slowest, ..Course::moving(sense, reached) });
         self.grip(&[smallvec![zero], smallvec![whole]]);
         if !reached {
             self.standing(&[whole]);

@@ -20,7 +20,7 @@ use crate::num::linear::{Factors, Linear};
 use crate::num::plant::plant;
 use crate::num::root;
 use crate::scene::pose::{self, Layout};
-use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd};
+use crate::scene::{Acts, JointKind, Numbers, Rest, Scene, Spot, StrutEnd, Surface};
 use crate::solve::outcome::{self, Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 use std::cell::RefCell;
@@ -28,6 +28,9 @@ use std::cell::RefCell;
 /// Are joints looked through for what they do not say or hold, and motions for where they cannot be followed? Not in a page, whose sheet
 /// was drawn from a scene that was looked through.
 pub const LOOKED_THROUGH: bool = cfg!(feature = "program");
+
+/// A point that is farther below a surface than this share of the size of everything has passed through it.
+const PIERCED: f64 = 1e-9;
 
 /// Right-hand side of the forces.
 pub const CONSTANT: usize = 0;
@@ -224,6 +227,10 @@ impl<'a, T: Real> Mechanism<'a, T> {
     /// Angle that the leading body turns per angle that leads.
     pub fn ratio(&self) -> T {
         self.layout.ratio()
+    }
+    /// How far it turns on this way.
+    pub fn turned(&self, way: T) -> T {
+        self.layout.turned(way)
     }
 
     fn turns(&self, body: usize) -> bool {
@@ -914,6 +921,30 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let all = self.scene.struts.iter().zip(&self.relaxed).filter(|(strut, _)| strut.twists());
         let ways = all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, sense, far));
         ways.reduce(|one, other| if other.below(one) { other } else { one })
+    }
+    /// Does a point of a body pass on this way through the surface that pushes another one of its points, or on which it rolls? One
+    /// that starts beyond is no part of what the surface bears.
+    pub fn pierces(&self, sense: f64, far: (T, T)) -> bool {
+        let margin = T::of(PIERCED * self.size());
+        self.scene.joints.iter().zip(&self.layout.lines).any(|(joint, [c, s])| {
+            let (at, through) = match joint.kind {
+                JointKind::Guide { at, through_m, one_sided: true, .. }
+                | JointKind::Contact { at, surface: Surface::Line { through_m, .. }, teeth: false, .. } => {
+                    (at, pose::ground(self.n, through_m))
+                }
+                _ => return false,
+            };
+            let above = |spot: Spot, way: T| {
+                let [x, y] = self.place(&self.poses(way.signed(sense), false)?, spot);
+                Ok::<_, Refusal>((y - through[1]) * *c - (x - through[0]) * *s + margin)
+            };
+            let points = self.scene.planar(at.body).map_or(0, |p| p.points.len());
+            (0..points).map(|point| Spot { body: at.body, point }).filter(|spot| *spot != at).any(|spot| {
+                let above = |way: T| above(spot, way);
+                above(T::zero()).is_ok_and(|first| first.sign() > 0.0)
+                    && root::changes(far, &above).is_ok_and(|places| !places.is_empty())
+            })
+        })
     }
     /// Force of a spring, positive if it pulls; moment of a torsion spring against its stretch.
     pub fn tension(&self, state: &State<T>, strut: usize) -> T {

@@ -125,7 +125,7 @@ impl<T: Real> Account<'_, T> {
         let (of, frequency) = (Owner::Body(self.lead), stiffness.root());
         self.say(road, Quantity::OmegaSmall, of, frequency);
         self.say(road, Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-        self.say(road, Quantity::Phi, of, way.abs());
+        self.say(road, Quantity::Phi, of, self.layout.turned(way.abs()));
         let (first, poses) = (self.poses(T::zero())?, self.poses(way)?);
         for b in 0..self.scene.bodies.len() {
             let risen = self.centre(&poses, b)[1].value - self.centre(&first, b)[1].value;

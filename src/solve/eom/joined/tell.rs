@@ -10,6 +10,11 @@ use crate::solve::outcome::{Course, Held, Refusal, Said, Unsupported};
 /// An equilibrium is indifferent whose stiffness is below this share of what forces could give it.
 const INDIFFERENT: f64 = 1e-9;
 
+/// The terms of something: where they come to no more than rounding would leave of these loads, those are what cancels.
+fn beside(terms: f64, loads: f64) -> f64 {
+    if loads.is_finite() && terms < f64::EPSILON * loads { loads } else { terms }
+}
+
 /// The slope of a function, by differences over ever smaller spans, from this one on, from which the error is extrapolated: what
 /// one span more changes least, for below that rounding grows. Near a dead centre the first spans tell nothing.
 fn slope<T: Real>(value: &dyn Fn(T) -> Result<T, Refusal>, at: T, widest: T) -> Result<T, Refusal> {
@@ -106,7 +111,7 @@ impl<T: Real> Teller<'_, '_, T> {
         let (of, frequency) = (Owner::Body(mechanism.lead), stiffness.root());
         self.say(Quantity::OmegaSmall, of, frequency);
         self.say(Quantity::PeriodSmall, of, T::constant(Dd::PI.scale2(1)) / frequency);
-        self.say_scaled(Quantity::Phi, of, way.abs(), 1.0);
+        self.say_scaled(Quantity::Phi, of, mechanism.turned(way.abs()), 1.0);
         let ((first, _), (state, response)) = (at(T::zero())?, at(way)?);
         for b in 0..scene.bodies.len() {
             let risen = mechanism.height(&state, b) - mechanism.height(&first, b);
@@ -227,6 +232,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 let size = ax.size()
                     + ay.size()
                     + if numbers.mass.is_zero() { 0.0 } else { pulls / numbers.mass.size() };
+                let size = beside(size, self.loads(rate.square()) / numbers.mass.size());
                 self.say_scaled(Quantity::AX, of, ax, size);
                 self.say_scaled(Quantity::AY, of, ay, size);
             }
@@ -238,7 +244,8 @@ impl<T: Real> Teller<'_, '_, T> {
                     let (constant, by_square) = mechanism.turning(response, b);
                     let alpha = constant.balance(by_square * rate.square());
                     let own = constant.size() + by_square.size() * rate.square().size();
-                    self.say_scaled(Quantity::Alpha, of, alpha, f64::max(own, terms));
+                    let turning = self.loads(rate.square()) * mechanism.size() / numbers.inertia.size();
+                    self.say_scaled(Quantity::Alpha, of, alpha, beside(f64::max(own, terms), turning));
                 }
             }
             let points = body.planar.as_ref().map_or(0, |p| p.points.len());
@@ -277,9 +284,18 @@ impl<T: Real> Teller<'_, '_, T> {
         pose::pulls(self.scene, self.n)
     }
 
+    /// Forces that may cancel where nothing has a weight, at this square of the rate of the leading angle: what drives, and what
+    /// keeps masses on their ways.
+    fn loads(&self, square: T) -> f64 {
+        let size = self.mechanism.size();
+        let masses: f64 = self.n.bodies.iter().map(|b| b.mass.size()).sum();
+        if size > 0.0 { self.drives() / size + masses * size * square.size() } else { 0.0 }
+    }
+
     /// The forces of joints and springs at this square of the rate of the leading angle.
     pub fn tell_forces(&mut self, state: &State<T>, response: &Response<T>, square: T, sliding: &[f64]) {
         let (scene, mechanism, pulls) = (self.scene, self.mechanism, self.pulls());
+        let loads = self.loads(square);
         for (j, joint) in scene.joints.iter().enumerate() {
             let of = Owner::Joint(j);
             let quantities = joint.kind.forces();
@@ -288,7 +304,7 @@ impl<T: Real> Teller<'_, '_, T> {
                 continue;
             };
             for (quantity, force) in quantities.iter().zip(&force) {
-                self.say_scaled(*quantity, of, *force, force.size() + pulls);
+                self.say_scaled(*quantity, of, *force, beside(force.size() + pulls, loads));
             }
             if let (JointKind::Guide { direction_deg, mu_k: Some(mu), .. }, [normal]) =
                 (joint.kind, force.as_slice())
