@@ -588,7 +588,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let moves = self.scene.end != End::AtOnce;
         let rubs = self.scene.ties.iter().any(|t| t.rubbing().is_some());
         // Several phases of several bodies, and what rubs beside a spring.
-        let phases = self.scene.goes_in_phases() && !(moves && self.scene.thrown().is_some());
+        let phases = moves && self.scene.goes_in_phases() && self.scene.thrown().is_none();
         if phases || !moves && self.scene.is_sprung() && (rubs || !self.m.one) {
             return Err(Beyond::Unfound.into());
         }

@@ -474,7 +474,8 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
         let (data, found, text) = of("disc-off-a-drum");
         let [_, r, big, v0, phi0, ..] = data[..] else { panic!("{data:?}") };
         let cosine = (4.0 * wave(phi0).1 + 3.0 * v0 * v0 / (g * (big + r))) / 7.0;
-        same("cosine", wave(found[0] + phi0).1, cosine);
+        // It turns (R + r)/r times as far as its centre goes about the axis.
+        same("cosine", wave(found[0] * r / (big + r) + phi0).1, cosine);
         same("speed", found[1] * found[1], g * (big + r) * cosine);
         assert!(text.contains(r"\frac{3\,v_0^{2}}{7\,(R + r)\,g}"), "{text}");
         let (data, found, _) = of("ball-in-a-loop");

@@ -857,6 +857,11 @@ fn judge(m: &Machine, text: &str) -> Result<Outcome, String> {
     }
 }
 
+/// 1 where a direction leads up, or to the right on a level, else -1.
+fn up(u: V2) -> f64 {
+    if u[1].abs() > 1e-9 { u[1].signum() } else { u[0].signum() }
+}
+
 /// Every quantity that is published against the judge.
 fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
     let judge = Judge::new(m);
@@ -931,8 +936,13 @@ fn compare(m: &Machine, solved: &Solved, end: &End) -> Result<(), String> {
             ("friction", Owner::Joint(j)) => match m.holds[j] {
                 Hold::Guide(_, _, direction, _, Some(mu)) => {
                     let u = unit(radians(direction));
-                    let up = if u[1].abs() > 1e-9 { u[1].signum() } else { u[0].signum() };
-                    (-mu * forces[first[j]] * senses[j] * up, pulls)
+                    (-mu * forces[first[j]] * senses[j] * up(u), pulls)
+                }
+                Hold::Line(.., direction) => (forces[first[j] + 1] * up(unit(radians(direction))), pulls),
+                Hold::Arc(at, _, _, axis, _, inside) => {
+                    let out = plus(judge.place(q, at), -1.0, axis);
+                    let right = if inside { [-out[1], out[0]] } else { [out[1], -out[0]] };
+                    (forces[first[j] + 1] * up(right), pulls)
                 }
                 _ => (forces[first[j] + 1], pulls),
             },

@@ -424,7 +424,7 @@ problems:
 fn another_spring_keeps_its_own_stretch() {
     let text = |name: &str, leaves: &str, stretch: &str| {
         on_incline(
-            "{mass: 2 kg, moves: along incline}",
+            "{mass: m, moves: along incline}",
             "      x: {name: stretch, unit: m, draw: 0.10 to 0.50 step 0.01}",
             &format!(
                 "      ties: [cord: {{name: left, from: {{body: it, tied at: centre, leaves: back}}, spring: {{stiffness: 100 N/m, stretch: -0.2 m, attached: rigidly}}}}]
@@ -436,7 +436,7 @@ fn another_spring_keeps_its_own_stretch() {
             ),
             "      way: {quantity: displacement, motion: next, unit: m, ask: a}",
         )
-        .replace("beta: {name: slope, unit: deg, draw: 10 to 30 step 1}", "c: {name: c, unit: m, draw: always 1}")
+        .replace("beta: {name: slope, unit: deg, draw: 10 to 30 step 1}", "m: {name: mass, unit: kg, draw: always 2}")
         .replace("{slope: beta}", "level")
     };
     for name in ["right", "left"] {

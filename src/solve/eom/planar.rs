@@ -947,18 +947,16 @@ impl<'a, T: Real> Mechanism<'a, T> {
         let ways = all.filter_map(|(strut, relaxed)| self.layout.overwinds(strut, *relaxed, sense, far));
         ways.reduce(|one, other| if other.below(one) { other } else { one })
     }
-    /// Does a point of a body pass on this way through the surface that pushes another one of its points, or on which it rolls? One
-    /// that starts beyond is no part of what the surface bears.
+    /// Does a point of a body pass on this way through the surface that pushes another one of its points? One that starts beyond is no
+    /// part of what the surface bears; what stands out over the rim of a wheel runs beside its rail.
     pub fn pierces(&self, sense: f64, far: (T, T)) -> bool {
         let margin = T::of(PIERCED * self.size());
         self.scene.joints.iter().zip(&self.layout.lines).any(|(joint, [c, s])| {
             let (at, through) = match joint.kind {
                 JointKind::Guide { at, line, one_sided: true, .. }
-                | JointKind::Contact { at, surface: Surface::Line(line), teeth: false, .. }
-                    if line.on.is_none() =>
-                {
-                    (at, pose::ground(self.n, line.through_m))
-                }
+                | JointKind::Contact {
+                    at, surface: Surface::Line(line), rolls: false, teeth: false, ..
+                } if line.on.is_none() => (at, pose::ground(self.n, line.through_m)),
                 _ => return false,
             };
             let above = |spot: Spot, way: T| {

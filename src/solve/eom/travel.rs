@@ -151,7 +151,7 @@ impl<T: Real> Travel<'_, T> {
         }
         // 1 - cos = 2 sin^2 of the half: no cancellation soon after the start.
         let w = w2.root();
-        let (sine, cosine) = trig::sin_cos(half(w * time));
+        let (sine, cosine) = trig::turn(half(w * time));
         twice(sine * (sine * f0 / w2 + cosine * self.u0 / w))
     }
 

@@ -285,11 +285,15 @@ impl<T: Real> Teller<'_, '_, T> {
     }
 
     /// Forces that may cancel where nothing has a weight, at this square of the rate of the leading angle: what drives, and what
-    /// keeps masses on their ways.
+    /// keeps masses on their ways; 0 of a body on a pin, which its own terms measure.
     fn loads(&self, square: T) -> f64 {
         let size = self.mechanism.size();
         let masses: f64 = self.n.bodies.iter().map(|b| b.mass.size()).sum();
-        if size > 0.0 { self.drives() / size + masses * size * square.size() } else { 0.0 }
+        if size > 0.0 && self.pinned.is_none() {
+            self.drives() / size + masses * size * square.size()
+        } else {
+            0.0
+        }
     }
 
     /// The forces of joints and springs at this square of the rate of the leading angle.
