@@ -1051,7 +1051,11 @@ impl<'d, 'a> Plane<'d, 'a> {
             End::Angle(_, angle) if self.varies.is_none() => self.number(angle, &format!("{name}_1"), "deg"),
             _ => {
                 let start = self.value(&first);
-                let key = |this: &mut Self| Some(start + this.way_of_key(start)?);
+                let key = |this: &mut Self| {
+                    let angle = start + this.way_of_key(start)?;
+                    // One that is 0 but for rounding.
+                    Some(if angle.abs() < NOTHING { 0.0 } else { angle })
+                };
                 let at = self.varies.or_else(|| key(self)).ok_or(Beyond::Unfound)?;
                 let name = self.free(&[format!("{name}_1"), format!("{name}_2")]);
                 let symbol = self.symbols.given(&name, f64::NAN, "", "", true);

@@ -540,7 +540,7 @@ pub fn set_off(slides: &[f64], now: &[f64]) -> Option<SmallVec<[f64; 4]>> {
 /// beside others that slide.
 pub fn holds_still(scene: &Scene, slides: &[f64], now: &[f64]) -> Result<(), Refusal> {
     let carried = |joint: &Joint| joint.kind.rubs().is_some() && joint.kind.carrier().is_some();
-    let goes_on = slides.iter().zip(now).any(|(before, now)| *before != 0.0 && before == now);
+    let goes_on = slides.iter().zip(now).any(|(before, now)| before * now > 0.0);
     if goes_on || scene.joints.iter().any(carried) {
         return Err(Refusal::Unsupported(Unsupported::FrictionTurns));
     }

@@ -449,5 +449,6 @@ fn another_spring_keeps_its_own_stretch() {
     }
     let findings = load::scenes_only(&text("left", "back", "x"), "bank.yaml").expect_err("two stretches");
     assert!(findings[0].to_string().contains("goes on with the stretch that it has"), "{findings:?}");
-    load::scenes_only(&text("left", "back", "-0.2 m"), "bank.yaml").expect("one stretch");
+    let told = load::scenes_only(&text("left", "back", "-0.2 m"), "bank.yaml").expect_err("no use of x");
+    assert!(told.len() == 1 && told[0].to_string().contains("`x` is drawn"), "{told:?}");
 }
