@@ -223,7 +223,7 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::A | Q::ARolling | Q::Displacement | Q::Impulse | Q::Friction | Q::FrictionIfRolled, None) => {
             body.map_or(forward, |b| along(scene, b, rubs))
         }
-        (Q::Friction, Some(kind)) if kind.is_level() => WordSigns { right: 1, ..forward },
+        (Q::Friction, Some(kind)) if kind.is_level(&scene.bodies) => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
         // To the left of the guide.
         (

@@ -227,9 +227,16 @@ impl JointKind {
             _ => &[Quantity::Impulse],
         }
     }
-    /// Is it a level line in every draw?
-    pub const fn is_level(&self) -> bool {
-        matches!(self.line(), Some(Straight { on: None, direction_deg: Num::Fixed(at), .. }) if at % 180.0 == 0.0)
+    /// Is it a level line in every draw, on the ground or on one of these bodies that stays level?
+    pub fn is_level(&self, bodies: &[Body]) -> bool {
+        let level = |at: Num| matches!(at, Num::Fixed(degrees) if degrees % 180.0 == 0.0);
+        let carries = |on: Spot| match &bodies[on.body] {
+            Body { turns: false, planar: Some(planar), .. } => {
+                matches!(planar.from, Ray::Right | Ray::Left) && planar.start_deg.is_none_or(level)
+            }
+            _ => false,
+        };
+        self.line().is_some_and(|line| level(line.direction_deg) && line.on.is_none_or(carries))
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {

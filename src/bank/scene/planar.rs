@@ -308,6 +308,12 @@ impl SceneReader<'_> {
         let pushes_node = fields.get("pushes");
         let pushes = pushes_node.and_then(|n| self.word(n, "whither it pushes", &words));
         let mu_k = self.optional(fields, "mu_k", Need::FRICTION);
+        if let (true, Some(Straight { on: Some(on), .. }), Some(node)) = (WHOLE, Some(&line), pushes_node)
+            && bodies[on.body].turns
+        {
+            let hint = "leave `pushes` away: the normal force is positive to the left of the line, and its sign tells which side presses";
+            f.hint(node, "a line on a body that turns has no side that is up or down", hint);
+        }
         let mut reversed = false;
         if let (Some(pushes), Some(node)) = (pushes, pushes_node) {
             // The normal force is positive to the left of the direction.

@@ -1005,7 +1005,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let friction = under(pulls, |k| rolled.reaction(t, k));
             let normal = rolled.normal(body);
             let scale = self.friction_scale(&rolled, body, friction, pulls);
-            let needed = self.needed(t).unwrap_or(friction.abs());
+            let needed = self.needed(t, pulls).unwrap_or(friction.abs());
             self.say_scaled(FrictionIfRolled, of, friction.signed(self.up(body)), scale);
             self.say(MuRequired, of, needed.over(normal));
             let available = self.n.get(mu_s) * normal;
@@ -1031,14 +1031,14 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
-    /// The most friction that a contact which could rub needs while it holds, if it does.
-    fn needed(&self, tie: usize) -> Option<T> {
+    /// The most friction that a contact which could rub needs while it holds, if it does, under these tensions of the springs.
+    fn needed(&self, tie: usize, pulls: &[T]) -> Option<T> {
         let legs = self
             .phases
             .iter()
             .flat_map(|phases| &phases.legs)
             .filter(|leg| leg.holds[tie] && !leg.response.is_open(tie));
-        legs.map(|leg| leg.response.reaction(tie, CONSTANT).abs()).reduce(T::larger)
+        legs.map(|leg| under(pulls, |k| leg.response.reaction(tie, k)).abs()).reduce(T::larger)
     }
 
     /// What becomes of the slip of a body that starts with one, `rolling` being the friction with which it would roll.
@@ -1143,7 +1143,8 @@ impl<'a, T: Real> Walk<'a, T> {
                     });
                 }
                 Tie::Slide { body, mu_s, mu_k } => {
-                    if let (Some(needed), Some(rub)) = (self.needed(t), tie.rubbing()) {
+                    let pulls = places.last().map_or(&[][..], |pulls| &pulls[..]);
+                    if let (Some(needed), Some(rub)) = (self.needed(t, pulls), tie.rubbing()) {
                         let available = self.n.get(rub.mu_s) * self.response.normal(rub.body);
                         self.hold(|walk| {
                             let force = |f: T| walk.n.publish(Quantity::Friction, f);
