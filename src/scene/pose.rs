@@ -672,7 +672,9 @@ impl<'a, T: Real> Layout<'a, T> {
             Degree::Along => {
                 let way = poses[body].point([along(self.n, planar.centre), T::zero()]).map(|x| x.first);
                 let length = dot(way, way).root();
-                if body == self.lead { length } else { length.signed(upward(way.map(|x| x / length))) }
+                // What rests has no direction.
+                let forth = body == self.lead || length.is_zero();
+                if forth { length } else { length.signed(upward(way.map(|x| x / length))) }
             }
         };
         (given.is_zero() || !unit.is_zero()).then(|| if given.is_zero() { given } else { given / unit })

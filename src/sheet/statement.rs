@@ -15,7 +15,7 @@ use crate::finding::{Finding, Findings};
 use crate::num::{elliptic, shown};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{Label, Num, Owner, Quantity, Scene, Slope, Span, Start};
+use crate::scene::{Label, Num, Quantity, Scene, Span, Start};
 use crate::sheet::document;
 use crate::template::{self, Templates, View};
 use crate::words::Words;
@@ -395,22 +395,10 @@ impl<'b> Statement<'b> {
     }
 }
 
-/// Words that may give the direction of a quantity of this label, forward one first.
+/// Words that may give the direction of a quantity of this label: up and down where they tell it, else forward and back.
 pub fn direction_words<'w>(words: &'w Words, scene: &Scene, label: Label) -> [&'w str; 2] {
-    let body = match label.of {
-        Owner::Body(b) => Some(b),
-        _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
-    };
-    let line = body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line);
-    let signs = match label.of {
-        Owner::Joint(_) => make_key::word_signs(scene, label),
-        _ => None,
-    };
-    let both = match signs {
-        Some(signs) if signs.forward == 0 && signs.up != 0 => ["sheet.up", "sheet.down"],
-        None if line.is_some_and(|line| line.slope != Slope::Level) => ["sheet.up", "sheet.down"],
-        _ => ["sheet.forward", "sheet.back"],
-    };
+    let slopes = make_key::word_signs(scene, label).is_some_and(|signs| signs.up != 0);
+    let both = if slopes { ["sheet.up", "sheet.down"] } else { ["sheet.forward", "sheet.back"] };
     both.map(|word| words.get(word))
 }
 

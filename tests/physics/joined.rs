@@ -1,6 +1,7 @@
 //! Bodies that are joined in the plane: closed forms, a pendulum in disguise, and a judge in full coordinates that knows no poses.
 use crate::support;
 use slipstick::bank::{Bank, labels, load};
+use slipstick::finding::Findings;
 use slipstick::problem::maker::Maker;
 use slipstick::scene::{End, Scene};
 use slipstick::solve::agree;
@@ -666,11 +667,16 @@ pub fn told(scene: &str, names: &[&str]) -> Vec<f64> {
     names.iter().map(|name| value(&bank.problems[0].cases[0].scene, &solved, name)).collect()
 }
 
-pub fn constants(scene: &str) -> Bank {
+/// A bank of one problem without data, of this scene.
+pub fn read(scene: &str) -> Result<Bank, Findings> {
     let scene: String = scene.trim_matches('\n').lines().map(|line| format!("      {line}\n")).collect();
     let head = "bank: t\ntitle: t\nproblems:\n  p:\n    title: t\n    data: {}\n    scene:\n";
     let text = format!("{head}{scene}    questions: {{q: {{value: 1*1, ask: none, unit: '1'}}}}\n");
-    load::scenes_only(&text, "t.yaml").unwrap_or_else(|found| panic!("{found:?}"))
+    load::scenes_only(&text, "t.yaml")
+}
+
+pub fn constants(scene: &str) -> Bank {
+    read(scene).unwrap_or_else(|found| panic!("{found:?}"))
 }
 
 pub fn solved(scene: &str) -> (Bank, Solved) {

@@ -1,5 +1,5 @@
 //! Joined bodies at the edges of what is followed: springs at their anchors and at half a turn, contacts at a blow, rods in one line.
-use crate::joined::{CRATE, STRUCK, all_near, constants, solved, told, value};
+use crate::joined::{CRATE, STRUCK, all_near, constants, read, solved, told, value};
 use slipstick::bank::{labels, load};
 use slipstick::inspect::sentences;
 use slipstick::problem::maker::Maker;
@@ -830,15 +830,10 @@ end: at once
     }
 }
 
-/// The speed of what only slides is positive to the right, or up its line, wherever the crank stands.
-#[test]
-fn a_piston_is_set_off_to_the_right() {
-    for (angle, along, moves) in
-        [(60.0, "horizontal", "v_x"), (-60.0, "horizontal", "v_x"), (30.0, "vertical", "v_y")]
-    {
-        for speed in [2.0, -2.0] {
-            let text = format!(
-                "
+/// A crank, a rod and a piston in a cylinder along this line.
+fn slider_crank(along: &str, start: &str, end: &str) -> String {
+    format!(
+        "
 bodies:
   crank: {{mass: 2 kg, shape: {{rod: 0.3 m}}, moves: in the plane, angle: from right}}
   rod: {{mass: 1 kg, shape: {{rod: 1 m}}, moves: in the plane}}
@@ -848,10 +843,21 @@ joints:
   A: {{hinges: [crank.B, rod.A]}}
   B: {{hinges: [rod.B, piston]}}
   cylinder: {{guides: piston, along: {along}}}
-start: {{crank: {{angle: {angle} deg}}, piston: {{speed: {speed} m/s}}}}
-end: at once
+start: {start}
+end: {end}
 "
-            );
+    )
+}
+
+/// The speed of what only slides is positive to the right, or up its line, wherever the crank stands.
+#[test]
+fn a_piston_is_set_off_to_the_right() {
+    for (angle, along, moves) in
+        [(60.0, "horizontal", "v_x"), (-60.0, "horizontal", "v_x"), (30.0, "vertical", "v_y")]
+    {
+        for speed in [2.0, -2.0] {
+            let start = format!("{{crank: {{angle: {angle} deg}}, piston: {{speed: {speed} m/s}}}}");
+            let text = slider_crank(along, &start, "at once");
             all_near(&told(&text, &[&format!("piston.{moves}")]), &[speed], 1e-13);
         }
     }
@@ -861,30 +867,8 @@ end: at once
 #[test]
 fn an_end_is_told_of_the_body_that_leads() {
     let found = |end: &str| {
-        let text = format!(
-            "bank: t
-title: t
-problems:
-  p:
-    title: t
-    data: {{}}
-    scene:
-      bodies:
-        crank: {{mass: 2 kg, shape: {{rod: 0.3 m}}, moves: in the plane, angle: from right}}
-        rod: {{mass: 1 kg, shape: {{rod: 1 m}}, moves: in the plane}}
-        piston: {{mass: 1 kg, moves: in the plane}}
-      joints:
-        O: {{pins: crank.A}}
-        A: {{hinges: [crank.B, rod.A]}}
-        B: {{hinges: [rod.B, piston]}}
-        cylinder: {{guides: piston, along: horizontal}}
-      start: {{crank: {{angle: 60 deg, spin: 6 rad/s}}}}
-      end: {end}
-    questions: {{q: {{quantity: rod.omega, unit: rad/s, ask: none}}}}
-    statement: s
-"
-        );
-        load::scenes_only(&text, "t.yaml").map_err(|f| f.iter().map(ToString::to_string).collect::<Vec<_>>())
+        read(&slider_crank("horizontal", "{crank: {angle: 60 deg, spin: 6 rad/s}}", end))
+            .map_err(|f| f.iter().map(ToString::to_string).collect::<String>())
     };
     for end in [
         "{speed: {of: rod, reaches: 5.7 rad/s}}",
@@ -892,7 +876,7 @@ problems:
         "{angle: {of: piston, reaches: 80 deg}}",
         "{turning point: piston}",
     ] {
-        let told = found(end).expect_err("no end").concat();
+        let told = found(end).expect_err("no end");
         assert!(
             told.contains("followed by the angle of `crank`") && told.contains("end it at `of: crank`"),
             "{told}"
