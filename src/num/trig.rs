@@ -211,17 +211,6 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
     })
 }
 
-/// Sine and cosine of an angle in radians, within an ulp.
-pub fn sin_cos<T: Real>(x: T) -> (T, T) {
-    if T::is_double() {
-        return x.each(sin_cos_f64);
-    }
-    let v = x.value();
-    let (s, c) = (libm::sin(v.hi), libm::cos(v.hi));
-    let with = |value: Dd| T::constant(value).widened(|| x.radius() + LAST);
-    (with(Dd::sum(s, c * v.lo)), with(Dd::sum(c, -s * v.lo)))
-}
-
 /// Sine and cosine of a double in radians, within an ulp.
 pub fn sin_cos_f64(x: f64) -> (f64, f64) {
     (libm::sin(x), libm::cos(x))

@@ -40,7 +40,7 @@ impl Expr {
                 let x = inner.value(symbols);
                 let angle = |x: f64| match inner.in_degrees(symbols) {
                     true => trig::sin_cos_of_degrees(x),
-                    false => trig::sin_cos(x),
+                    false => trig::turn(x),
                 };
                 match function {
                     Function::Sine => angle(x).0,

@@ -221,7 +221,7 @@ fn on_a_bar() -> Scene {
     let mut bead = rod("bead", None);
     (bead.inertia, bead.turns) = (None, false);
     scene.bodies.extend([rod("bar", Some(20.0)), bead]);
-    let (s, c) = crate::num::trig::sin_cos(20.0_f64.to_radians());
+    let (s, c) = crate::num::trig::turn(20.0_f64.to_radians());
     for (body, [along, aside]) in [(0, [0.7, 0.4]), (2, [0.3, 0.0])] {
         if let Some(planar) = &mut scene.bodies[body].planar {
             planar.origin_m = Some([f(along * c - aside * s), f(along * s + aside * c)]);

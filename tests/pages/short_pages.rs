@@ -455,7 +455,7 @@ fn what_starts_with_a_speed_or_was_measured_comes_to_its_closed_form() {
     let bank = load::scenes_only(include_str!("../worked/blows-and-rests.yaml"), "blows.yaml");
     let bank = bank.unwrap_or_else(|f| panic!("{f:?}"));
     let (words, templates, g) = (Words::english(), Templates::english(), 9.81);
-    let wave = |angle: f64| -> (f64, f64) { trig::sin_cos(angle) };
+    let wave = |angle: f64| -> (f64, f64) { trig::turn(angle) };
     for seed in 0..12 {
         let of = |id: &str| {
             let problem = bank.problems.iter().find(|p| p.id == id).unwrap();

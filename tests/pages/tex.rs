@@ -217,7 +217,7 @@ impl Reader<'_> {
         }
         if self.take(r"\sin") {
             let argument = self.factor()?;
-            return Some(argument.wave(|x| trig::sin_cos(x).0, std::f64::consts::FRAC_PI_2));
+            return Some(argument.wave(|x| trig::turn(x).0, std::f64::consts::FRAC_PI_2));
         }
         if self.take(r"\arccos") {
             // Falling, and steep at its ends.
@@ -229,7 +229,7 @@ impl Reader<'_> {
             return Some(Interval::new(std::f64::consts::PI, std::f64::consts::PI));
         }
         if self.take(r"\cos") {
-            return Some(self.factor()?.wave(|x| trig::sin_cos(x).1, 0.0));
+            return Some(self.factor()?.wave(|x| trig::turn(x).1, 0.0));
         }
         self.skip();
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {

@@ -167,7 +167,7 @@ impl<T: Real> Account<T> {
             }
         }
         let w = (stiff / self.doubled).root();
-        let (sine, cosine) = trig::sin_cos((w * t).scale2(-1));
+        let (sine, cosine) = trig::turn((w * t).scale2(-1));
         let start = self.push() / self.doubled;
         let (push, glide) = (start / w.square() * sine, self.u0 / w * cosine);
         ((push + glide) * sine).scale2(1)

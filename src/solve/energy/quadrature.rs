@@ -52,7 +52,7 @@ impl<T: Real> Leg<'_, T> {
         };
         let end = trig::atan2(s.root(), far.balance(-s).root());
         legendre::integral(self.points, T::zero(), end, |p| {
-            let (sine, cosine) = trig::sin_cos(p);
+            let (sine, cosine) = trig::turn(p);
             let (near, left) = (far * sine.square(), far * cosine.square());
             let h = if near.below(left) {
                 self.mean(T::zero(), near) / left
