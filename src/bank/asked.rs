@@ -5,7 +5,7 @@ use crate::bank::scene::DatumUse;
 use crate::bank::{Datum, labels, measure, need::Need, soundness};
 use crate::finding::told;
 use crate::num::formula::{Formula, Step};
-use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term};
+use crate::scene::{AsIf, Asked, Given, Label, Owner, Quantity, Scene, Term, Tie};
 use crate::units::Unit;
 
 /// The words of `if:`, and that of `motion:`.
@@ -205,7 +205,7 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
         let hint = "take `if:` away, or write a contact: `rolls`, `slips`, `touches` or `slides`";
         return faults.refuse_with(node, "no contact of this scene could be another", hint);
     };
-    if scene.thrown().is_some() {
+    if scene.goes_in_phases() && scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) {
         let message = "a body that is thrown with slip has a speed and a spin of its own: it cannot be taken as if it rolled or were smooth";
         return faults.refuse_with(
             node,
@@ -216,6 +216,7 @@ fn other(node: &Node, scene: &mut Scene, faults: &Faults) -> Option<usize> {
     if WHOLE {
         let own = Faults::default();
         soundness::structure(&other, node, &own);
+        soundness::instant(&other, &[], node, &own);
         if let Some(why) = own.into_sorted("").iter().next() {
             let so = if how == AsIf::Rolls { "rolled" } else { "were smooth" };
             return faults.refuse(node, told!("as if it {so}, this scene is not solved: {}", why.message));

@@ -197,9 +197,9 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
         let axle = rates && scene.axle_pulls(b).is_some();
         all.add(axle, of, &[Q::PinX, Q::PinY, Q::PinForce, Q::PinAngle]);
     }
-    let thrown = scene.thrown();
+    let phases = scene.goes_in_phases();
     all.add(moves && !scene.grows_with_place(), Owner::Scene, &[Q::T]);
-    all.add(moves && !scene.is_sprung() && thrown.is_none(), Owner::Scene, &[Q::Work]);
+    all.add(moves && !scene.is_sprung() && !phases, Owner::Scene, &[Q::Work]);
     all.add(scene.coordinates().next().is_some(), Owner::Scene, &[Q::RotationalFraction]);
     if !rates {
         return;
@@ -209,7 +209,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
     }
     let end = scene.ending_coordinate();
     let changes = scene.growths.is_empty() && (scene.is_sprung() || !scene.start.is_empty());
-    let turns_back = moves && changes && end.degree == Degree::Along && thrown.is_none();
+    let turns_back = moves && changes && end.degree == Degree::Along && !phases;
     all.add(moves, Owner::Body(end.body), &[Q::Direction]);
     all.add(turns_back, Owner::Body(end.body), &[Q::VMax, Q::DAtVMax, Q::DTurn]);
     for (t, tie) in scene.ties.iter().enumerate() {
@@ -223,8 +223,7 @@ fn on_lines(scene: &Scene, all: &mut Gathered) {
                 let of = rubbing(body);
                 all.add(true, of, &[Q::Friction, Q::MuRequired, Q::FrictionIfRolled, Q::Rolls]);
                 all.add(moves, of, &[Q::SlipDistance]);
-                let thrown = moves && thrown.as_ref().is_some_and(|t| t.body == *body);
-                all.add(thrown, of, &[Q::SlipSpeed, Q::ARolling]);
+                all.add(moves && phases, of, &[Q::SlipSpeed, Q::ARolling]);
                 all.add(moves, Owner::Scene, &[Q::Heat]);
             }
             Tie::Slide { body, .. } => {

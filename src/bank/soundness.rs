@@ -151,27 +151,24 @@ fn on_lines(scene: &Scene, node: &Node, faults: &Faults) {
     let count = freedoms.to_string();
     let several = Some(count.as_str()).filter(|_| freedoms > 1 && slips.is_none());
     let held = scene.is_sprung();
-    #[rustfmt::skip] // a table
-    let rules: [SceneRule; 3] = [
-        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away, or write `slips:` for a wheel that they keep from rolling"),
-        (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is not solved",
-            "let the wheel roll, or take the spring away"),
-        (several.filter(|_| held), "", "a spring holds a scene with {} freedoms; one is solved", "let the wheel roll"),
-    ];
-    tell(&rules, node, faults);
-    thrown(scene, node, faults);
-    let given = !scene.start.is_empty() && scene.thrown().is_none();
     let twice = freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_));
+    // A motion that follows takes over one speed.
+    let follows = !scene.start.is_empty() && node.path.ends_with(".next");
     #[rustfmt::skip] // a table
-    let rules: [SceneRule; 3] = [
-        (slips.filter(|_| given), "start",
-            "`{}` slips, so its speed and its spin at the start are both given, or it starts from rest",
-            "write `start: {{}: {speed: v0, spin: w0}}` (one of them may be 0), or `start: at rest`"),
-        (several.filter(|_| given), "start", "a scene with {} freedoms starts from rest", "write `start: at rest`"),
+    let rules: [SceneRule; 6] = [
+        (slips.filter(|_| follows), "start", "`{}` slips, so its speed and its spin at the start are both given, or it starts from rest",
+            "write `start: at rest`"),
+        (several.filter(|_| follows), "start", "a scene with {} freedoms starts from rest", "write `start: at rest`"),
+        (is(freedoms == 0), "", "the ties leave nothing free to move", "take one of the ties away, or write `slips:` for a wheel that they keep from rolling"),
+        (slips.filter(|_| held), "", "`{}` slips, and there is a spring; that is solved at an instant alone",
+            "let the wheel roll, take the spring away, or write `end: at once`"),
+        (several.filter(|_| held), "", "a spring holds a scene with {} freedoms; one is solved on the way",
+            "let the wheel roll, or write `end: at once`"),
         (is(twice), "start", "the ties leave one freedom, so one speed at the start gives all others",
             "give one speed or spin"),
     ];
     tell(&rules, node, faults);
+    thrown(scene, slips, node, faults);
 }
 
 /// Bodies that rest on wheels: how the wheels share the load is not known, so nothing is asked of it.
@@ -291,11 +288,11 @@ fn mechanism(scene: &Scene, node: &Node, faults: &Faults) {
     tell(&rules, node, faults);
 }
 
-/// The start of a scene of which only an instant is asked: with the ties it gives each velocity, and none twice. What depends
-/// on the numbers is left to the solvers: constants that agree with the ties may be given besides.
+/// The start of a scene of which only an instant is asked, or that goes in phases: with the ties it gives each velocity, and none
+/// twice. What depends on the numbers is left to the solvers: constants that agree with the ties may be given besides.
 pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
-    let moving = !matches!(scene.end, End::AtOnce) || scene.lead().is_some();
-    if moving || scene.start_speeds().next().is_none() {
+    let given = matches!(scene.end, End::AtOnce) || scene.goes_in_phases();
+    if !given || scene.lead().is_some() || scene.start_speeds().next().is_none() {
         return;
     }
     let coordinates: Vec<Coordinate> = scene.coordinates().collect();
@@ -387,36 +384,25 @@ fn part<'n>(node: &'n Node, name: &str) -> &'n Node {
     node.field(name).unwrap_or(node)
 }
 
-/// A body thrown with slip: alone on its surface, until it rolls or for a time.
-fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
-    let Some(thrown) = scene.thrown() else {
-        // A body that slips and has one speed only is told so elsewhere.
-        let half = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !scene.start.is_empty();
-        if let End::Rolling(c) = scene.end
-            && !half
-        {
-            let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
-            faults.hint(
-                part(node, "end"),
-                told!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
-                told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
-            );
-        }
-        return;
+/// What begins to roll starts with slip, and what starts with slip needs no heading.
+fn thrown(scene: &Scene, slips: Option<&str>, node: &Node, faults: &Faults) {
+    let slipping = |body: usize| {
+        let on = |t: &Tie| matches!(t, Tie::Slip { body: b, .. } if *b == body);
+        scene.ties.iter().any(on)
     };
-    let name = scene.bodies.get(thrown.body).map_or("ball", |b| b.name.as_str());
-    let company = scene.bodies.len() > 1 || scene.ties.len() > 1;
-    let ends = matches!(scene.end, End::Rolling(_) | End::Time(..));
-    #[rustfmt::skip] // a table
-    let rules: [SceneRule; 3] = [
-        (Some(name).filter(|_| company), "start", "`{}` is thrown with slip; that is solved for one body without cords",
-            "take the other bodies and ties away, or write `start: at rest`"),
-        (Some(name).filter(|_| !ends), "end", "`{}` is thrown with slip; that ends where it begins to roll, or after a time",
-            "write `end: {rolling: {}}` or `end: {time: {of: {}, is: t1}}`"),
-        (Some(name).filter(|_| scene.heading.is_some()), "end", "`{}` is thrown; its speed says which way it goes",
-            "take `heading` away"),
-    ];
-    tell(&rules, node, faults);
+    if let End::Rolling(c) = scene.end
+        && (scene.start.is_empty() || !slipping(c.body))
+    {
+        let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
+        faults.hint(
+            part(node, "end"),
+            told!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
+            told!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
+        );
+    }
+    let told_twice = slips.filter(|_| scene.goes_in_phases() && scene.heading.is_some());
+    let hint = "take `heading` away";
+    tell(&[(told_twice, "end", "`{}` is thrown; its speed says which way it goes", hint)], node, faults);
 }
 
 /// Names in the statement and in the questions are symbols of the data or names that every template knows.

@@ -63,6 +63,10 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
         let of = variant.solved.entries.iter().filter(|e| e.label.quantity == q && is_own(e.label));
         of.map(|e| e.value()).sum()
     };
+    // In phases nothing says here how the bodies share the energy at the start.
+    if scene.goes_in_phases() && scene.thrown().is_none() {
+        return None;
+    }
     let (mut start, mut end) = ([0.0; 6], [0.0; 6]);
     let kinetic = view.solved(Quantity::KineticEnergy, Owner::Scene).unwrap_or(0.0);
     let share = view.solved(Quantity::RotationalFraction, Owner::Scene).unwrap_or(0.0);

@@ -1,6 +1,6 @@
 //! How many freedoms the ties leave, whatever the data: for telling what is no scene that is solved, not for solving.
 use crate::num::eliminate::Equations;
-use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Num, Scene, Side, Tie};
+use crate::scene::{Attach, Body, Coordinate, CordEnd, Degree, End, Far, Num, Scene, Side, Tie};
 
 /// A number in the place of a datum that is not known: of no simple ratio to those of the other data.
 fn stand_in(datum: usize) -> f64 {
@@ -10,37 +10,61 @@ fn stand_in(datum: usize) -> f64 {
 impl Scene {
     /// Coordinates less the ties that say something of their own, whatever the data; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
-        self.freedoms_with(&|number| match number {
+        self.left(&|number| self.any(number), None)
+    }
+
+    /// A number, whatever the data.
+    fn any(&self, number: Num) -> f64 {
+        match number {
             Num::Fixed(x) => x,
             Num::Datum(i) => stand_in(i),
             Num::Derived(i) => {
                 let formula = self.formulas.numbers.get(i).map(|n| &n.formula);
                 formula.map_or(f64::NAN, |f| f.eval(&|given| stand_in(given.datum)))
             }
-        })
+        }
     }
 
-    /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Where a scene that goes
-    /// on is solved too; beside springs, of one freedom and where nothing rubs.
+    /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Not of particles or of joined
+    /// bodies, nor where a contact that is said to slip is held by the other ties while something moves.
     pub fn tells_rates(&self) -> bool {
-        let slips = self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-        let slides = self.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
-        let bodies = self.bodies.iter().all(|b| b.planar.is_none() && b.particles.is_empty());
-        let alone = self.freedoms() <= 1;
-        let still = self.start.is_empty();
-        let pulled = !self.is_sprung() || alone && !slips && !slides;
-        bodies && pulled && (alone || still) && (!slips || still)
+        let lines = self.bodies.iter().all(|b| b.planar.is_none() && b.particles.is_empty());
+        lines && !(self.goes_in_phases() && self.holds_slip())
+    }
+
+    /// Do the other ties hold a contact that is said to slip?
+    fn holds_slip(&self) -> bool {
+        let mut slips = (0..self.ties.len()).filter(|t| matches!(self.ties[*t], Tie::Slip { .. }));
+        slips.any(|t| self.left(&|number| self.any(number), Some(t)) == self.freedoms())
+    }
+
+    /// Is it followed in phases, each of which lasts until a contact that rubs comes to rest? With a speed at the start under constant
+    /// forces, where a contact is said to slip or several freedoms are left.
+    pub fn goes_in_phases(&self) -> bool {
+        let constant = self.growths.is_empty() && (!self.is_sprung() || matches!(self.end, End::AtOnce));
+        let lines = |b: &Body| b.planar.is_none() && b.particles.is_empty();
+        let slips = || self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        !self.start.is_empty()
+            && constant
+            && self.bodies.iter().all(lines)
+            && (slips() || self.freedoms() > 1)
     }
 
     /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.
     pub fn freedoms_with(&self, number: &dyn Fn(Num) -> f64) -> usize {
+        self.left(number, None)
+    }
+
+    /// Those that are left where the contact of one tie, if any, holds that is said to slip.
+    fn left(&self, number: &dyn Fn(Num) -> f64, held: Option<usize>) -> usize {
         let coordinates: Vec<Coordinate> = self.coordinates().collect();
         let place =
             |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
         let mut ties: Equations<f64> = Equations::new(coordinates.len());
-        for tie in &self.ties {
+        for (t, tie) in self.ties.iter().enumerate() {
             let ends: [Option<&CordEnd>; 2] = match tie {
-                Tie::Roll { body, radius_m, .. } => {
+                Tie::Slip { .. } if held != Some(t) => continue,
+                Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
                     let row = ties.row();
                     let along = place(*body, Degree::Along).map(|i| (i, 1.0));
                     let turn = place(*body, Degree::Turn).map(|i| (i, -number(*radius_m)));
@@ -52,7 +76,7 @@ impl Scene {
                     Far::Body(other) => [Some(&cord.from), Some(other)],
                     Far::Pull(_) | Far::Spring { .. } => continue,
                 },
-                Tie::Slip { .. } | Tie::Slide { .. } => continue,
+                Tie::Slide { .. } => continue,
             };
             let row = ties.row();
             for end in ends.into_iter().flatten() {

@@ -175,7 +175,32 @@ impl CordEnd {
     }
 }
 
+/// A contact that is said to slip or slide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rubbing {
+    /// Index of the body.
+    pub body: usize,
+    /// Radius on which it slips, m; `None` of a body that only moves.
+    pub radius_m: Option<Num>,
+    /// Static friction coefficient, or the kinetic one where only that is given.
+    pub mu_s: Num,
+    /// Kinetic friction coefficient.
+    pub mu_k: Num,
+}
+
 impl Tie {
+    /// Its friction, where it is a contact that is said to slip or slide.
+    pub fn rubbing(&self) -> Option<Rubbing> {
+        match *self {
+            Self::Slip { body, radius_m, mu_s, mu_k } => {
+                Some(Rubbing { body, radius_m: Some(radius_m), mu_s, mu_k })
+            }
+            Self::Slide { body, mu_s, mu_k } => {
+                Some(Rubbing { body, radius_m: None, mu_s: mu_s.unwrap_or(mu_k), mu_k })
+            }
+            Self::Roll { .. } | Self::Cord(_) => None,
+        }
+    }
     /// The body that touches its surface here.
     pub const fn touching(&self) -> Option<usize> {
         match self {

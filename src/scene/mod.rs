@@ -27,7 +27,7 @@ pub use axle::Aim;
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::{Couple, GivenForce, Grows, Growth, Law};
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Taken, Term};
-pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Side, SpringTie, Tie};
+pub use link::{Action, Attach, Cord, CordEnd, Far, Made, Rubbing, Side, SpringTie, Tie};
 pub use motion::{Carrier, Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Carried, Numbers, speed};
 pub use planar::{

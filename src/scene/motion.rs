@@ -134,8 +134,13 @@ impl Scene {
             Start::Lamina { .. } => None,
         })
     }
-    /// The body that is thrown with slip, if there is one: it slips, and its speed and its spin at the start are both given.
+    /// The body that is thrown with slip and alone, up to the start of rolling, or for a time or an instant: it slips, and its speed and
+    /// its spin at the start are both given.
     pub fn thrown(&self) -> Option<Thrown> {
+        let ends = matches!(self.end, End::Rolling(_) | End::Time(..) | End::AtOnce);
+        if !ends || self.bodies.len() > 1 || self.ties.len() > 1 {
+            return None;
+        }
         let given = |body: usize, degree: Degree| {
             self.start.iter().find_map(|s| match s {
                 Start::Speed(c, n) if *c == Coordinate { body, degree } => Some(*n),

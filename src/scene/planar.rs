@@ -229,11 +229,14 @@ impl JointKind {
     }
     /// Is it a level line in every draw, on the ground or on one of these bodies that stays level?
     pub fn is_level(&self, bodies: &[Body]) -> bool {
-        let Some(Straight { on, direction_deg: Num::Fixed(at), .. }) = self.line() else { return false };
-        let stays = |body: &Body| {
-            !body.turns && body.planar.as_ref().is_some_and(|p| p.from == Ray::Right && p.start_deg.is_none())
+        let level = |at: Num| matches!(at, Num::Fixed(degrees) if degrees % 180.0 == 0.0);
+        let carries = |on: Spot| match &bodies[on.body] {
+            Body { turns: false, planar: Some(planar), .. } => {
+                matches!(planar.from, Ray::Right | Ray::Left) && planar.start_deg.is_none_or(level)
+            }
+            _ => false,
         };
-        at % 180.0 == 0.0 && on.is_none_or(|on| stays(&bodies[on.body]))
+        self.line().is_some_and(|line| level(line.direction_deg) && line.on.is_none_or(carries))
     }
     /// Can it only push, so that its point can leave it?
     pub const fn only_pushes(&self) -> bool {

@@ -464,39 +464,28 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
-    let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-    if slips && scene.is_sprung() {
-        return refuse(Unsupported::SpringWithSlip);
-    }
     let freedoms = scene.freedoms();
     let number = |n: Num| scene.value(n, data);
     // Cords alone can say what other ties say.
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);
     }
-    if freedoms > 1 && scene.is_sprung() {
+    // On the way a spring has one freedom, which ends nowhere but at the turning point.
+    let moves = scene.is_sprung() && !matches!(scene.end, End::AtOnce);
+    let slips = |body: Option<usize>| {
+        let on = |tie: &Tie| matches!(tie, Tie::Slip { body: b, .. } if body.is_none_or(|own| own == *b));
+        scene.ties.iter().any(on)
+    };
+    if moves && slips(None) {
+        return refuse(Unsupported::SpringWithSlip);
+    }
+    if moves && freedoms > 1 {
         return refuse(Unsupported::SpringWithTwoFreedoms);
     }
-    if let Some(thrown) = scene.thrown() {
-        if scene.bodies.len() > 1 || scene.ties.len() > 1 {
-            return refuse(Unsupported::ThrownWithOthers);
-        }
-        let surface = scene.bodies[thrown.body].line.is_some_and(|l| l.surface);
-        if !matches!(scene.end, End::Rolling(_) | End::Time(..)) || !surface {
-            return refuse(Unsupported::ThrownEnd);
-        }
-        return Ok(());
+    match scene.end {
+        End::Rolling(c) if scene.start.is_empty() || !slips(Some(c.body)) => refuse(Unsupported::NotThrown),
+        _ => Ok(()),
     }
-    if matches!(scene.end, End::Rolling(_)) {
-        return refuse(Unsupported::NotThrown);
-    }
-    if slips && !scene.start.is_empty() {
-        return refuse(Unsupported::SpeedWithSlip);
-    }
-    if freedoms > 1 && !scene.start.is_empty() {
-        return refuse(Unsupported::SpeedWithTwoFreedoms);
-    }
-    Ok(())
 }
 
 /// Within `16 u max(1, cond)` of the larger; NaN agrees with nothing, equal infinities agree.

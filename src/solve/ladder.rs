@@ -86,7 +86,7 @@ pub fn force(scene: &Scene) -> Force {
         Force::Irregular
     } else if scene.lead().is_some() {
         Force::Joined
-    } else if scene.thrown().is_some() {
+    } else if scene.goes_in_phases() {
         Force::Switched
     } else if !scene.growths.is_empty() {
         Force::OfTime

@@ -486,6 +486,17 @@ pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), R
     }
 }
 
+/// What is known of the forces at an instant: nothing where that combination is not solved, and velocities alone are told of bodies that
+/// start with some.
+///
+/// Errors: other refusals, and those of what has nothing else to tell.
+pub fn or_motion<W>(scene: &Scene, forces: Result<Option<W>, Refusal>) -> Result<Option<W>, Refusal> {
+    match forces {
+        Err(Refusal::Unsupported(_)) if scene.goes_in_phases() => Ok(None),
+        forces => forces,
+    }
+}
+
 /// The sides to which guides press that hold on both, 1 or -1 each: the one combination that `fits`. The friction of a point that
 /// rubs hangs on the size of the normal force, so its sense per normal force on the side.
 ///
@@ -554,27 +565,19 @@ impl From<Unsettled> for Refusal {
 /// Combinations that are not solved (yet).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unsupported {
-    /// A spring where the scene has two freedoms.
+    /// A spring where the scene has two freedoms, on the way.
     SpringWithTwoFreedoms,
-    /// A start speed where the scene has two freedoms.
-    SpeedWithTwoFreedoms,
     /// A start speed of what the ties hold at rest.
     StartHeld,
-    /// A spring where something slips.
+    /// A spring where something slips, on the way.
     SpringWithSlip,
-    /// A start speed where something slips, unless it is thrown alone.
-    SpeedWithSlip,
     /// A contact is said to slip, and the ties share the friction that it would need to roll.
     SlipShared,
     /// Ties that hold more or less than they would if two data were not equal.
     EqualByChance,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
-    /// A body thrown with slip beside other bodies or cords.
-    ThrownWithOthers,
-    /// A body thrown with slip whose motion ends neither where it rolls nor after a time.
-    ThrownEnd,
-    /// The start of rolling of a body that is not thrown with slip.
+    /// The start of rolling of a body that does not start with a speed and slips.
     NotThrown,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
@@ -608,28 +611,6 @@ impl<T: Real> Said<T> {
     pub fn of(n: &Numbers<T>, label: Label, value: T, scale: f64) -> Self {
         let scale = scale * pow2(n.exponent(label.quantity));
         Self { label, value: n.publish(label.quantity, value), scale }
-    }
-}
-
-/// How the contacts that are said to slip are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Grip {
-    /// As declared: they slip.
-    Declared,
-    /// All of them roll.
-    AllRoll,
-    /// This tie rolls, the others slip.
-    Rolls(usize),
-}
-
-impl Grip {
-    /// Does this tie roll?
-    pub fn rolls(self, tie: usize) -> bool {
-        match self {
-            Self::Declared => false,
-            Self::AllRoll => true,
-            Self::Rolls(one) => one == tie,
-        }
     }
 }
 

@@ -161,7 +161,11 @@ fn motion<P: Real>(scene: &Scene, course: &Course<P>, held: &[Held<P>]) -> Motio
         }
         _ => None,
     };
-    if let Some(throw) = held.iter().find_map(thrown) {
+    // Of several that slip that of the body whose motion is asked.
+    let end = scene.ending_coordinate().body;
+    let asked = |t: &Throw| scene.ties[t.tie].rubbing().is_some_and(|rub| rub.body == end);
+    let throws = || held.iter().filter_map(thrown);
+    if let Some(throw) = throws().find(asked).or_else(|| throws().next()) {
         return match (throw.slips, throw.closes, throw.holds) {
             (true, false, _) => Motion::Never,
             (_, _, false) => Motion::SlipsThrough,

@@ -269,7 +269,7 @@ end: at once"
         assert!(near(found[0], a(x), 1e-13) && near(found[1], a(x) / 2.0, 1e-13));
     }
     assert!(near(told(spring, &["tension"])[0], 48.0, 1e-14));
-    // Beside the same spring a block that rubs has velocities and energies only.
+    // Beside the same spring a block that rubs.
     let rubs = bank(
         "m: {name: mass, unit: kg, draw: always 2}",
         "surfaces: {floor: level}
@@ -281,7 +281,9 @@ start: at rest
 end: at once",
     );
     let bank = load::scenes_only(&rubs, "test").unwrap_or_else(|f| panic!("{f:#?}"));
-    assert!(labels::named(&bank.problems[0].cases[0].scene, "a").is_err());
+    let scene = &bank.problems[0].cases[0].scene;
+    let a = solve(scene, &[2.0, 9.81]).unwrap().get(labels::named(scene, "a").unwrap()).unwrap().value();
+    assert!(near(a, (1200.0 * 0.04 - 0.2 * 2.0 * 9.81) / 2.0, 1e-14), "{a}");
 }
 
 // ---------------------------------------------------------------------------------------------- composed scenes

@@ -105,6 +105,8 @@ fn judge(seed: u64) -> Result<Outcome, String> {
             };
         }
         Verdict::Beyond(_) if text.contains("end: at once") => return Ok(Outcome::Unjudged("at once")),
+        // By hand in `phases`; of later phases here that both roads agree.
+        Verdict::Beyond(what) if what.starts_with("a speed") => return Ok(Outcome::Unjudged(what)),
         Verdict::Undetermined => return Err("the motion is not determined".into()),
         Verdict::Contradiction => return Err("its start contradicts the ties".into()),
         Verdict::Beyond(what) => return Err(format!("{what}: not solved by this judge")),
@@ -147,7 +149,8 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
             continue;
         }
         let Some((_, _, want, size)) = told.values.iter().find(|v| v.0 == name && v.1 == of) else {
-            if !["mu_required", "friction_if_rolled", "pin_angle"].contains(&name) {
+            if !["mu_required", "friction_if_rolled", "pin_angle", "slip_speed", "a_rolling"].contains(&name)
+            {
                 faults.push(format!("{name} of {of:?}: {:e} is published, the judge has none", e.value()));
             }
             continue;
@@ -196,9 +199,8 @@ fn named(messages: &[String]) -> Option<String> {
     const NAMES: &[(&str, &str)] = &[
         ("the ties leave nothing free to move", "no freedom"),
         ("a spring holds a scene with", "spring with two freedoms"),
-        ("freedoms starts from rest", "speed with two freedoms"),
-        ("so its speed and its spin at the start are both given", "speed where something slips"),
         ("slips, and there is a spring", "spring where something slips"),
+        ("its speed says which way it goes", "heading of what starts with slip"),
         ("the start and the ties leave", "start that leaves a velocity open"),
         ("the rest of the start already give", "start that says a velocity twice"),
     ];

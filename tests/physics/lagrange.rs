@@ -281,7 +281,7 @@ struct Spring {
 pub enum Verdict {
     /// The motion is not determined: something without inertia is free to move.
     Undetermined,
-    /// More freedoms than one, and a spring or a start speed: not for this judge, nor for the program.
+    /// More freedoms than one, and a spring or a start speed, or what comes after the first phase: not for this judge.
     Beyond(&'static str),
     /// A start speed that the ties do not allow.
     Contradiction,
@@ -735,13 +735,18 @@ impl<'s> System<'s> {
                 }
             }
         };
-        if slips && !self.springs.is_empty() {
+        // On the way; at an instant a spring is a force like others.
+        let sprung = !self.springs.is_empty() && s.event != Event::AtOnce;
+        if slips && sprung {
             return Verdict::Beyond("a spring where something slips");
         }
-        if slips && !s.start.is_empty() {
-            return Verdict::Beyond("a speed where something slips");
+        // What goes in phases is followed here up to the end of the first, where its contact comes to rest.
+        let phases = slips && !s.start.is_empty();
+        let later = Verdict::Beyond("a speed where something slips");
+        if phases && !started {
+            return later;
         }
-        if freedoms > 1 && !self.springs.is_empty() {
+        if freedoms > 1 && sprung {
             return Verdict::Beyond("a spring with two freedoms");
         }
         let mut velocities = Vec::new();
@@ -802,11 +807,6 @@ impl<'s> System<'s> {
         if self.contacts.iter().zip(&grips).any(|(c, g)| c.said == Said::Slips && *g == Grip::Sticks) {
             return Verdict::CouldRoll;
         }
-        let rubs = self.contacts.iter().any(|c| c.said != Said::Rolls);
-        if s.event == Event::AtOnce && !self.springs.is_empty() && rubs {
-            // Where a spring pulls what rubs, an instant has velocities and energies only.
-            return Verdict::Told(Told { values: velocities, ..Told::default() });
-        }
         let Some(now) = self.instant(&grips, &tensions) else { return Verdict::Undetermined };
         let mut told = Told::default();
         self.move_on(&grips, &all, &v0, started, now, &tensions, &mut told);
@@ -816,6 +816,11 @@ impl<'s> System<'s> {
                 ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
             told.values.retain(|v| at_once.contains(&v.0) || v.0.starts_with("pin_"));
             told.values.extend(velocities);
+        } else if phases {
+            if !told.reached {
+                return later;
+            }
+            told.values.retain(|v| !["work", "v_max", "D_at_v_max", "D_turn"].contains(&v.0));
         }
         Verdict::Told(told)
     }

@@ -34,6 +34,7 @@ mod links;
 mod meshes;
 mod moving_lines;
 mod next;
+mod phases;
 mod pinned_bits;
 mod pinned_draws;
 mod published;

@@ -12,7 +12,6 @@ use crate::scene::{
     Scene, Side, Tie,
 };
 use crate::solve::energy::speeds::{self, Mode};
-use crate::solve::outcome::Grip;
 use smallvec::{SmallVec, smallvec};
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
@@ -102,7 +101,7 @@ pub fn grown<T: Real>(scene: &Scene, n: &Numbers<T>, of: GivenForce) -> Option<T
         Grows::Time => extent,
         // What the ties let its point move while the ending coordinate does.
         Grows::Place => {
-            let modes = speeds::modes(scene, n, Grip::Declared, &[]);
+            let modes = speeds::modes(scene, n, &[]);
             let mode = modes.first()?;
             match mode.of(scene.ending_coordinate()) {
                 held if held.is_zero() => held,
@@ -179,105 +178,23 @@ pub fn reactions<T: Real>(
     let cols = unknown.len();
     // The levers are decimals: two forces at one point have one lever, whatever its rounding.
     let mut rows = Equations::of_decimals(cols);
-    for b in 0..scene.bodies.len() {
-        for degree in [Degree::Along, Degree::Turn] {
-            let present = match degree {
-                Degree::Along => scene.bodies[b].line.is_some(),
-                Degree::Turn => scene.bodies[b].turns,
-            };
-            if !present {
-                continue;
+    for c in scene.coordinates().filter(|c| c.degree == Degree::Along || scene.bodies[c.body].turns) {
+        let (mut surplus, mut size) = alone(scene, n, c, rate(c), pulls);
+        let row = rows.row();
+        levers(scene, n, c, pulls, |t, lever, known| match known.or(kinetic[t]) {
+            Some(force) => {
+                let power = force * lever;
+                surplus = surplus + power;
+                size += power.size();
             }
-            let numbers = &n.bodies[b];
-            let own = rate(Coordinate { body: b, degree });
-            // Power of the known forces per unit velocity, less the rate of the kinetic energy.
-            let (weight, gain) = match degree {
-                Degree::Along => (
-                    -(numbers.mass * n.gravity * numbers.climb),
-                    -(plant!("energy: rate of the kinetic energy of the centre", numbers.mass) * own),
-                ),
-                Degree::Turn => {
-                    (T::zero(), -(plant!("energy: rate of the energy of rotation", numbers.inertia) * own))
-                }
-            };
-            let mut surplus = weight + gain;
-            let mut size = weight.size() + gain.size();
-            if let (Degree::Along, Some([forward, _])) = (degree, numbers.carried) {
-                let with = numbers.mass * forward.acceleration;
-                surplus = surplus - plant!("energy: momentum of one body with the carrier", with);
-                size += with.size();
-            }
-            let row = rows.row();
-            let mut act = |t: usize, lever: T, known: Option<T>| match known {
-                Some(force) => {
-                    let power = force * lever;
-                    surplus = surplus + power;
-                    size += power.size();
-                }
-                None => {
-                    if let Some(j) = unknown.iter().position(|u| *u == t) {
-                        row[j] = row[j] + lever;
-                    }
-                }
-            };
-            let cord_lever = |end: &CordEnd| -> T {
-                let sense = if end.forward { 1.0 } else { -1.0 };
-                match (degree, end.attach) {
-                    (Degree::Along, _) => match end.tilt_deg {
-                        Some(tilt) => pose::direction(n, tilt)[0].signed(sense),
-                        None => T::of(sense),
-                    },
-                    (Degree::Turn, Attach::Centre) => T::zero(),
-                    (Degree::Turn, Attach::Wound(p, Side::Top)) => n.get(p).signed(sense),
-                    (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),
-                }
-            };
-            let mut springs = 0..;
-            for (t, tie) in scene.ties.iter().enumerate() {
-                match tie {
-                    Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
-                        let lever = match degree {
-                            Degree::Along => T::of(1.0),
-                            Degree::Turn => -n.get(*radius_m),
-                        };
-                        act(t, plant!("energy: friction on one body alone", lever), kinetic[t]);
-                    }
-                    Tie::Slide { body, .. } if *body == b && degree == Degree::Along => {
-                        act(t, T::of(1.0), kinetic[t]);
-                    }
-                    Tie::Cord(cord) => {
-                        let known = match &cord.to {
-                            Far::Pull(p) => {
-                                let p = plant!("energy: pull on one body alone", n.massive(*p));
-                                let growth = grown(scene, n, GivenForce::Pull(t));
-                                Some(growth.map_or(p, |growth| p + growth * pulls[0]))
-                            }
-                            Far::Spring { .. } => springs.next().and_then(|i| pulls.get(i).copied()),
-                            _ => None,
-                        };
-                        if cord.from.body == b {
-                            act(t, cord_lever(&cord.from), known);
-                        }
-                        if let Far::Body(other) = &cord.to
-                            && other.body == b
-                        {
-                            act(t, cord_lever(other), known);
-                        }
-                    }
-                    _ => {}
+            None => {
+                if let Some(j) = unknown.iter().position(|u| *u == t) {
+                    row[j] = row[j] + lever;
                 }
             }
-            let turning = |(_, c): &(usize, &Couple)| c.body == b && degree == Degree::Turn;
-            for (i, c) in scene.couples.iter().enumerate().filter(turning) {
-                let growth = grown(scene, n, GivenForce::Couple(i));
-                let moment = n.massive(c.moment_n_m);
-                let moment = growth.map_or(moment, |growth| moment + growth * pulls[0]);
-                surplus = surplus + if c.forward { moment } else { -moment };
-                size += moment.size();
-            }
-            row[cols] = -surplus;
-            rows.sized(size);
-        }
+        });
+        row[cols] = -surplus;
+        rows.sized(size);
     }
     let found = rows.reduce(&[]);
     let mut all: PerTie<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
@@ -288,4 +205,92 @@ pub fn reactions<T: Real>(
         all[t] = value.unwrap_or_else(|| T::of(f64::NAN));
     }
     Reactions { all, open }
+}
+
+/// Power of weight and couples on one body alone per unit velocity of one of its coordinates, less the rate of its kinetic energy; and
+/// the sum of their magnitudes.
+fn alone<T: Real>(scene: &Scene, n: &Numbers<T>, c: Coordinate, own: T, pulls: &[T]) -> (T, f64) {
+    let numbers = &n.bodies[c.body];
+    let (weight, gain) = match c.degree {
+        Degree::Along => (
+            -(numbers.mass * n.gravity * numbers.climb),
+            -(plant!("energy: rate of the kinetic energy of the centre", numbers.mass) * own),
+        ),
+        Degree::Turn => {
+            (T::zero(), -(plant!("energy: rate of the energy of rotation", numbers.inertia) * own))
+        }
+    };
+    let mut surplus = weight + gain;
+    let mut size = weight.size() + gain.size();
+    if let (Degree::Along, Some([forward, _])) = (c.degree, numbers.carried) {
+        let with = numbers.mass * forward.acceleration;
+        surplus = surplus - plant!("energy: momentum of one body with the carrier", with);
+        size += with.size();
+    }
+    let turning = |(_, k): &(usize, &Couple)| k.body == c.body && c.degree == Degree::Turn;
+    for (i, k) in scene.couples.iter().enumerate().filter(turning) {
+        let growth = grown(scene, n, GivenForce::Couple(i));
+        let moment = n.massive(k.moment_n_m);
+        let moment = growth.map_or(moment, |growth| moment + growth * pulls[0]);
+        surplus = surplus + if k.forward { moment } else { -moment };
+        size += moment.size();
+    }
+    (surplus, size)
+}
+
+/// Tells of each tie that acts on a coordinate: its index, its lever, and its force if that is given or a spring's.
+fn levers<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    c: Coordinate,
+    pulls: &[T],
+    mut act: impl FnMut(usize, T, Option<T>),
+) {
+    let cord_lever = |end: &CordEnd| -> T {
+        let sense = if end.forward { 1.0 } else { -1.0 };
+        match (c.degree, end.attach) {
+            (Degree::Along, _) => match end.tilt_deg {
+                Some(tilt) => pose::direction(n, tilt)[0].signed(sense),
+                None => T::of(sense),
+            },
+            (Degree::Turn, Attach::Centre) => T::zero(),
+            (Degree::Turn, Attach::Wound(p, Side::Top)) => n.get(p).signed(sense),
+            (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),
+        }
+    };
+    let mut springs = 0..;
+    for (t, tie) in scene.ties.iter().enumerate() {
+        match tie {
+            Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == c.body => {
+                let lever = match c.degree {
+                    Degree::Along => T::of(1.0),
+                    Degree::Turn => -n.get(*radius_m),
+                };
+                act(t, plant!("energy: friction on one body alone", lever), None);
+            }
+            Tie::Slide { body, .. } if *body == c.body && c.degree == Degree::Along => {
+                act(t, T::of(1.0), None);
+            }
+            Tie::Cord(cord) => {
+                let known = match &cord.to {
+                    Far::Pull(p) => {
+                        let p = plant!("energy: pull on one body alone", n.massive(*p));
+                        let growth = grown(scene, n, GivenForce::Pull(t));
+                        Some(growth.map_or(p, |growth| p + growth * pulls[0]))
+                    }
+                    Far::Spring { .. } => springs.next().and_then(|i| pulls.get(i).copied()),
+                    _ => None,
+                };
+                if cord.from.body == c.body {
+                    act(t, cord_lever(&cord.from), known);
+                }
+                if let Far::Body(other) = &cord.to
+                    && other.body == c.body
+                {
+                    act(t, cord_lever(other), known);
+                }
+            }
+            _ => {}
+        }
+    }
 }

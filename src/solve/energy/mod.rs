@@ -7,10 +7,11 @@ pub mod account;
 pub mod balance;
 pub mod instant;
 pub mod joined;
+mod onset;
 pub mod pendulum;
+mod phases;
 pub mod quadrature;
 pub mod speeds;
-pub mod thrown;
 
 use crate::num::dd::Dd;
 use crate::num::eliminate::Equations;
@@ -23,12 +24,14 @@ use crate::scene::{
 };
 use crate::solve::energy::account::{Account, Store, Stores};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
+use crate::solve::energy::onset::Onset;
+use crate::solve::energy::phases::Phases;
 use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
 use crate::solve::found::{self, Forward};
 use crate::solve::method::Method;
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Refusal, Road, Said, Scope};
+use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
 use std::cell::Cell;
 
@@ -77,9 +80,6 @@ fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
     if matches!(scene.end, End::AtOnce) {
         return at_once(scene, n);
     }
-    if let Some(thrown) = scene.thrown() {
-        return thrown::road(scene, &n, &thrown);
-    }
     Ok(Ledger::open(scene, n)?.settle()?.0)
 }
 
@@ -90,7 +90,8 @@ fn at_once<T: Real>(scene: &Scene, n: Numbers<T>) -> Result<Road<T>, Refusal> {
         return Ok(road);
     }
     let settle = || {
-        let mut ledger = Ledger::open(scene, n)?;
+        let ledger = Ledger::open(scene, n).map(Some);
+        let Some(mut ledger) = outcome::or_motion(scene, ledger)? else { return Ok(road) };
         ledger.road = road;
         let n = &ledger.n;
         let pulls = at_start(scene, n);
@@ -136,12 +137,17 @@ fn alone_by<T: Real>(
     if matches!(scene.end, End::AtOnce) {
         return Ok((at_once(scene, n)?, Count::default()));
     }
-    if scene.thrown().is_some() {
+    if scene.goes_in_phases() {
         return Err(Refusal::NoMethod { method: Method::Gauss });
     }
     let mut ledger = Ledger::open(scene, n)?;
     ledger.points = points;
     ledger.settle()
+}
+
+/// What springs pull at a place.
+fn stretched<T: Real>(stores: &[Store<T>], s: T) -> Pulls<T> {
+    stores.iter().map(|k| k.stiffness * k.stretch_at(s)).collect()
 }
 
 struct Ledger<'a, T: Real> {
@@ -177,6 +183,8 @@ struct Ledger<'a, T: Real> {
     turned: bool,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
+    /// The motion, where it goes in phases.
+    phases: Option<Phases<T>>,
     /// The reactions that were asked last, and the tensions of the springs for which.
     last: Option<(Pulls<T>, Reactions<T>)>,
 }
@@ -192,8 +200,8 @@ fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Pulls<T> {
     scene.springs().map(|s| n.massive(s.stiffness_n_m) * n.get(s.stretch_m)).collect()
 }
 
-/// Rates of the modes from their power balances, and their sum as one motion.
-fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[T], pulls: &[T]) -> Mode<T> {
+/// The motion that has in each mode this momentum, given with the sum of its terms: with powers for momenta, the accelerations.
+fn motion<T: Real>(n: &Numbers<T>, modes: &[Mode<T>], given: impl Fn(&Mode<T>) -> (T, f64)) -> Mode<T> {
     let m = modes.len();
     let mut rows = Equations::new(m);
     for a in modes {
@@ -201,25 +209,36 @@ fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[
         for (cell, b) in row.iter_mut().zip(modes) {
             *cell = balance::inertia(n, a, b);
         }
-        let (mut power, mut size) = (T::zero(), 0.0);
-        let mut add = |p: T| {
-            power = power + p;
-            size += p.size();
-        };
-        for p in balance::powers(scene, n, a, friction) {
-            add(p.power);
-        }
-        for (spring, pull) in scene.springs().zip(pulls) {
-            add(*pull * a.point(n, &spring.from));
-        }
-        if !scene.growths.is_empty() {
-            add(pulls[0] * balance::grown_power(scene, n, a));
-        }
-        row[m] = power.cleared(size);
+        let (right, size) = given(a);
+        row[m] = right.cleared(size);
         rows.sized(size);
     }
     let rates = rows.reduce(&[]).solution().unwrap_or_else(|| smallvec![T::of(f64::NAN); m]);
-    combine(scene.bodies.len(), modes, &rates)
+    combine(n.bodies.len(), modes, &rates)
+}
+
+/// The power in a mode of all forces that are known, and the sum of the magnitudes.
+fn push<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: &[T], pulls: &[T]) -> (T, f64) {
+    let (mut power, mut size) = (T::zero(), 0.0);
+    let mut add = |p: T| {
+        power = power + p;
+        size += p.size();
+    };
+    for p in balance::powers(scene, n, mode, friction) {
+        add(p.power);
+    }
+    for (spring, pull) in scene.springs().zip(pulls) {
+        add(*pull * mode.point(n, &spring.from));
+    }
+    if !scene.growths.is_empty() {
+        add(pulls[0] * balance::grown_power(scene, n, mode));
+    }
+    (power, size)
+}
+
+/// Rates of the modes from their power balances, and their sum as one motion.
+fn drive<T: Real>(scene: &Scene, n: &Numbers<T>, modes: &[Mode<T>], friction: &[T], pulls: &[T]) -> Mode<T> {
+    motion(n, modes, |mode| push(scene, n, mode, friction, pulls))
 }
 
 /// Where a power is so many times smaller than those that make it up, they may balance.
@@ -228,18 +247,6 @@ const NEAR_BALANCE: f64 = 1e6;
 /// Kinetic friction of each tie, zero where it has none.
 fn frictions<T: Real>(kinetic: &[Option<T>]) -> PerTie<T> {
     kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
-}
-
-/// The reactions where the contacts hold as `grip` says.
-fn if_rolls<T: Real>(
-    scene: &Scene,
-    n: &Numbers<T>,
-    (grip, stays): (Grip, &[bool]),
-    kinetic: &[Option<T>],
-    pulls: &[T],
-) -> Reactions<T> {
-    let rate = drive(scene, n, &speeds::modes(scene, n, grip, stays), &frictions(kinetic), pulls);
-    balance::reactions(scene, n, &|c| rate.of(c), pulls, kinetic)
 }
 
 /// `sum rate_j mode_j`.
@@ -260,51 +267,44 @@ fn closed<T: Real>(account: &Account<T>, s: T, rest: bool) -> Summed<T> {
     Summed { energy: account.energy(s), u, time: account.time(s, u) }
 }
 
+/// How something has gone that hangs linearly on the velocities.
+#[derive(Clone, Copy)]
+struct Gone<T> {
+    /// Its velocity at unit rate of the mode, or at the end.
+    unit: T,
+    /// Its velocity before and at the end.
+    before: T,
+    speed: T,
+    /// Its displacement, and its path there and back.
+    moved: T,
+    path: T,
+}
+
+/// A motion at its end.
+#[derive(Clone, Copy)]
+struct Ended<T> {
+    /// Way, energy, speed and time of the mode.
+    s: T,
+    there: Summed<T>,
+    sense: f64,
+    /// Speed at the start.
+    u0: T,
+    /// Twice the energy at unit rate.
+    doubled: T,
+    /// Work of all forces.
+    work: T,
+}
+
 impl<'a, T: Real> Ledger<'a, T> {
     fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
-        let ties = scene.ties.len();
         let pulls = at_start(scene, &n);
-        let slipping: SmallVec<[usize; 2]> =
-            (0..ties).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
-        let mut kinetic: PerTie<Option<T>> = smallvec![None; ties];
-        // What slides has no friction until the sense of the motion is known.
-        for (t, tie) in scene.ties.iter().enumerate() {
-            if matches!(tie, Tie::Slide { .. }) {
-                kinetic[t] = Some(T::zero());
-            }
+        if scene.goes_in_phases() {
+            return Self::in_phases(scene, n, &pulls);
         }
-        let mut rolled: SmallVec<[(usize, T); 1]> = SmallVec::new();
-        if !slipping.is_empty() {
-            let kinetic_of = |t: usize, sense: f64| match &scene.ties[t] {
-                Tie::Slip { body, mu_k, .. } => {
-                    let most =
-                        plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(scene, &n, *body);
-                    Some(most.signed(sense))
-                }
-                _ => None,
-            };
-            let all = if_rolls(scene, &n, (Grip::AllRoll, &[]), &kinetic, &pulls);
-            for t in &slipping {
-                kinetic[*t] = kinetic_of(*t, all[*t].sign());
-            }
-            if let [only] = slipping.as_slice() {
-                rolled.push((*only, all[*only]));
-            } else {
-                // Each contact with the others as declared.
-                for settled in [false, true] {
-                    for t in &slipping {
-                        kinetic[*t] = None;
-                        let friction = if_rolls(scene, &n, (Grip::Rolls(*t), &[]), &kinetic, &pulls)[*t];
-                        kinetic[*t] = kinetic_of(*t, friction.sign());
-                        if settled {
-                            rolled.push((*t, friction));
-                        }
-                    }
-                }
-            }
-        }
-        let mut modes = speeds::modes(scene, &n, Grip::Declared, &[]);
+        let mut onset = Onset::new(scene, &n, &pulls);
+        onset.slips();
+        let modes = speeds::modes(scene, &n, &[]);
         // Rate of the first mode at the start, from the first given speed that it has; the others have to agree.
         let rate0 = modes.first().map_or_else(T::zero, |m| {
             let leads = scene.start_speeds().find(|(c, _)| !m.of(*c).is_zero());
@@ -319,60 +319,23 @@ impl<'a, T: Real> Ledger<'a, T> {
         let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
         let loose = modes.first().cloned();
         let held = modes.iter().all(|m| m.of(end).is_zero());
-        let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), &pulls);
+        let mut start_rate = drive(scene, &n, &modes, &frictions(&onset.kinetic), &pulls);
         let inclined = start_rate.of(end).sign();
-        let mut at_start = frictions(&kinetic);
+        let mut at_start = frictions(&onset.kinetic);
+        let mut left = modes;
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
-            // The work of sliding friction is negative, whichever way the body goes.
-            let free = start_rate.clone();
-            let going = |b: usize| match modes.first() {
-                Some(m) if started => (m.v[b] * rate0).sign(),
-                _ => free.v[b].sign(),
+            let going = match left.first() {
+                Some(m) if started => m.v.iter().map(|v| (*v * rate0).sign()).collect(),
+                _ => start_rate.v.iter().map(|v| v.sign()).collect(),
             };
-            let going: SmallVec<[f64; 4]> = (0..scene.bodies.len()).map(going).collect();
-            let mut stays: PerTie<bool> = smallvec![false; ties];
-            // Held by static friction, which is then a reaction, or sliding with this coefficient.
-            let friction = |kinetic: &mut PerTie<Option<T>>, stays: &[bool], starting: bool| {
-                for (t, tie) in scene.ties.iter().enumerate() {
-                    if let Tie::Slide { body, mu_s, mu_k } = tie {
-                        let mu = if starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
-                        let most = n.get(mu) * balance::normal(scene, &n, *body);
-                        kinetic[t] = (!stays[t]).then(|| most.signed(-going[*body]));
-                    }
-                }
-                frictions(kinetic)
-            };
-            for (t, tie) in scene.ties.iter().enumerate() {
-                stays[t] = matches!(tie, Tie::Slide { body, .. } if going[*body] == 0.0);
-            }
-            at_start = friction(&mut kinetic, &[false].repeat(ties), !started);
-            // What static friction takes more power from than all else gives does not set off.
-            let mut settled = started;
-            while !settled {
-                let most = friction(&mut kinetic, &stays, true);
-                modes = speeds::modes(scene, &n, Grip::Declared, &stays);
-                let first = drive(scene, &n, &modes, &most, &pulls);
-                let before = stays.clone();
-                for (t, tie) in scene.ties.iter().enumerate() {
-                    if let Tie::Slide { body, .. } = tie {
-                        stays[t] |= first.v[*body].sign() * going[*body] <= 0.0;
-                    }
-                }
-                settled = stays == before;
-            }
-            let sliding = friction(&mut kinetic, &stays, false);
-            modes = speeds::modes(scene, &n, Grip::Declared, &stays);
-            start_rate = drive(scene, &n, &modes, &sliding, &pulls);
-            // The work of what slides counts in what the contacts that slip would need to roll.
-            for (t, friction) in &mut rolled {
-                let mut without = kinetic.clone();
-                without[*t] = None;
-                *friction = if_rolls(scene, &n, (Grip::Rolls(*t), &stays), &without, &pulls)[*t];
-            }
+            at_start = onset.slides(going, started);
+            left = speeds::modes(scene, &n, &onset.holds);
+            start_rate = drive(scene, &n, &left, &frictions(&onset.kinetic), &pulls);
+            onset.rolled_beside_sliding();
         }
         let lead = start_rate.of(end);
-        let mode = if modes.len() == 1 || lead.is_zero() {
-            modes.first().cloned().unwrap_or_else(|| Mode::still(scene.bodies.len()))
+        let mode = if left.len() == 1 || lead.is_zero() {
+            left.first().cloned().unwrap_or_else(|| Mode::still(scene.bodies.len()))
         } else {
             // From rest the displacements are as the accelerations.
             let mut mode = start_rate.clone();
@@ -382,28 +345,55 @@ impl<'a, T: Real> Ledger<'a, T> {
             mode
         };
         let loose = loose.filter(|_| mode.of(end).is_zero()).unwrap_or_else(|| mode.clone());
-        let road = Road::new(Scope::ALL);
-        Ok(Self {
+        let Onset { kinetic, rolled, .. } = onset;
+        let mut ledger = Self::still(scene, n, (mode, start_rate), kinetic);
+        (ledger.loose, ledger.held, ledger.free) = (loose, held, !left.is_empty());
+        (ledger.at_start, ledger.rolled, ledger.inclined) = (at_start, rolled, inclined);
+        (ledger.v0, ledger.started) = (v0, started);
+        Ok(ledger)
+    }
+
+    /// A motion in phases: what holds at its end, or at the start where that is not reached.
+    fn in_phases(scene: &'a Scene, n: Numbers<'a, T>, pulls: &[T]) -> Result<Self, Refusal> {
+        let phases = Phases::follow(scene, &n, pulls)?;
+        let leg = &phases.legs[if phases.ended { phases.legs.len() - 1 } else { 0 }];
+        let (rate, kinetic) = (leg.rate.clone(), leg.kinetic.clone());
+        let mut ledger = Self::still(scene, n, (Mode::still(scene.bodies.len()), rate), kinetic);
+        ledger.v0 = phases.ends()[0].of(ledger.end);
+        ledger.rolled = phases.rolled.iter().map(|r| (r.tie, r.friction)).collect();
+        (ledger.started, ledger.phases) = (true, Some(phases));
+        Ok(ledger)
+    }
+
+    /// Nothing known yet but a mode, the accelerations and what rubs.
+    fn still(
+        scene: &'a Scene,
+        n: Numbers<'a, T>,
+        (mode, start_rate): (Mode<T>, Mode<T>),
+        kinetic: PerTie<Option<T>>,
+    ) -> Self {
+        Self {
             scene,
             n,
-            end,
+            end: scene.ending_coordinate(),
+            loose: mode.clone(),
             mode,
-            loose,
-            held,
+            held: false,
             start_rate,
+            at_start: frictions(&kinetic),
             kinetic,
-            at_start,
-            rolled,
-            inclined,
-            v0,
-            started,
-            free: !modes.is_empty(),
-            road,
+            rolled: SmallVec::new(),
+            inclined: 0.0,
+            v0: T::zero(),
+            started: false,
+            free: true,
+            road: Road::new(Scope::ALL),
             late: None,
             turned: false,
             points: None,
+            phases: None,
             last: None,
-        })
+        }
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -423,15 +413,15 @@ impl<'a, T: Real> Ledger<'a, T> {
         if self.scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 }
     }
 
-    fn settle(mut self) -> Result<(Road<T>, Count), Refusal> {
-        let mut stores = self.stores(&self.mode);
+    /// The power of the constant forces per unit rate.
+    fn constant(&mut self, sprung: bool) -> T {
         let frictions: PerTie<T> = frictions(&self.kinetic);
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
         let size = powers.iter().fold(0.0, |sum, p| sum + p.power.size());
-        let mut constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
+        let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
         let starts = !self.scene.growths.is_empty() || !self.scene.starts_from_rest();
         let near_balance = constant.size() * NEAR_BALANCE < size && !constant.is_zero();
-        if near_balance && starts && stores.is_empty() && self.rolled.is_empty() {
+        if near_balance && starts && !sprung && self.rolled.is_empty() {
             // Powers that balance but for the last digits of what is printed balance: of what is given, and of the weights.
             let mut weightless = self.n.clone();
             weightless.gravity = T::zero();
@@ -445,10 +435,19 @@ impl<'a, T: Real> Ledger<'a, T> {
             let given = balance::powers(self.scene, &weightless, &self.mode, &rubbing);
             let given = given.iter().fold(T::zero(), |sum, p| sum + p.power);
             if given.apart(given - constant).is_zero() {
-                constant = T::zero();
                 self.start_rate = Mode::still(self.scene.bodies.len());
+                return T::zero();
             }
         }
+        constant
+    }
+
+    fn settle(mut self) -> Result<(Road<T>, Count), Refusal> {
+        if self.phases.is_some() {
+            return Ok((self.through_phases(), Count::default()));
+        }
+        let mut stores = self.stores(&self.mode);
+        let constant = self.constant(!stores.is_empty());
         let start_powers = balance::powers(self.scene, &self.n, &self.loose, &self.at_start);
         let loosely = self.stores(&self.loose);
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
@@ -479,15 +478,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             )
         });
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
-            self.road.course = Some(Course { drive, ..Course::at_rest() });
-            self.standing(&pulls0);
-            self.resting(&pulls0);
-            if !stores.is_empty() && self.end.degree == Degree::Along {
-                for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
-                    self.say(q, Owner::Body(self.end.body), T::zero());
-                }
-            }
-            self.grip(&[pulls0]);
+            self.rest(drive, pulls0);
             return Ok((self.road, Count::default()));
         }
         let constant = constant.signed(sense);
@@ -500,46 +491,94 @@ impl<'a, T: Real> Ledger<'a, T> {
 
         let turning = account.turning();
         let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
-        let wrong_way = match self.scene.heading {
-            Some(Heading::Forward) => sense < 0.0,
-            Some(Heading::Back) => sense > 0.0,
-            None => false,
-        };
+        let wrong_way = self.goes_wrong(sense);
         let s = self.asked(&account, turning, sense);
         let arrives = |s: T| s.not_negative() && s.at_most(limit);
         // The turning point is where it is: no comparison with itself.
         let turns = matches!(self.scene.end, End::TurningPoint(_));
         let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s));
         self.road.course = Some(Course { drive, ..Course::moving(sense, reached) });
-        let pulls_at = |s: T| -> Pulls<T> { stores.iter().map(|k| k.stiffness * k.stretch_at(s)).collect() };
-        // The extremes of what springs pull are where the account of the way opens, where a cord goes slack and where it is closed.
-        let closing = if reached && self.scene.span == Span::ToEnd { s } else { turning };
-        let slack = stores.iter().filter_map(Store::slack).filter(|at| closing.is_none_or(|s| at.below(s)));
-        let places = std::iter::once(T::zero()).chain(slack).chain(closing);
-        let pulls: SmallVec<[Pulls<T>; 3]> = places.map(pulls_at).collect();
-        self.grip(&pulls);
+        self.look(&stores, if reached { s } else { None }, turning);
         let summed = self.points.map(|points| Sum { account: &account, points, evaluations: Cell::new(0) });
         if (!stores.is_empty() || !u0.is_zero()) && self.end.degree == Degree::Along {
-            let body = Owner::Body(self.end.body);
-            if let Some((at, v)) = account.fastest() {
-                let v = summed.as_ref().map_or(v, |sum| sum.speed(at));
-                self.say(Quantity::VMax, body, v);
-                self.say(Quantity::DAtVMax, body, at);
-            }
-            let farthest = turning.unwrap_or_else(|| T::of(f64::INFINITY));
-            self.say(Quantity::DTurn, body, farthest);
+            self.extremes(&account, summed.as_ref(), turning);
         }
         match s {
             Some(s) if reached => {
                 let rest = matches!(self.scene.end, End::TurningPoint(_));
                 let there = summed.as_ref().map_or_else(|| closed(&account, s, rest), |sum| sum.at(s));
-                let given = Account { energy0: T::zero(), ..account.clone() }.energy(s);
-                self.arrived((doubled, u0, given), s, there, sense, &pulls_at(s));
+                let work = Account { energy0: T::zero(), ..account.clone() }.energy(s);
+                self.arrived(&Ended { s, there, sense, u0, doubled, work }, &stretched(&stores, s));
             }
             _ => self.standing(&pulls0),
         }
         let evaluations = summed.map_or(0, |sum| sum.evaluations.get());
         Ok((self.road, Count { evaluations, ..Count::default() }))
+    }
+
+    /// Is it declared to go the other way?
+    fn goes_wrong(&self, sense: f64) -> bool {
+        match self.scene.heading {
+            Some(Heading::Forward) => sense < 0.0,
+            Some(Heading::Back) => sense > 0.0,
+            None => false,
+        }
+    }
+
+    /// Nothing sets off.
+    fn rest(&mut self, drive: (T, T), pulls: Pulls<T>) {
+        self.road.course = Some(Course { drive, ..Course::at_rest() });
+        self.standing(&pulls);
+        self.resting(&pulls);
+        if self.scene.is_sprung() && self.end.degree == Degree::Along {
+            for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                self.say(q, Owner::Body(self.end.body), T::zero());
+            }
+        }
+        self.grip(&[pulls]);
+    }
+
+    /// The contacts over the way: the extremes of what springs pull are where the account of the way opens, where a cord goes slack and
+    /// where it is closed.
+    fn look(&mut self, stores: &[Store<T>], s: Option<T>, turning: Option<T>) {
+        let closing = if self.scene.span == Span::ToEnd { s.or(turning) } else { turning };
+        let slack = stores.iter().filter_map(Store::slack).filter(|at| closing.is_none_or(|s| at.below(s)));
+        let places = std::iter::once(T::zero()).chain(slack).chain(closing);
+        let pulls: SmallVec<[Pulls<T>; 3]> = places.map(|s| stretched(stores, s)).collect();
+        self.grip(&pulls);
+    }
+
+    /// Where it is fastest, and where it turns.
+    fn extremes(&mut self, account: &Account<T>, summed: Option<&Sum<T>>, turning: Option<T>) {
+        let body = Owner::Body(self.end.body);
+        if let Some((at, v)) = account.fastest() {
+            let v = summed.map_or(v, |sum| sum.speed(at));
+            self.say(Quantity::VMax, body, v);
+            self.say(Quantity::DAtVMax, body, at);
+        }
+        let farthest = turning.unwrap_or_else(|| T::of(f64::INFINITY));
+        self.say(Quantity::DTurn, body, farthest);
+    }
+
+    /// A motion in phases.
+    fn through_phases(mut self) -> Road<T> {
+        let Some(phases) = &self.phases else { return self.road };
+        let reached = phases.ended && !self.goes_wrong(phases.sense);
+        let [first, last] = phases.ends();
+        let own = if reached { last } else { first }.of(self.end).sign();
+        let sense = if own == 0.0 { phases.sense } else { own };
+        let (doubled, time) = (balance::inertia(&self.n, last, last), phases.time());
+        self.road.course = Some(Course::moving(sense, reached));
+        self.if_rolled();
+        self.grip(&[Pulls::new()]);
+        if reached {
+            let (s, one) = (T::zero(), T::of(1.0));
+            let there = Summed { energy: doubled.scale2(-1), u: one, time };
+            self.arrived(&Ended { s, there, sense: 1.0, u0: one, doubled, work: s }, &[]);
+        } else {
+            self.standing(&[]);
+        }
+        self.road
     }
 
     /// Where the power of all but the sliding friction vanishes, and small oscillations about it.
@@ -622,11 +661,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         let held = if along { energy0 } else { doubled * u0 };
         let least = held + gained(share, grown);
-        let declared = match self.scene.heading {
-            Some(Heading::Forward) => sense > 0.0,
-            Some(Heading::Back) => sense < 0.0,
-            None => true,
-        };
+        let declared = !self.goes_wrong(sense);
         let sets_off = u0.sign() > 0.0 || first.not_negative();
         let onward = least.sign() > 0.0 && sets_off;
         let momentum = held + gained(whole, whole);
@@ -654,16 +689,31 @@ impl<'a, T: Real> Ledger<'a, T> {
         let u = if along { (energy.scale2(1) / doubled).root() } else { u0 + gained(whole, whole) / doubled };
         let [s, late, u0, u] = [s, late, u0, u].map(|x| x.signed(turn_back));
         self.late = Some(late);
-        self.arrived((doubled, u0, work), s, Summed { energy, u, time: extent }, sense, &[whole]);
+        let there = Summed { energy, u, time: extent };
+        self.arrived(&Ended { s, there, sense, u0, doubled, work }, &[whole]);
         self.road
     }
 
-    /// Work of a given force over the way `s`, at which its point goes at `rate` times the rate of the mode, and its size at the end.
-    fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> (T, T) {
+    /// Work of a given force over the way of its point, and its size at the end.
+    fn work(&self, force: T, growth: Option<T>, point: &Gone<T>, sense: f64) -> (T, T) {
         match (growth, self.late) {
-            (Some(growth), Some(late)) => (rate * (force * s).balance(growth * late), force + growth),
-            _ => (force * rate * s, force),
+            (Some(growth), Some(late)) => {
+                let later = growth * late * point.unit.signed(sense);
+                ((force * point.moved).balance(later), force + growth)
+            }
+            _ => (force * point.moved, force),
         }
+    }
+
+    /// How something has gone at the end that hangs linearly on the velocities.
+    fn gone(&self, end: &Ended<T>, of: impl Fn(&Mode<T>) -> T) -> Gone<T> {
+        if let Some(phases) = &self.phases {
+            return phases.gone(&of);
+        }
+        let unit = of(&self.mode);
+        let signed = |x: T| (unit * x).signed(end.sense);
+        let path = (unit * end.s).abs();
+        Gone { unit, before: signed(end.u0), speed: signed(end.there.u), moved: signed(end.s), path }
     }
 
     /// Driving and resisting power at the start, per unit rate.
@@ -703,17 +753,36 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn if_rolled(&mut self) {
         for (t, friction) in std::mem::take(&mut self.rolled) {
-            if let Tie::Slip { body, .. } = &self.scene.ties[t] {
-                let normal = balance::normal(self.scene, &self.n, *body);
-                self.say(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)));
-                self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs().over(normal));
+            let Some(rub) = self.scene.ties[t].rubbing() else { continue };
+            let (of, normal) = (Owner::Body(rub.body), balance::normal(self.scene, &self.n, rub.body));
+            let later = self.phases.as_ref().and_then(|phases| phases.needed(t));
+            let needed = later.unwrap_or(friction.abs());
+            self.say(Quantity::FrictionIfRolled, of, friction.signed(self.up(rub.body)));
+            self.say(Quantity::MuRequired, of, needed.over(normal));
+            if self.scene.end != End::AtOnce {
+                self.thrown(t, needed.at_most(self.n.get(rub.mu_s) * normal));
             }
+        }
+    }
+
+    /// The slip with which a contact starts, and how its body goes on once that has ended.
+    fn thrown(&mut self, tie: usize, holds: bool) {
+        let (Some(phases), Some(rub)) = (&self.phases, self.scene.ties[tie].rubbing()) else { return };
+        let [v, rim] = phases::slip(&self.n, &rub, phases.ends()[0]);
+        let rolled = phases.rolled.iter().find(|rolled| rolled.tie == tie);
+        let a = rolled.map(|rolled| rolled.rate.v[rub.body]).filter(|_| holds);
+        let of = Owner::Body(rub.body);
+        self.say(Quantity::SlipSpeed, of, v.apart(rim).abs());
+        if let Some(a) = a {
+            let with = self.n.bodies[rub.body].carried.map(|[forward, _]| forward.acceleration);
+            self.say(Quantity::ARolling, of, with.map_or(a, |with| a.balance(with)));
         }
     }
 
     /// Accelerations at this tension of the spring, from the power balance there.
     fn rate(&self, pulls: &[T]) -> Mode<T> {
-        if !self.scene.is_sprung() && self.scene.growths.is_empty() || !self.free {
+        let constant = !self.scene.is_sprung() && self.scene.growths.is_empty();
+        if constant || !self.free || self.scene.end == End::AtOnce {
             return self.start_rate.clone();
         }
         let frictions: PerTie<T> = frictions(&self.kinetic);
@@ -751,7 +820,12 @@ impl<'a, T: Real> Ledger<'a, T> {
                 self.say(Quantity::Normal, Owner::Body(b), normal);
             }
         }
-        let held: SmallVec<[Reactions<T>; 3]> = places.iter().map(|pulls| self.reactions(pulls)).collect();
+        let mut held: SmallVec<[Reactions<T>; 3]> =
+            places.iter().map(|pulls| self.reactions(pulls)).collect();
+        if let Some(phases) = &self.phases {
+            let earlier = &phases.legs[..phases.legs.len() - 1];
+            held.extend(earlier.iter().map(|leg| leg.held.clone()));
+        }
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
                 if held.iter().any(|held| held.is_open(t)) {
@@ -886,140 +960,146 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    /// Everything at the end, with twice the energy at unit rate, the speed at the start and the work of all forces.
-    fn arrived(&mut self, (doubled, u0, work): (T, T, T), s: T, there: Summed<T>, sense: f64, pulls: &[T]) {
+    /// Everything at the end.
+    fn arrived(&mut self, end: &Ended<T>, pulls: &[T]) {
         // At rest by the definition of the event, not by what rounding leaves.
-        let rest = matches!(self.scene.end, End::TurningPoint(_));
-        let energy = if rest { T::zero() } else { there.energy };
-        let u = if rest { T::zero() } else { there.u };
+        let rest = matches!(self.scene.end, End::TurningPoint(_)) && self.phases.is_none();
+        let mut end = *end;
+        if rest {
+            (end.there.energy, end.there.u) = (T::zero(), T::zero());
+        }
+        let (energy, time) = (end.there.energy, end.there.time);
         let rate = self.rate(pulls);
         if !self.scene.grows_with_place() {
-            self.say(Quantity::T, Owner::Scene, there.time);
+            self.say(Quantity::T, Owner::Scene, time);
         }
         self.say_rates(&rate);
         self.say_forces(pulls);
         self.bound_of_gyration();
-        let seen = energy.balance(self.shared(u.signed(sense), there.time));
+        let gone = |b: usize| self.gone(&end, |mode| mode.v[b]);
+        let centres: SmallVec<[Gone<T>; 2]> = (0..self.scene.bodies.len()).map(gone).collect();
+        let seen = energy.balance(self.shared(centres.iter().map(|gone| gone.speed), time));
         self.say(Quantity::KineticEnergy, Owner::Scene, seen);
-        if self.scene.carried.is_some() {
-            let before = (doubled * u0.square()).scale2(-1).balance(self.shared(u0.signed(sense), T::zero()));
+        if self.scene.carried.is_some() && self.phases.is_none() {
+            let shared = self.shared(centres.iter().map(|gone| gone.before), T::zero());
+            let before = (end.doubled * end.u0.square()).scale2(-1).balance(shared);
             self.say(Quantity::Work, Owner::Scene, seen.balance(-before));
         }
         let mut spinning = T::zero();
         for (b, body) in self.scene.bodies.iter().enumerate() {
-            let (v, w) = (self.mode.v[b], self.mode.w[b]);
             if body.line.is_some() {
-                let mut along = (v * u).signed(sense);
-                let mut moved = (plant!("energy: way of the centre", v) * s).signed(sense);
-                let mut aside = T::zero();
-                if let Some([forward, out]) = self.n.bodies[b].carried {
-                    aside = out.after(there.time);
-                    along = along.balance(plant!("energy: speed of the carrier", forward.after(there.time)));
-                    moved = moved.balance(forward.way(there.time));
-                }
-                self.leaves(b, Degree::Along, along);
-                self.say(Quantity::V, Owner::Body(b), speed(along, aside));
-                self.say(Quantity::Displacement, Owner::Body(b), moved);
-                self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
+                self.line_at_end(b, &centres[b], time);
             }
             if body.turns {
-                self.leaves(b, Degree::Turn, (w * u).signed(sense));
-                self.say(Quantity::Omega, Owner::Body(b), w.abs() * u);
-                self.say(Quantity::Phi, Owner::Body(b), w.abs() * s);
-                spinning = spinning + self.n.bodies[b].inertia * w * w;
+                let gone = self.gone(&end, |mode| mode.w[b]);
+                self.turn_at_end(b, &gone, end.sense);
+                spinning = spinning + self.n.bodies[b].inertia * gone.unit * gone.unit;
             }
         }
         if !energy.is_zero() {
-            self.say(Quantity::RotationalFraction, Owner::Scene, spinning / doubled);
+            self.say(Quantity::RotationalFraction, Owner::Scene, spinning / end.doubled);
         }
-        let mut heat: Option<T> = None;
-        for (t, tie) in self.scene.ties.iter().enumerate() {
-            match tie {
-                Tie::Slip { body, radius_m, .. } => {
-                    let per = self.mode.v[*body]
-                        - plant!("energy: radius of the slip", self.n.get(*radius_m)) * self.mode.w[*body];
-                    let slip = per.abs() * s;
-                    self.say(Quantity::SlipDistance, Owner::Body(*body), slip);
-                    let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
-                    heat =
-                        Some(heat.unwrap_or_else(T::zero) + plant!("energy: heat of sliding", force) * slip);
-                }
-                Tie::Slide { body, .. } => {
-                    let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
-                    let path = self.mode.v[*body].abs() * s;
-                    heat = Some(heat.unwrap_or_else(T::zero) + force * path);
-                    if self.scene.carried.is_some() {
-                        self.say(Quantity::SlipDistance, Owner::Body(*body), path);
-                    }
-                }
-                Tie::Cord(c) => {
-                    let rate = self.mode.point(&self.n, &c.from).signed(sense);
-                    if let Far::Pull(p) = c.to {
-                        let p = plant!("energy: work of the pull", self.n.massive(p));
-                        if c.from.tilt_deg.is_none() {
-                            self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                        }
-                        let growth = balance::grown(self.scene, &self.n, GivenForce::Pull(t));
-                        let (work, last) = self.work(p, growth, rate, s);
-                        self.say(Quantity::WorkPull, Owner::Tie(t), work);
-                        self.say(Quantity::PowerPull, Owner::Tie(t), last * rate * u);
-                    } else if matches!(c.to, Far::Spring { .. }) {
-                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                    }
-                }
-                Tie::Roll { .. } => {}
-            }
-        }
-        if let Some(heat) = heat {
+        let heat = (0..self.scene.ties.len()).filter_map(|t| self.tie_at_end(t, &end));
+        if let Some(heat) = heat.reduce(|a, b| a + b) {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
-        self.say_totals(plant!("energy: work of all forces", work), (s, u), u0, sense);
+        if !self.scene.is_sprung() && self.phases.is_none() && self.scene.carried.is_none() {
+            self.say(Quantity::Work, Owner::Scene, plant!("energy: work of all forces", end.work));
+        }
     }
 
-    /// Kinetic energy that is seen from the ground beside that of the motion on the carrier, at a rate of the mode and a time:
-    /// `m V v` and `1/2 m V^2` of each body.
-    fn shared(&self, rate: T, time: T) -> T {
+    /// The way of a mass centre, and the momentum that it gains.
+    fn line_at_end(&mut self, b: usize, gone: &Gone<T>, time: T) {
+        let (of, numbers) = (Owner::Body(b), self.n.bodies[b]);
+        let (mut along, mut moved) = (gone.speed, plant!("energy: way of the centre", gone.moved));
+        let mut aside = T::zero();
+        self.say(Quantity::Rise, of, moved * numbers.climb);
+        if let Some([forward, out]) = numbers.carried {
+            aside = out.after(time);
+            along = along.balance(plant!("energy: speed of the carrier", forward.after(time)));
+            moved = moved.balance(forward.way(time));
+        }
+        self.leaves(b, Degree::Along, if self.phases.is_some() { gone.speed } else { along });
+        self.say(Quantity::V, of, speed(along, aside));
+        self.say(Quantity::Displacement, of, moved);
+        self.say(Quantity::Distance, of, gone.path);
+        let after = plant!("energy: momentum after", numbers.mass * gone.speed);
+        self.say(Quantity::Impulse, of, after.balance(-(numbers.mass * gone.before)));
+    }
+
+    /// The turn of a body, and the work of its couples.
+    fn turn_at_end(&mut self, b: usize, gone: &Gone<T>, sense: f64) {
+        let of = Owner::Body(b);
+        self.leaves(b, Degree::Turn, gone.speed);
+        self.say(Quantity::Omega, of, gone.speed.abs());
+        self.say(Quantity::Phi, of, gone.moved.abs());
+        let spin = plant!("energy: angular momentum", gone.speed.abs()) * self.n.bodies[b].inertia;
+        self.say(Quantity::AngularMomentum, of, spin);
+        // Each couple gives power to the turn that it acts along, and takes it from the other.
+        let couples = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == b);
+        let parts = couples.map(|(i, c)| {
+            let along = if c.forward { 1.0 } else { -1.0 };
+            let growth = balance::grown(self.scene, &self.n, GivenForce::Couple(i));
+            let (work, last) = self.work(self.n.massive(c.moment_n_m), growth, gone, sense);
+            (work.signed(along), (last * gone.speed).signed(along))
+        });
+        let sum = |one: (T, T), other: (T, T)| (one.0.balance(other.0), one.1.balance(other.1));
+        if let Some((work, power)) = parts.reduce(sum) {
+            self.say(Quantity::WorkCouple, of, work);
+            self.say(Quantity::PowerCouple, of, power);
+        }
+    }
+
+    /// The way of a contact that rubs or of a cord; the heat of the contact.
+    fn tie_at_end(&mut self, t: usize, end: &Ended<T>) -> Option<T> {
+        if let Some(rub) = self.scene.ties[t].rubbing() {
+            let slip = |mode: &Mode<T>| {
+                let [centre, rim] = phases::slip(&self.n, &rub, mode);
+                centre - rim
+            };
+            let slid = match &self.phases {
+                Some(phases) => phases.slid(t, &slip),
+                None => self.gone(end, slip).path,
+            };
+            if rub.radius_m.is_some() || self.scene.carried.is_some() {
+                self.say(Quantity::SlipDistance, Owner::Body(rub.body), slid);
+            }
+            // What static friction holds has none.
+            let rubs = self.phases.is_some() || self.kinetic[t].is_some();
+            let force = self.n.get(rub.mu_k) * balance::normal(self.scene, &self.n, rub.body);
+            let force = if rubs { plant!("energy: heat of sliding", force) } else { T::zero() };
+            return Some(force * slid);
+        }
+        let Tie::Cord(cord) = &self.scene.ties[t] else { return None };
+        let given = if let Far::Pull(p) = cord.to { Some(p) } else { None };
+        if given.is_none() && !matches!(cord.to, Far::Spring { .. }) {
+            return None;
+        }
+        let (of, gone) = (Owner::Tie(t), self.gone(end, |mode| mode.point(&self.n, &cord.from)));
+        if cord.from.tilt_deg.is_none() {
+            self.say(Quantity::CordTravel, of, gone.path);
+        }
+        if let Some(p) = given {
+            let p = plant!("energy: work of the pull", self.n.massive(p));
+            let growth = balance::grown(self.scene, &self.n, GivenForce::Pull(t));
+            let (work, last) = self.work(p, growth, &gone, end.sense);
+            self.say(Quantity::WorkPull, of, work);
+            self.say(Quantity::PowerPull, of, last * gone.speed);
+        }
+        None
+    }
+
+    /// Kinetic energy that is seen from the ground beside that of the motion on the carrier, at these velocities of the mass centres and
+    /// a time: `m V v` and `1/2 m V^2` of each body.
+    fn shared(&self, centres: impl Iterator<Item = T>, time: T) -> T {
         let mut sum = T::zero();
-        for (b, numbers) in self.n.bodies.iter().enumerate() {
+        for (numbers, v) in self.n.bodies.iter().zip(centres) {
             let Some(carried) = numbers.carried else { continue };
             let [forward, out] = carried.map(|c| c.after(time));
-            sum = sum.balance(numbers.mass * forward * self.mode.v[b] * rate);
+            sum = sum.balance(numbers.mass * forward * v);
             sum = sum.balance((numbers.mass * (forward.square() + out.square())).scale2(-1));
         }
         sum
-    }
-
-    /// The work of all forces, which the account knows, the momentum that they give and that which is there.
-    fn say_totals(&mut self, work: T, (s, u): (T, T), u0: T, sense: f64) {
-        for b in 0..self.scene.bodies.len() {
-            let (v, w, numbers) = (self.mode.v[b], self.mode.w[b], self.n.bodies[b]);
-            if self.scene.bodies[b].line.is_some() {
-                self.say(Quantity::Distance, Owner::Body(b), (v * s).abs());
-                let (after, before) = (numbers.mass * (v * u), numbers.mass * (v * u0));
-                let given = plant!("energy: momentum after", after).balance(-before);
-                self.say(Quantity::Impulse, Owner::Body(b), given.signed(sense));
-            }
-            if self.scene.bodies[b].turns {
-                let spin = plant!("energy: angular momentum", (w * u).abs()) * numbers.inertia;
-                self.say(Quantity::AngularMomentum, Owner::Body(b), spin);
-                let couples = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == b);
-                // Each couple gives power to the turn that it acts along, and takes it from the other.
-                let parts = couples.map(|(i, c)| {
-                    let along = if c.forward { sense } else { -sense };
-                    let growth = balance::grown(self.scene, &self.n, GivenForce::Couple(i));
-                    let (work, last) = self.work(self.n.massive(c.moment_n_m), growth, w.signed(along), s);
-                    (work, last * w.signed(along) * u)
-                });
-                let sum = |one: (T, T), other: (T, T)| (one.0.balance(other.0), one.1.balance(other.1));
-                if let Some((work, power)) = parts.reduce(sum) {
-                    self.say(Quantity::WorkCouple, Owner::Body(b), work);
-                    self.say(Quantity::PowerCouple, Owner::Body(b), power);
-                }
-            }
-        }
-        if !self.scene.is_sprung() && self.scene.carried.is_none() {
-            self.say(Quantity::Work, Owner::Scene, work);
-        }
     }
 
     /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:

@@ -8,7 +8,7 @@ use crate::num::plant::plant;
 use crate::scene::pose;
 use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
 use crate::solve::outcome;
-use crate::solve::outcome::{Grip, Refusal};
+use crate::solve::outcome::Refusal;
 use smallvec::{SmallVec, smallvec};
 
 /// A possible motion: velocity of the line and spin of each body, per unit rate of the mode.
@@ -27,6 +27,18 @@ impl<T: Real> Mode<T> {
     /// No motion.
     pub fn still(bodies: usize) -> Self {
         Self { v: smallvec![T::zero(); bodies], w: smallvec![T::zero(); bodies] }
+    }
+    /// Both motions at once.
+    pub fn plus(&self, other: &Self) -> Self {
+        let sum = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| a.balance(*b)).collect();
+        Self { v: sum(&self.v, &other.v), w: sum(&self.w, &other.w) }
+    }
+    /// Puts a coordinate to rest.
+    pub fn stop(&mut self, c: Coordinate) {
+        match c.degree {
+            Degree::Along => self.v[c.body] = T::zero(),
+            Degree::Turn => self.w[c.body] = T::zero(),
+        }
     }
     /// Velocity of a coordinate.
     pub fn of(&self, c: Coordinate) -> T {
@@ -62,9 +74,8 @@ fn column(c: Coordinate) -> usize {
     }
 }
 
-/// What the ties say of the velocities. `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could
-/// slide do not.
-fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Equations<T> {
+/// What the ties say of the velocities. `holds` says of each tie whether it is a contact that could rub and is at rest.
+fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, holds: &[bool]) -> Equations<T> {
     let bodies = scene.bodies.len();
     let mut rows = Equations::of_decimals(2 * bodies);
     // A body without a line does not travel, one that does not turn has no spin.
@@ -90,7 +101,7 @@ fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]
     for (t, tie) in scene.ties.iter().enumerate() {
         let rolls = match tie {
             Tie::Roll { body, radius_m, .. } => Some((body, radius_m)),
-            Tie::Slip { body, radius_m, .. } if grip.rolls(t) => Some((body, radius_m)),
+            Tie::Slip { body, radius_m, .. } if holds.get(t) == Some(&true) => Some((body, radius_m)),
             _ => None,
         };
         if let Some((body, radius)) = rolls {
@@ -99,7 +110,7 @@ fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]
             row[column(Coordinate { body: *body, degree: Degree::Turn })] =
                 -plant!("energy: distance from the contact", n.get(*radius));
         }
-        if let (Tie::Slide { body, .. }, Some(true)) = (tie, stays.get(t)) {
+        if let (Tie::Slide { body, .. }, Some(true)) = (tie, holds.get(t)) {
             rows.row()[column(Coordinate { body: *body, degree: Degree::Along })] = T::of(1.0);
         }
         if let Tie::Cord(cord) = tie {
@@ -129,7 +140,7 @@ pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refus
     }
     // The given velocities are solved for last: what then is left open must be one of them.
     let columns: SmallVec<[usize; 4]> = given.iter().map(|(c, _)| column(*c)).collect();
-    let reduced = conditions(scene, n, Grip::Declared, &[]).reduce(&columns);
+    let reduced = conditions(scene, n, &[]).reduce(&columns);
     let open = reduced.open();
     if let Some(c) =
         scene.coordinates().find(|c| open.contains(&column(*c)) && !columns.contains(&column(*c)))
@@ -154,15 +165,15 @@ pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refus
 /// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest; all of them do where
 /// the ties hold it fast, and there are none where they hold everything.
 ///
-/// `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could slide do not.
-pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Modes<T> {
+/// `holds` says of each tie whether it is a contact that could rub and is at rest.
+pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, holds: &[bool]) -> Modes<T> {
     let bodies = scene.bodies.len();
-    let rows = conditions(scene, n, grip, stays);
+    let rows = conditions(scene, n, holds);
     let main = column(scene.ending_coordinate());
     // Keep the spin of a slipping wheel open beside the ending coordinate.
     let mut free: SmallVec<[usize; 4]> = smallvec![main];
     free.extend(scene.ties.iter().enumerate().filter_map(|(t, tie)| match tie {
-        Tie::Slip { body, .. } if !grip.rolls(t) => {
+        Tie::Slip { body, .. } if holds.get(t) != Some(&true) => {
             Some(column(Coordinate { body: *body, degree: Degree::Turn }))
         }
         _ => None,

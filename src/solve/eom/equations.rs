@@ -17,9 +17,9 @@ use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
 use crate::scene::pose;
-use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Numbers, Scene, Tie};
-use crate::solve::outcome::{Grip, Refusal};
-use smallvec::SmallVec;
+use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Scene, Tie};
+use crate::solve::outcome::Refusal;
+use smallvec::{SmallVec, smallvec};
 
 /// Right-hand side of the constant forces.
 pub const CONSTANT: usize = 0;
@@ -29,16 +29,27 @@ pub const VARYING: usize = 1;
 /// How the contacts are taken.
 #[derive(Debug, Clone)]
 pub struct Setting {
-    /// How contacts that are said to slip are taken.
-    pub grip: Grip,
-    /// For each tie: is it a body that could slide and stays? Static friction is then a reaction.
-    pub stays: SmallVec<[bool; 4]>,
+    /// For each tie: is it a contact that is said to slip or slide, and holds? Its friction is then a reaction.
+    pub holds: SmallVec<[bool; 4]>,
     /// For each tie that slips or slides: sense of the kinetic friction, 0 for none.
     pub friction_sense: SmallVec<[f64; 4]>,
     /// Slides feel their static coefficient (does it start?).
     pub starting: bool,
     /// Add a unit force on this coordinate as the last right-hand side.
     pub probe: Option<Coordinate>,
+}
+
+impl Setting {
+    /// Nothing that could rub holds, and nothing rubs.
+    pub fn loose(scene: &Scene) -> Self {
+        let ties = scene.ties.len();
+        Self {
+            holds: smallvec![false; ties],
+            friction_sense: smallvec![0.0; ties],
+            starting: false,
+            probe: None,
+        }
+    }
 }
 
 /// Place of an unknown for each body or tie.
@@ -55,6 +66,13 @@ struct Layout {
 }
 
 impl Layout {
+    /// Place of a coordinate.
+    fn place(&self, c: Coordinate) -> Option<usize> {
+        match c.degree {
+            Degree::Along => self.along[c.body],
+            Degree::Turn => self.turn[c.body],
+        }
+    }
     fn of(scene: &Scene, setting: &Setting) -> Self {
         let mut count = 0;
         let mut next = |present: bool| {
@@ -99,10 +117,7 @@ impl<T: Real> Response<T> {
     }
     /// Acceleration of a coordinate.
     pub fn acceleration(&self, c: Coordinate, column: usize) -> T {
-        match c.degree {
-            Degree::Along => self.at(self.layout.along[c.body], column),
-            Degree::Turn => self.at(self.layout.turn[c.body], column),
-        }
+        self.at(self.layout.place(c), column)
     }
     /// Normal force on a body.
     pub fn normal(&self, body: usize) -> T {
@@ -195,142 +210,33 @@ fn assembled<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     setting: &Setting,
-    growths: SmallVec<[(GivenForce, T); 1]>,
+    grown: SmallVec<[(GivenForce, T); 1]>,
 ) -> Result<Response<T>, Refusal> {
-    let grown = |of: GivenForce| growths.iter().find(|g| g.0 == of).map(|g| g.1);
     let layout = Layout::of(scene, setting);
-    let mut rows = Linear::new(layout.count, layout.columns);
-    let normals = normals(scene, n);
-
-    // The row of a coordinate bears the same number as its unknown.
-    for (b, numbers) in n.bodies.iter().enumerate() {
-        if let Some(row) = layout.along[b] {
-            rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
-            let weight = numbers.mass * n.gravity;
-            rows.right(row, CONSTANT, -plant!("eom: weight along the line", weight * numbers.climb));
-            // What is carried accelerates with the carrier, besides what it does on it.
-            if let Some([forward, _]) = numbers.carried {
-                let taken = numbers.mass * forward.acceleration;
-                rows.right(row, CONSTANT, -plant!("eom: mass times acceleration of the carrier", taken));
-            }
-        }
-        if let Some(row) = layout.turn[b] {
-            rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
-        }
-    }
-    for (i, c) in scene.couples.iter().enumerate() {
-        if let Some(row) = layout.turn[c.body] {
-            let moment = plant!("eom: moment of a couple", n.massive(c.moment_n_m));
-            rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
-            if let Some(grown) = grown(GivenForce::Couple(i)) {
-                rows.right(row, VARYING, if c.forward { grown } else { -grown });
-            }
-        }
-    }
-    // Adds `factor * tension` of a cord's end to the rows of its body, on the left (an unknown) or on the right.
-    let pull = |rows: &mut Linear<T>, end: &Action, tension: T, unknown: Option<usize>, column: usize| {
-        let (toward, arm) = lever(n, end);
-        if let Some(row) = layout.along[end.body] {
-            let f = plant!("eom: pull of a cord along the line", tension.signed(toward));
-            let f = end.tilt_deg.map_or(f, |tilt| f * pose::direction(n, tilt)[0]);
-            match unknown {
-                Some(u) => rows.term(row, u, -f),
-                None => rows.right(row, column, f),
-            }
-        }
-        if let Some(row) = layout.turn[end.body] {
-            let m = tension * arm;
-            match unknown {
-                Some(u) => rows.term(row, u, -m),
-                None => rows.right(row, column, m),
-            }
-        }
-    };
-    // Acceleration of a cord's end along the cord, as terms of a row.
-    let take_up = |rows: &mut Linear<T>, row: usize, end: &Action| {
-        let (toward, arm) = lever(n, end);
-        if let Some(col) = layout.along[end.body] {
-            rows.term(row, col, plant!("eom: travel of the centre in a cord", T::of(toward)));
-        }
-        if let Some(col) = layout.turn[end.body] {
-            rows.term(row, col, arm);
-        }
-    };
+    let rows = Linear::new(layout.count, layout.columns);
+    let mut all = Assembly { scene, n, layout, rows, normal: normals(scene, n), grown };
+    all.free_bodies();
+    all.couples();
     let mut springs = VARYING..;
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
-            Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                let Some(row) = layout.reaction[t] else { continue };
-                let c = n.get(*radius_m);
-                for force in tie.actions() {
-                    if let Some(along) = layout.along[force.body] {
-                        rows.term(along, row, -plant!("eom: friction along the line", T::of(force.along)));
-                    }
-                    if let (Some(turn), Some((radius, sense))) = (layout.turn[force.body], force.arm) {
-                        let moment = -n.get(radius).signed(sense);
-                        rows.term(turn, row, plant!("eom: moment of the friction", moment));
-                    }
+            Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => all.contact(t, tie, setting),
+            Tie::Cord(cord) => match cord.to {
+                Far::Pull(force) => all.given_pull(t, force),
+                Far::Spring { .. } => {
+                    let column = springs.next().unwrap_or(VARYING);
+                    tie.actions().for_each(|end| all.pull(&end, T::of(1.0), None, column));
                 }
-                match tie {
-                    Tie::Slip { mu_k, .. } if !setting.grip.rolls(t) => {
-                        rows.term(row, row, T::of(1.0));
-                        let mu = plant!("eom: kinetic friction coefficient", n.get(*mu_k));
-                        rows.right(row, CONSTANT, mu.signed(setting.friction_sense[t]) * normals[*body]);
-                    }
-                    _ => {
-                        if let (Some(a), Some(alpha)) = (layout.along[*body], layout.turn[*body]) {
-                            rows.term(row, a, T::of(1.0));
-                            rows.term(row, alpha, -plant!("eom: rolling radius", c));
-                        }
-                    }
-                }
-            }
-            Tie::Slide { body, mu_s, mu_k } => {
-                let Some(row) = layout.reaction[t] else { continue };
-                if let Some(along) = layout.along[*body] {
-                    rows.term(along, row, -plant!("eom: sliding friction along the line", T::of(1.0)));
-                }
-                if let (true, Some(along)) = (setting.stays[t], layout.along[*body]) {
-                    rows.term(row, along, T::of(1.0));
-                    continue;
-                }
-                rows.term(row, row, T::of(1.0));
-                let mu = n.get(if setting.starting { mu_s.unwrap_or(*mu_k) } else { *mu_k });
-                rows.right(row, CONSTANT, mu.signed(setting.friction_sense[t]) * normals[*body]);
-            }
-            Tie::Cord(cord) => {
-                for end in tie.actions() {
-                    match (&cord.to, layout.reaction[t]) {
-                        (Far::Pull(force), _) => {
-                            let p = plant!("eom: force of a pull", n.massive(*force));
-                            pull(&mut rows, &end, p, None, CONSTANT);
-                            if let Some(grown) = grown(GivenForce::Pull(t)) {
-                                pull(&mut rows, &end, grown, None, VARYING);
-                            }
-                        }
-                        (Far::Spring { .. }, _) => {
-                            let column = springs.next().unwrap_or(VARYING);
-                            pull(&mut rows, &end, T::of(1.0), None, column);
-                        }
-                        (Far::Fixed | Far::Body(_), Some(row)) => {
-                            pull(&mut rows, &end, T::of(1.0), Some(row), CONSTANT);
-                            take_up(&mut rows, row, &end);
-                        }
-                        (Far::Fixed | Far::Body(_), None) => {}
-                    }
-                }
-            }
+                Far::Fixed | Far::Body(_) => all.cord(t),
+            },
         }
     }
-    if let Some(c) = setting.probe {
-        let place = match c.degree {
-            Degree::Along => layout.along[c.body],
-            Degree::Turn => layout.turn[c.body],
-        };
-        if let Some(row) = place {
-            rows.right(row, layout.columns - 1, T::of(1.0));
-        }
+    if let Some(c) = setting.probe
+        && let Some(row) = all.layout.place(c)
+    {
+        all.rows.right(row, all.layout.columns - 1, T::of(1.0));
     }
+    let Assembly { layout, rows, normal, grown, .. } = all;
     let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
     // Ties may share a reaction in any way; where an acceleration is open, the motion is.
     let mut accelerations = layout.along.iter().chain(&layout.turn).flatten();
@@ -338,5 +244,142 @@ fn assembled<T: Real>(
         let open = (0..layout.count).filter(|i| solution.is_open(*i)).count();
         return Err(Refusal::Singular { unknowns: layout.count, rank: layout.count - open });
     }
-    Ok(Response { layout, solution, normal: normals, grown: growths })
+    Ok(Response { layout, solution, normal, grown })
+}
+
+/// The rows in the making. The row of a coordinate bears the same number as its unknown, that of a tie the one of its reaction.
+struct Assembly<'s, 'a, T> {
+    scene: &'s Scene,
+    n: &'s Numbers<'a, T>,
+    layout: Layout,
+    rows: Linear<T>,
+    normal: SmallVec<[T; 2]>,
+    grown: SmallVec<[(GivenForce, T); 1]>,
+}
+
+impl<T: Real> Assembly<'_, '_, T> {
+    /// How much a given force has grown at the end.
+    fn grown(&self, of: GivenForce) -> Option<T> {
+        self.grown.iter().find(|g| g.0 == of).map(|g| g.1)
+    }
+
+    /// Masses and inertias, weights, and what it takes to be carried.
+    fn free_bodies(&mut self) {
+        for (b, numbers) in self.n.bodies.iter().enumerate() {
+            if let Some(row) = self.layout.along[b] {
+                self.rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
+                let weight = numbers.mass * self.n.gravity;
+                let along = plant!("eom: weight along the line", weight * numbers.climb);
+                self.rows.right(row, CONSTANT, -along);
+                // What is carried accelerates with the carrier, besides what it does on it.
+                if let Some([forward, _]) = numbers.carried {
+                    let taken = numbers.mass * forward.acceleration;
+                    let taken = plant!("eom: mass times acceleration of the carrier", taken);
+                    self.rows.right(row, CONSTANT, -taken);
+                }
+            }
+            if let Some(row) = self.layout.turn[b] {
+                self.rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
+            }
+        }
+    }
+
+    fn couples(&mut self) {
+        for (i, c) in self.scene.couples.iter().enumerate() {
+            let Some(row) = self.layout.turn[c.body] else { continue };
+            let moment = plant!("eom: moment of a couple", self.n.massive(c.moment_n_m));
+            self.rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
+            if let Some(grown) = self.grown(GivenForce::Couple(i)) {
+                self.rows.right(row, VARYING, if c.forward { grown } else { -grown });
+            }
+        }
+    }
+
+    /// Adds `factor * tension` of a cord's end to the rows of its body, on the left (an unknown) or on the right.
+    fn pull(&mut self, end: &Action, tension: T, unknown: Option<usize>, column: usize) {
+        let (toward, arm) = lever(self.n, end);
+        if let Some(row) = self.layout.along[end.body] {
+            let f = plant!("eom: pull of a cord along the line", tension.signed(toward));
+            let f = end.tilt_deg.map_or(f, |tilt| f * pose::direction(self.n, tilt)[0]);
+            match unknown {
+                Some(u) => self.rows.term(row, u, -f),
+                None => self.rows.right(row, column, f),
+            }
+        }
+        if let Some(row) = self.layout.turn[end.body] {
+            let m = tension * arm;
+            match unknown {
+                Some(u) => self.rows.term(row, u, -m),
+                None => self.rows.right(row, column, m),
+            }
+        }
+    }
+
+    /// A given force, with what it has grown by.
+    fn given_pull(&mut self, tie: usize, force: Num) {
+        let scene = self.scene;
+        for end in scene.ties[tie].actions() {
+            let p = plant!("eom: force of a pull", self.n.massive(force));
+            self.pull(&end, p, None, CONSTANT);
+            if let Some(grown) = self.grown(GivenForce::Pull(tie)) {
+                self.pull(&end, grown, None, VARYING);
+            }
+        }
+    }
+
+    /// A cord that keeps its length: its tension on its bodies, and the accelerations of its ends along it.
+    fn cord(&mut self, tie: usize) {
+        let (scene, Some(row)) = (self.scene, self.layout.reaction[tie]) else { return };
+        for end in scene.ties[tie].actions() {
+            self.pull(&end, T::of(1.0), Some(row), CONSTANT);
+            let (toward, arm) = lever(self.n, &end);
+            if let Some(col) = self.layout.along[end.body] {
+                self.rows.term(row, col, plant!("eom: travel of the centre in a cord", T::of(toward)));
+            }
+            if let Some(col) = self.layout.turn[end.body] {
+                self.rows.term(row, col, arm);
+            }
+        }
+    }
+
+    /// The friction of a contact on its body, and what is known of it: the contact holds, or rubs.
+    fn contact(&mut self, t: usize, tie: &Tie, setting: &Setting) {
+        let Some(row) = self.layout.reaction[t] else { return };
+        let one = T::of(1.0);
+        for force in tie.actions() {
+            let (along, turn) = (self.layout.along[force.body], self.layout.turn[force.body]);
+            if let Some(along) = along {
+                self.rows.term(along, row, -plant!("eom: friction along the line", T::of(force.along)));
+            }
+            if let (Some(turn), Some((radius, sense))) = (turn, force.arm) {
+                let moment = -self.n.get(radius).signed(sense);
+                self.rows.term(turn, row, plant!("eom: moment of the friction", moment));
+            }
+            match *tie {
+                Tie::Slip { mu_k, .. } if !setting.holds[t] => {
+                    let mu = plant!("eom: kinetic friction coefficient", self.n.get(mu_k));
+                    self.rubs((row, t), force.body, mu, setting);
+                }
+                Tie::Slide { mu_s, mu_k, .. } if !(setting.holds[t] && along.is_some()) => {
+                    let mu = self.n.get(if setting.starting { mu_s.unwrap_or(mu_k) } else { mu_k });
+                    self.rubs((row, t), force.body, mu, setting);
+                }
+                _ => {
+                    if let Some(a) = along {
+                        self.rows.term(row, a, one);
+                    }
+                    if let (Some(alpha), Some((radius, sense))) = (turn, force.arm) {
+                        let c = plant!("eom: rolling radius", self.n.get(radius));
+                        self.rows.term(row, alpha, c.signed(sense));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Kinetic friction of a tie, whose unknown has this place, against its slip.
+    fn rubs(&mut self, (row, tie): (usize, usize), body: usize, mu: T, setting: &Setting) {
+        self.rows.term(row, row, T::of(1.0));
+        self.rows.right(row, CONSTANT, mu.signed(setting.friction_sense[tie]) * self.normal[body]);
+    }
 }

@@ -6,7 +6,7 @@ use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start, speed};
 use crate::solve::eom::equations::{Setting, respond};
 use crate::solve::outcome;
-use crate::solve::outcome::{Grip, Refusal, Road, Said, Scope};
+use crate::solve::outcome::{Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
 
 /// `T = sum 1/2 m_i |v_i|^2` with `v_i = v_A + omega x (r_i - r_A)`, counter-clockwise positive.
@@ -83,11 +83,14 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
     Ok(road)
 }
 
+/// One for each coordinate.
+pub type Each<T> = SmallVec<[T; 6]>;
+
 /// The motion that impulses bring about from rest: each at a coordinate whose velocity the start gives, the ties holding.
 struct Struck<T> {
-    coordinates: SmallVec<[Coordinate; 6]>,
+    coordinates: Each<Coordinate>,
     /// Velocity of each coordinate.
-    velocities: SmallVec<[T; 6]>,
+    velocities: Each<T>,
     /// Kinetic energy: of each impulse half its product with the velocity that it adds at its own coordinate.
     energy: T,
 }
@@ -97,7 +100,7 @@ struct Blow<T> {
     /// Which coordinate.
     at: usize,
     /// Velocities that it brings about.
-    velocities: SmallVec<[T; 6]>,
+    velocities: Each<T>,
 }
 
 impl<T: Real> Blow<T> {
@@ -110,13 +113,19 @@ impl<T: Real> Blow<T> {
 /// A velocity that is left of others by rounding alone is below this many times the noise of their numbers.
 const LEFT: f64 = 65_536.0;
 
+/// The coordinates and their velocities at the start, where the start gives each. Errors: those of [`struck`].
+pub fn start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<(Each<Coordinate>, Each<T>), Refusal> {
+    let struck = struck(scene, n)?;
+    Ok((struck.coordinates, struck.velocities))
+}
+
 /// The velocities at the start. Impulses are to velocities what forces are to accelerations: a unit impulse changes the
 /// velocities as a unit force, alone, accelerates.
 ///
 /// Errors: equations that do not determine the motion; a velocity that the start and the ties leave open, or one that the
 /// start gives against them.
 fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> {
-    let coordinates: SmallVec<[Coordinate; 6]> = scene.coordinates().collect();
+    let coordinates: Each<Coordinate> = scene.coordinates().collect();
     let mut out =
         Struck { velocities: smallvec![T::zero(); coordinates.len()], coordinates, energy: T::zero() };
     if scene.start_speeds().next().is_none() {
@@ -125,16 +134,10 @@ fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> 
     let mut blows: SmallVec<[Blow<T>; 4]> = SmallVec::new();
     // The blow at a coordinate beside those before it; `None` where it stirs nothing there.
     let blow = |at: usize, before: &[Blow<T>]| -> Result<Option<Blow<T>>, Refusal> {
-        let setting = Setting {
-            grip: Grip::Declared,
-            stays: smallvec![false; scene.ties.len()],
-            friction_sense: smallvec![0.0; scene.ties.len()],
-            starting: false,
-            probe: Some(out.coordinates[at]),
-        };
+        let setting = Setting { probe: Some(out.coordinates[at]), ..Setting::loose(scene) };
         let response = respond(scene, n, &setting)?;
         let column = response.last();
-        let mut velocities: SmallVec<[T; 6]> =
+        let mut velocities: Each<T> =
             out.coordinates.iter().map(|c| response.acceleration(*c, column)).collect();
         let alone = velocities[at].size();
         for other in before {

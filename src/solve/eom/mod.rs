@@ -5,9 +5,10 @@ pub mod equations;
 pub mod instant;
 pub mod integrate;
 pub mod joined;
+mod onset;
 pub mod pendulum;
+mod phases;
 pub mod planar;
-pub mod thrown;
 pub mod travel;
 
 use crate::num::dd::Dd;
@@ -23,11 +24,13 @@ use crate::scene::{
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
+use crate::solve::eom::onset::Onset;
+use crate::solve::eom::phases::{Linear, Phases};
 use crate::solve::eom::travel::{Leg, State, Travel};
 use crate::solve::found::{self, Forward};
 use crate::solve::method::{Method, Rung};
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Set, Told, Unsupported};
+use crate::solve::outcome::{Course, Held, Refusal, Road, Said, Scope, Set, Throw, Told, Unsupported};
 use smallvec::{SmallVec, smallvec};
 #[cfg(feature = "program")]
 use std::rc::Rc;
@@ -98,7 +101,7 @@ fn together(
 
 /// Is it walked for several sets of data at once? A motion on lines and axles, with all data given and nothing asked by formulas.
 pub fn side_by_side(scene: &Scene) -> bool {
-    let placed = scene.lead().is_some() || scene.thrown().is_some();
+    let placed = scene.lead().is_some() || scene.goes_in_phases();
     cfg!(feature = "program") && is_given(scene) && !placed && !matches!(scene.end, End::AtOnce)
 }
 
@@ -130,27 +133,24 @@ fn of_kind<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T
     if matches!(scene.end, End::AtOnce) {
         return at_once(scene, n, asked);
     }
-    if let Some(thrown) = scene.thrown() {
-        return Ok(thrown::road_by(scene, &n, &thrown, asked, None)?.0);
-    }
     Ok(Walk::new(scene, n, asked)?.walk()?.0)
 }
 
 /// An instant: velocities and energies, and where the scene could go on, accelerations and forces.
 fn at_once<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
     let mut road = instant::road(scene, &n, asked)?;
-    if !scene.tells_rates() {
+    let walk = scene.tells_rates().then(|| Walk::new(scene, n.clone(), asked)).transpose();
+    let Some(mut walk) = outcome::or_motion(scene, walk)? else {
         if asked.held {
             let normals = normals(scene, &n);
             let pressed = |b| Held::Pressed(b, n.publish(Quantity::Normal, normals[b]).f64());
             road.held.extend(with_normals(scene).map(pressed));
         }
         return Ok(road);
-    }
-    let mut walk = Walk::new(scene, n, asked)?;
+    };
     walk.road = road;
     let pulls = walk.pulls_at(T::zero());
-    walk.contacts_if_rolled();
+    walk.contacts_if_rolled(&pulls);
     walk.standing(&pulls);
     walk.grip(&[pulls]);
     Ok(walk.road)
@@ -197,9 +197,6 @@ fn alone_by<T: Real>(
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok((at_once(scene, n, Scope::ALL)?, Count::default()));
-    }
-    if let Some(thrown) = scene.thrown() {
-        return thrown::road_by(scene, &n, &thrown, Scope::ALL, Some(rung));
     }
     let mut walk = Walk::new(scene, n, Scope::ALL)?;
     walk.by = Some((rung, asked));
@@ -304,6 +301,48 @@ fn equilibrium<T: Real>(scene: &Scene, n: &Numbers<T>, springs: &mut [Spring<T>]
 /// Responses with one slipping contact taken as rolling.
 type Rolled<T> = Vec<(usize, Response<T>)>;
 
+/// How something has gone that hangs linearly on the coordinates: a point of a cord, a slip, a coordinate itself.
+#[derive(Clone, Copy)]
+pub(super) struct Gone<T> {
+    /// Its velocity in that state of motion in which shares are told: at unit rate of the ending coordinate, or at the end.
+    pub unit: T,
+    /// Its velocity at the end.
+    pub speed: T,
+    /// Its displacement, and its path there and back.
+    pub moved: T,
+    pub path: T,
+    /// What its acceleration adds to its velocity, and to half the square of that.
+    pub change: T,
+    pub work: T,
+}
+
+/// A motion with one freedom at its end.
+#[derive(Clone, Copy)]
+struct Ended<T> {
+    state: State<T>,
+    sense: f64,
+    /// What the acceleration adds to the speed of the ending coordinate, and to half its square.
+    change: T,
+    gain: T,
+}
+
+/// What the bodies have together at the end: energy, its shares, the work of all forces, and the same seen from the ground where they
+/// are carried.
+struct Sums<T> {
+    energy: T,
+    moving: T,
+    turning: T,
+    work: T,
+    carried: T,
+}
+
+impl<T: Real> Default for Sums<T> {
+    fn default() -> Self {
+        let zero = T::zero();
+        Self { energy: zero, moving: zero, turning: zero, work: zero, carried: zero }
+    }
+}
+
 struct Walk<'a, T: Real> {
     scene: &'a Scene,
     n: Numbers<'a, T>,
@@ -319,9 +358,12 @@ struct Walk<'a, T: Real> {
     rolled: Rolled<T>,
     /// With all that slides held where it comes to rest, if the end says that it stays there.
     holding: Option<Response<T>>,
+    /// At the end that is told of.
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
     ratio_column: usize,
+    /// The motion, where it goes in phases.
+    phases: Option<Phases<'a, T>>,
     /// Speed of the ending coordinate at the start.
     v0: T,
     /// Does it start with a speed, of whichever coordinate?
@@ -332,8 +374,31 @@ struct Walk<'a, T: Real> {
     road: Road<T>,
 }
 
+/// The springs of a scene.
+fn springs<T: Real>(scene: &Scene, n: &Numbers<T>) -> SmallVec<[Spring<T>; 1]> {
+    let numbers = scene.springs().map(|s| {
+        let (stiffness, stretch) = (n.massive(s.stiffness_n_m), n.get(s.stretch_m));
+        Spring { tie: s.tie, stiffness, stretch, rigid: s.rigid, end: s.from, lost: T::zero(), rest: None }
+    });
+    numbers.collect()
+}
+
+/// Velocity of a coordinate at the start: as a unit force on the one that is given would set it off; `None` where that moves nothing.
+fn velocity<T: Real>(given: Option<(Coordinate, T)>, r: &Response<T>, c: Coordinate) -> Option<T> {
+    let Some((known, v)) = given else { return Some(T::zero()) };
+    let (own, lead) = (r.acceleration(c, r.last()), r.acceleration(known, r.last()));
+    match c == known {
+        true => Some(v),
+        false if lead.is_zero() => None,
+        false => Some(v * own / lead),
+    }
+}
+
 impl<'a, T: Real> Walk<'a, T> {
     fn new(scene: &'a Scene, n: Numbers<'a, T>, asked: Scope) -> Result<Self, Refusal> {
+        if scene.goes_in_phases() {
+            return Self::in_phases(scene, n, asked);
+        }
         let end = scene.ending_coordinate();
         // What is given as 0 is no speed.
         let given = scene.start.iter().find_map(|s| match s {
@@ -341,179 +406,110 @@ impl<'a, T: Real> Walk<'a, T> {
             _ => None,
         });
         let started = given.is_some();
-        let numbers = scene.springs().map(|s| {
-            let (stiffness, stretch) = (n.massive(s.stiffness_n_m), n.get(s.stretch_m));
-            Spring {
-                tie: s.tie,
-                stiffness,
-                stretch,
-                rigid: s.rigid,
-                end: s.from,
-                lost: T::zero(),
-                rest: None,
-            }
-        });
-        let mut springs: SmallVec<[Spring<T>; 1]> = numbers.collect();
+        let mut springs = springs(scene, &n);
         let first: Pulls<T> = springs.iter().map(|s| s.stiffness * s.stretch).collect();
-        let mut setting = Setting {
-            grip: Grip::AllRoll,
-            stays: smallvec![false; scene.ties.len()],
-            friction_sense: smallvec![0.0; scene.ties.len()],
-            starting: false,
-            probe: given.map(|(c, _)| c),
-        };
-        let mut response = respond(scene, &n, &setting)?;
-        let total = |r: &Response<T>, c: Coordinate| under(&first, |k| r.acceleration(c, k));
+        let slipping: SmallVec<[usize; 2]> =
+            (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
+        let mut setting = Setting { probe: given.map(|(c, _)| c), ..Setting::loose(scene) };
+        slipping.iter().for_each(|t| setting.holds[*t] = true);
+        let response = respond(scene, &n, &setting)?;
         equilibrium(scene, &n, &mut springs, &response);
-        // Velocity of a coordinate at the start: as a unit force on the one that is given would set it off.
-        let velocity = |r: &Response<T>, c: Coordinate| match given {
-            Some((known, v)) => {
-                let (own, lead) = (r.acceleration(c, r.last()), r.acceleration(known, r.last()));
-                if c == known {
-                    Some(v)
-                } else if lead.is_zero() {
-                    None
-                } else {
-                    Some(v * own / lead)
-                }
-            }
-            None => Some(T::zero()),
-        };
         if let Some((known, _)) = given
             && response.acceleration(known, response.last()).is_zero()
         {
             return Err(Refusal::Unsupported(Unsupported::StartHeld));
         }
+        let of = |r: &Response<T>, c| velocity(given, r, c).unwrap_or_else(T::zero);
         for (c, v) in scene.start_speeds() {
-            outcome::consistent(c, n.start(c, v), velocity(&response, c).unwrap_or_else(T::zero))?;
+            outcome::consistent(c, n.start(c, v), of(&response, c))?;
         }
-        let slipping: SmallVec<[usize; 2]> =
-            (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
-        let slides = scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
-        let mut rolled: Rolled<T> = Rolled::new();
+        let mut onset = Onset { scene, n: &n, pulls: &first, setting, response, rolled: Rolled::new() };
         if !slipping.is_empty() {
-            // Kinetic friction has the sense that static friction would have, the other contacts as declared.
-            if slipping.iter().any(|t| response.is_open(*t)) {
-                return Err(Refusal::Unsupported(Unsupported::SlipShared));
-            }
-            for t in &slipping {
-                setting.friction_sense[*t] = response.reaction(*t, CONSTANT).sign();
-            }
-            if let [only] = slipping.as_slice() {
-                rolled.push((*only, response));
-            } else {
-                for settled in [false, true] {
-                    for t in &slipping {
-                        setting.grip = Grip::Rolls(*t);
-                        let one = respond(scene, &n, &setting)?;
-                        if one.is_open(*t) {
-                            return Err(Refusal::Unsupported(Unsupported::SlipShared));
-                        }
-                        setting.friction_sense[*t] = one.reaction(*t, CONSTANT).sign();
-                        if settled {
-                            rolled.push((*t, one));
-                        }
-                    }
-                }
-            }
-            setting.grip = Grip::Declared;
-            response = respond(scene, &n, &setting)?;
+            onset.slips(&slipping)?;
         }
-        if slides {
-            // Against the motion: that of the start, else the one that would set in without friction.
-            let sliding = |t: usize| match &scene.ties[t] {
-                Tie::Slide { body, .. } => Some(Coordinate { body: *body, degree: Degree::Along }),
-                _ => None,
-            };
-            let ties = scene.ties.len();
-            for t in 0..ties {
-                let Some(c) = sliding(t) else { continue };
-                let sense = match velocity(&response, c) {
-                    Some(v) if started => v.sign(),
-                    _ => total(&response, c).sign(),
-                };
-                setting.friction_sense[t] = -sense;
-                setting.stays[t] = sense == 0.0;
-            }
-            if !started {
-                // What static friction can turn back stays, and may take others with it.
-                setting.starting = true;
-                loop {
-                    response = respond(scene, &n, &setting)?;
-                    let turned = |t: &usize| {
-                        let back = |c| total(&response, c).sign() * setting.friction_sense[*t] >= 0.0;
-                        !setting.stays[*t] && sliding(*t).is_some_and(back)
-                    };
-                    let turned: SmallVec<[usize; 4]> = (0..ties).filter(turned).collect();
-                    if turned.is_empty() {
-                        break;
-                    }
-                    turned.into_iter().for_each(|t| setting.stays[t] = true);
-                }
-                setting.starting = false;
-            }
-            response = respond(scene, &n, &setting)?;
-            if !started {
-                // With several freedoms what one body does may free or turn another: then no guess is made.
-                let held = |t: usize, c: Coordinate| {
-                    if !setting.stays[t] {
-                        return total(&response, c).sign() * setting.friction_sense[t] < 0.0;
-                    }
-                    let (Tie::Slide { mu_s, mu_k, .. }, false) = (&scene.ties[t], response.is_open(t)) else {
-                        return true;
-                    };
-                    let friction = under(&first, |k| response.reaction(t, k));
-                    friction.abs().at_most(n.get(mu_s.unwrap_or(*mu_k)) * response.normal(c.body))
-                };
-                if (0..ties).any(|t| sliding(t).is_some_and(|c| !held(t, c))) {
-                    return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
-                }
-            }
-            // What slips may pull what slides: the friction that it would need is told with theirs.
-            for (t, one) in &mut rolled {
-                setting.grip = if slipping.len() == 1 { Grip::AllRoll } else { Grip::Rolls(*t) };
-                *one = respond(scene, &n, &setting)?;
-                if one.is_open(*t) {
-                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
-                }
-                let turned = one.reaction(*t, CONSTANT).sign() * setting.friction_sense[*t] < 0.0;
-                let back = |s: usize| {
-                    let a = sliding(s).map(|c| one.acceleration(c, CONSTANT).sign());
-                    !setting.stays[s] && a.is_some_and(|a| a * setting.friction_sense[s] > 0.0)
-                };
-                if turned || (0..ties).any(back) {
-                    return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
-                }
-            }
-            setting.grip = Grip::Declared;
+        if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
+            onset.slides(if started { Some(&of) } else { None })?;
         }
+        let Onset { setting, response, rolled, .. } = onset;
+        let v0 = of(&response, end);
         let holding = scene.formulas.stays.then(|| {
-            let stays = smallvec![true; scene.ties.len()];
-            respond(scene, &n, &Setting { stays, ..setting.clone() }).ok()
+            let holds = smallvec![true; scene.ties.len()];
+            respond(scene, &n, &Setting { holds, ..setting.clone() }).ok()
         });
-        let v0 = velocity(&response, end).unwrap_or_else(T::zero);
+        let mut walk = Self::still((scene, n), (springs, response), asked);
+        (walk.rolled, walk.holding) = (rolled, holding.flatten());
+        (walk.v0, walk.started) = (v0, started);
+        walk.find_ratios(setting)?;
+        Ok(walk)
+    }
+
+    /// A motion in phases: what holds at its end, or at the start where that is not reached.
+    fn in_phases(scene: &'a Scene, n: Numbers<'a, T>, asked: Scope) -> Result<Self, Refusal> {
+        let springs = springs(scene, &n);
+        let pulls: Pulls<T> = springs.iter().map(|s| s.stiffness * s.stretch).collect();
+        let mut phases = Phases::follow(scene, &n, &pulls)?;
+        let at = if phases.ended { phases.legs.len() - 1 } else { 0 };
+        let response = phases.legs[at].response.clone();
+        let mut walk = Self::still((scene, n), (springs, response), asked);
+        walk.rolled = std::mem::take(&mut phases.rolled);
+        walk.holding = phases.after.take().filter(|_| scene.formulas.stays);
+        walk.v0 = phases.start_of(walk.end);
+        (walk.started, walk.phases) = (true, Some(phases));
+        Ok(walk)
+    }
+
+    /// Nothing known yet but springs and forces.
+    fn still(
+        (scene, n): (&'a Scene, Numbers<'a, T>),
+        (springs, response): (SmallVec<[Spring<T>; 1]>, Response<T>),
+        asked: Scope,
+    ) -> Self {
+        Self {
+            scene,
+            n,
+            end: scene.ending_coordinate(),
+            springs,
+            balanced: false,
+            early: None,
+            turned: false,
+            rolled: Rolled::new(),
+            holding: None,
+            response,
+            ratio_column: CONSTANT,
+            phases: None,
+            v0: T::zero(),
+            started: false,
+            by: None,
+            asked,
+            road: Road::new(asked),
+        }
+    }
+
+    /// In which response the accelerations have the ratios of the velocities, and whether all forces balance.
+    fn find_ratios(&mut self, mut setting: Setting) -> Result<(), Refusal> {
+        let (scene, end) = (self.scene, self.end);
         // The first spring that moves it.
-        let pulling = VARYING..VARYING + springs.len();
-        let moving = pulling.clone().find(|k| !response.acceleration(end, *k).is_zero());
-        let mut ratio_column = match moving {
+        let pulling = VARYING..VARYING + self.springs.len();
+        let moving = pulling.clone().find(|k| !self.response.acceleration(end, *k).is_zero());
+        self.ratio_column = match moving {
             Some(column) => column,
-            None if started => response.last(),
+            None if self.started => self.response.last(),
             None => CONSTANT,
         };
-        let idle_spring = moving.is_none() && !springs.is_empty();
+        let idle_spring = moving.is_none() && !self.springs.is_empty();
         let grows = !scene.growths.is_empty();
         // What drives it along the slope is all but taken up.
-        let body = &n.bodies[end.body];
-        let a = response.acceleration(Coordinate { body: end.body, degree: Degree::Along }, CONSTANT);
-        let near_balance = ratio_column == CONSTANT
-            && slipping.is_empty()
+        let body = &self.n.bodies[end.body];
+        let a = self.response.acceleration(Coordinate { body: end.body, degree: Degree::Along }, CONSTANT);
+        let near_balance = self.ratio_column == CONSTANT
+            && self.rolled.is_empty()
             && !a.is_zero()
-            && a.size() * NEAR_BALANCE < (body.climb * n.gravity).size();
-        if idle_spring || near_balance || grows && !started {
+            && a.size() * NEAR_BALANCE < (body.climb * self.n.gravity).size();
+        if idle_spring || near_balance || grows && !self.started {
             // Ratios of accelerations that nearly vanish would lose digits; what grows may begin at nothing.
             setting.probe = Some(end);
-            response = respond(scene, &n, &setting)?;
-            ratio_column = response.last();
+            self.response = respond(scene, &self.n, &setting)?;
+            self.ratio_column = self.response.last();
         }
         // Forces that balance but for the last digits of what is printed balance: what is given, and what comes of the weights.
         let accelerated = |r: &Response<T>| -> SmallVec<[T; 4]> {
@@ -521,33 +517,18 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let tiny = |c: Coordinate| {
             c.degree == Degree::Turn
-                || response.acceleration(c, CONSTANT).size() * NEAR_BALANCE < n.gravity.size()
+                || self.response.acceleration(c, CONSTANT).size() * NEAR_BALANCE < self.n.gravity.size()
         };
-        let alone = springs.is_empty() && slipping.is_empty() && (grows || !scene.starts_from_rest());
-        let balanced = alone && scene.coordinates().all(tiny) && {
-            let mut weightless = n.clone();
-            weightless.gravity = T::zero();
-            let given = accelerated(&respond(scene, &weightless, &setting)?);
-            given.iter().zip(accelerated(&response)).all(|(given, a)| given.apart(*given - a).is_zero())
-        };
-        Ok(Self {
-            scene,
-            n,
-            end,
-            balanced,
-            early: None,
-            turned: false,
-            springs,
-            rolled,
-            holding: holding.flatten(),
-            response,
-            ratio_column,
-            v0,
-            started,
-            by: None,
-            asked,
-            road: Road::new(asked),
-        })
+        let alone = self.springs.is_empty() && self.rolled.is_empty() && (grows || !scene.starts_from_rest());
+        if alone && scene.coordinates().all(tiny) {
+            let gravity = std::mem::replace(&mut self.n.gravity, T::zero());
+            let weightless = respond(scene, &self.n, &setting);
+            self.n.gravity = gravity;
+            let given = accelerated(&weightless?);
+            let all = given.iter().zip(accelerated(&self.response));
+            self.balanced = all.into_iter().all(|(given, a)| given.apart(*given - a).is_zero());
+        }
+        Ok(())
     }
 
     /// What the springs pull at a place of the way: nothing where their cords are slack. Of forces that grow: nothing of their growth.
@@ -610,19 +591,40 @@ impl<'a, T: Real> Walk<'a, T> {
     }
     /// Travel of a cord's end along the cord per unit travel of the ending coordinate.
     fn take_up(&self, end: &CordEnd) -> T {
-        let of = |degree| match degree {
-            Degree::Along => self.along(end.body),
-            Degree::Turn => self.turn(end.body),
-        };
-        take_up(&self.n, end, |degree| of(degree).map_or_else(T::zero, |c| self.ratio(c)))
+        take_up(&self.n, end, |degree| self.ratio_of(Coordinate { body: end.body, degree }))
+    }
+    /// [`Walk::ratio`]; 0 of a coordinate that the body does not have.
+    fn ratio_of(&self, c: Coordinate) -> T {
+        let (line, turns) = (self.scene.bodies[c.body].line, self.scene.bodies[c.body].turns);
+        let present = if c.degree == Degree::Along { line.is_some() } else { turns };
+        if present { self.ratio(c) } else { T::zero() }
+    }
+    /// How something has gone at the end that hangs linearly on the coordinates.
+    fn gone(&self, end: &Ended<T>, of: Linear<'_, T>) -> Gone<T> {
+        if let Some(phases) = &self.phases {
+            return phases.gone(of);
+        }
+        let ratio = of(&|c| self.ratio_of(c));
+        let signed = |x: T| (ratio * x).signed(end.sense);
+        Gone {
+            unit: ratio,
+            speed: signed(end.state.u),
+            moved: signed(end.state.s),
+            path: ratio.abs() * end.state.s,
+            change: signed(end.change),
+            work: ratio * ratio * end.gain,
+        }
     }
     fn friction(&self, tie: usize, pulls: &[T]) -> T {
         under(pulls, |k| self.response.reaction(tie, k))
     }
     fn acceleration(&self, c: Coordinate, pulls: &[T]) -> T {
+        self.acceleration_in(&self.response, c, pulls)
+    }
+    fn acceleration_in(&self, response: &Response<T>, c: Coordinate, pulls: &[T]) -> T {
         under(pulls, |k| match k {
             CONSTANT if self.balanced => T::zero(),
-            _ => self.response.acceleration(c, k),
+            _ => response.acceleration(c, k),
         })
     }
     /// Sense of "up the incline" for a body.
@@ -631,6 +633,9 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     fn walk(mut self) -> Result<(Road<T>, Count), Refusal> {
+        if self.phases.is_some() {
+            return self.through_phases();
+        }
         let zero = T::zero();
         let pulls0 = self.pulls_at(zero);
         let a0 = self.acceleration(self.end, &pulls0);
@@ -643,11 +648,7 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             a0.sign()
         };
-        let wrong_way = match self.scene.heading {
-            Some(Heading::Forward) => sense < 0.0,
-            Some(Heading::Back) => sense > 0.0,
-            None => false,
-        };
+        let wrong_way = self.goes_wrong(sense);
         if self.rests(0.0) {
             for i in 0..self.springs.len() {
                 if let Spring { tie, rest: Some(rest), .. } = self.springs[i] {
@@ -656,20 +657,12 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             self.small_oscillations();
         }
-        self.contacts_if_rolled();
+        self.contacts_if_rolled(&pulls0);
         if !self.scene.growths.is_empty() {
             return Ok((self.grown(wrong_way), Count::default()));
         }
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
-            self.road.course = Some(Course::at_rest());
-            self.standing(&pulls0);
-            self.resting(&pulls0);
-            if !self.springs.is_empty() && self.along(self.end.body) == Some(self.end) {
-                for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
-                    self.say(q, Owner::Body(self.end.body), zero);
-                }
-            }
-            self.grip(&[pulls0]);
+            self.rest(pulls0);
             return Ok((self.road, Count::default()));
         }
 
@@ -685,39 +678,10 @@ impl<'a, T: Real> Walk<'a, T> {
         let farthest = self.farthest(&travel, limit);
         self.road.course = Some(Course { asked, begins, farthest, ..Course::moving(sense, reached) });
 
-        let last = match self.scene.span {
-            Span::ToEnd if reached => s,
-            Span::ToEnd | Span::ToTurningPoint => turning,
-        };
-        // A tension falls or grows all the way until its cord is slack: what hangs on all of them has its extremes there, at the start
-        // and at the end of what is looked at.
-        let slack =
-            travel.legs.iter().skip(1).map(|leg| leg.from).filter(|at| last.is_none_or(|s| at.below(s)));
-        let mut pulls = vec![pulls0.clone()];
-        for s in slack.chain(last) {
-            pulls.push(self.pulls_at(s));
-        }
-        self.grip(&pulls);
-        if let (true, Some(s)) = (reached, s) {
-            for spring in self.springs.clone() {
-                if let Some(slack) = spring.slack() {
-                    self.hold(|_| Held::Slack(spring.tie, s, slack));
-                }
-            }
-        }
+        self.look(&travel, if reached { s } else { None }, turning, pulls0.clone());
         let path = self.stepped(&travel, if reached { s } else { None })?;
-        let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
-        let beyond = self.asks(&[Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn]);
-        let starts = !self.springs.is_empty() || !v0.is_zero();
-        if beyond && starts && self.along(self.end.body) == Some(self.end) {
-            let body = Owner::Body(self.end.body);
-            if let Some((at, v)) = peak.map(|p| (p.s, p.u)).or_else(|| travel.fastest()) {
-                self.say(Quantity::VMax, body, v);
-                self.say(Quantity::DAtVMax, body, at);
-            }
-            let farthest = rest.map(|r| r.s).or(turning);
-            self.say(Quantity::DTurn, body, farthest.unwrap_or_else(|| T::of(f64::INFINITY)));
-        }
+        let (met, peak) = path.map_or((None, None), |p| (p.end, p.fastest));
+        self.extremes(&travel, peak, path.and_then(|p| p.turning).map(|rest| rest.s).or(turning));
         match s {
             Some(s) if reached => {
                 let mut state = met.unwrap_or_else(|| travel.at(s));
@@ -726,17 +690,108 @@ impl<'a, T: Real> Walk<'a, T> {
                     state.u = zero;
                 }
                 let gain = travel.gain(state.s).scale2(-1);
-                self.arrived(&state, sense, &self.pulls_at(state.s));
                 // Of constant forces the impulse is that of the acceleration, else the change of the speed.
                 let change = match travel.legs {
                     [Leg { f, w2: None, .. }] => *f * state.time,
                     _ => state.u.balance(-travel.u0),
                 };
-                self.gained(gain, change, (state.s, state.u), sense);
+                self.arrived(&Ended { state, sense, change, gain }, &self.pulls_at(state.s));
             }
             _ => self.standing(&pulls0),
         }
         Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
+    }
+
+    /// Is it declared to go the other way?
+    fn goes_wrong(&self, sense: f64) -> bool {
+        match self.scene.heading {
+            Some(Heading::Forward) => sense < 0.0,
+            Some(Heading::Back) => sense > 0.0,
+            None => false,
+        }
+    }
+
+    /// Nothing sets off.
+    fn rest(&mut self, pulls: Pulls<T>) {
+        self.road.course = Some(Course::at_rest());
+        self.standing(&pulls);
+        self.resting(&pulls);
+        if !self.springs.is_empty() && self.along(self.end.body) == Some(self.end) {
+            for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                self.say(q, Owner::Body(self.end.body), T::zero());
+            }
+        }
+        self.grip(&[pulls]);
+    }
+
+    /// Looks at the contacts and cords up to the end at `s`, or as far as the motion goes.
+    fn look(&mut self, travel: &Travel<'_, T>, s: Option<T>, turning: Option<T>, pulls0: Pulls<T>) {
+        let last = if self.scene.span == Span::ToEnd { s.or(turning) } else { turning };
+        // A tension falls or grows all the way until its cord is slack: what hangs on all of them has its extremes there, at the start
+        // and at the end of what is looked at.
+        let slack =
+            travel.legs.iter().skip(1).map(|leg| leg.from).filter(|at| last.is_none_or(|s| at.below(s)));
+        let mut pulls = vec![pulls0];
+        for s in slack.chain(last) {
+            pulls.push(self.pulls_at(s));
+        }
+        self.grip(&pulls);
+        if let Some(s) = s {
+            for spring in self.springs.clone() {
+                if let Some(slack) = spring.slack() {
+                    self.hold(|_| Held::Slack(spring.tie, s, slack));
+                }
+            }
+        }
+    }
+
+    /// Where it is fastest, and where it turns.
+    fn extremes(&mut self, travel: &Travel<'_, T>, peak: Option<State<T>>, farthest: Option<T>) {
+        let beyond = self.asks(&[Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn]);
+        let starts = !self.springs.is_empty() || !self.v0.is_zero();
+        if !(beyond && starts && self.along(self.end.body) == Some(self.end)) {
+            return;
+        }
+        let body = Owner::Body(self.end.body);
+        if let Some((at, v)) = peak.map(|p| (p.s, p.u)).or_else(|| travel.fastest()) {
+            self.say(Quantity::VMax, body, v);
+            self.say(Quantity::DAtVMax, body, at);
+        }
+        self.say(Quantity::DTurn, body, farthest.unwrap_or_else(|| T::of(f64::INFINITY)));
+    }
+
+    /// A motion in phases.
+    fn through_phases(mut self) -> Result<(Road<T>, Count), Refusal> {
+        let mut count = Count::default();
+        let Some(mut phases) = self.phases.take() else { return Ok((self.road, count)) };
+        let wrong_way = self.goes_wrong(phases.sense);
+        let (asked, begins) = match self.scene.end {
+            End::Time(_, t) => (Some(self.n.get(t)), T::zero()),
+            End::Travel(_, d) => (Some(self.n.get(d)), T::zero()),
+            End::Position(_, x) => (Some(self.n.get(x).signed(phases.sense)), T::zero()),
+            End::Speed(_, u) => (Some(self.n.get(u).abs()), self.v0.abs()),
+            _ => (None, T::zero()),
+        };
+        let farthest = phases.farthest();
+        if let (Some((rung, _)), true) = (self.by.filter(|_| STEPS), phases.ended) {
+            count = phases.stepped(rung)?;
+        }
+        let (reached, set_off, time) = (phases.ended && !wrong_way, phases.sense, phases.time());
+        let end = self.end;
+        let speed = if reached { phases.gone(&|of| of(end)).speed } else { self.v0 };
+        let sense = if speed.is_zero() { set_off } else { speed.sign() };
+        self.phases = Some(phases);
+        self.road.course = Some(Course { asked, begins, farthest, ..Course::moving(sense, reached) });
+        self.contacts_if_rolled(&[]);
+        self.grip(&[Pulls::new()]);
+        if reached {
+            let zero = T::zero();
+            let state = State { s: zero, u: zero, time };
+            self.arrived(&Ended { state, sense, change: zero, gain: zero }, &[]);
+        } else {
+            self.standing(&[]);
+        }
+        Ok((self.road, count))
     }
 
     /// How the acceleration goes on from the start, where it is `a0`, and from each place at which a cord goes slack.
@@ -859,32 +914,22 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let [s, u, u0, early, change] = [s, u, u0, early, change].map(|x| x.signed(back));
         self.early = Some(early);
-        self.arrived(&State { s, u, time }, sense, &[whole]);
         let (gain, change) = match law.with {
             Grows::Time => ((change * u.balance(u0)).scale2(-1), change),
             Grows::Place => (change, u.balance(-u0)),
         };
-        self.gained(gain, change, (s, u), sense);
+        self.arrived(&Ended { state: State { s, u, time }, sense, change, gain }, &[whole]);
         self.road
     }
 
-    /// Work of a given force over this way of the ending coordinate, at which its point goes at `rate` times the speed of that: its last
-    /// value over the whole way, less what it had not yet grown.
-    fn work(&self, force: T, growth: Option<T>, rate: T, s: T) -> T {
+    /// Work of a given force over the way of its point: its last value over the whole way, less what it had not yet grown.
+    fn work(&self, force: T, growth: Option<T>, point: &Gone<T>, sense: f64) -> T {
         match (self.early, growth) {
-            (Some(early), Some(growth)) => rate * ((force + growth) * s).balance(-(growth * early)),
-            _ => force * rate * s,
+            (Some(early), Some(growth)) => {
+                ((force + growth) * point.moved).balance(-(growth * early * point.unit.signed(sense)))
+            }
+            _ => force * point.moved,
         }
-    }
-
-    /// Work of all couples on a body, whose moment at the start is given, and their moment at the end.
-    fn couples(&self, body: usize, moment: T, rate: T, s: T) -> (T, T) {
-        let acting = self.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body);
-        let growth = acting.filter_map(|(i, c)| {
-            Some(self.response.grown(GivenForce::Couple(i))?.signed(if c.forward { 1.0 } else { -1.0 }))
-        });
-        let growth = growth.reduce(T::balance);
-        (self.work(moment, growth, rate, s), growth.map_or(moment, |g| moment + g))
     }
 
     /// The states at the events by steps, where steps are asked for.
@@ -949,33 +994,89 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Friction that rolling would need, where a contact is said to slip.
-    fn contacts_if_rolled(&mut self) {
-        if !self.asked.held && !self.asks(&[Quantity::FrictionIfRolled, Quantity::MuRequired]) {
+    fn contacts_if_rolled(&mut self, pulls: &[T]) {
+        use Quantity::{ARolling, FrictionIfRolled, MuRequired, SlipSpeed};
+        if !self.asked.held && !self.asks(&[FrictionIfRolled, MuRequired, SlipSpeed, ARolling]) {
             return;
         }
         for (t, rolled) in std::mem::take(&mut self.rolled) {
-            let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] else { continue };
-            let friction = rolled.reaction(t, CONSTANT);
-            let normal = rolled.normal(*body);
-            let scale = self.friction_scale(&rolled, *body, friction, &[]);
-            self.say_scaled(
-                Quantity::FrictionIfRolled,
-                Owner::Body(*body),
-                friction.signed(self.up(*body)),
-                scale,
-            );
-            self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs().over(normal));
-            let along = self.along(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
-            let turn = self.turn(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
-            let slip = along - self.n.get(*radius_m) * turn;
+            let Tie::Slip { body, mu_s, radius_m, .. } = self.scene.ties[t] else { continue };
+            let of = Owner::Body(body);
+            let friction = under(pulls, |k| rolled.reaction(t, k));
+            let normal = rolled.normal(body);
+            let scale = self.friction_scale(&rolled, body, friction, pulls);
+            let needed = self.needed(t, pulls).unwrap_or(friction.abs());
+            self.say_scaled(FrictionIfRolled, of, friction.signed(self.up(body)), scale);
+            self.say(MuRequired, of, needed.over(normal));
+            let available = self.n.get(mu_s) * normal;
+            let [along, turn] = [Degree::Along, Degree::Turn]
+                .map(|degree| self.acceleration(Coordinate { body, degree }, pulls));
+            if self.phases.is_some() {
+                if needed.at_most(available) && self.scene.end != End::AtOnce {
+                    let line = Coordinate { body, degree: Degree::Along };
+                    let a = under(pulls, |k| rolled.acceleration(line, k));
+                    let with = self.n.bodies[body].carried.map(|[forward, _]| forward.acceleration);
+                    let scale = scale / self.n.bodies[body].mass.size();
+                    self.say_scaled(ARolling, of, with.map_or(a, |with| a.balance(with)), scale);
+                }
+                self.thrown(t, friction, [needed, available]);
+                continue;
+            }
+            let slip = along - self.n.get(radius_m) * turn;
             let against = slip.signed(-friction.sign());
-            let mu_s = *mu_s;
             self.hold(|walk| {
                 let force = |f: T| walk.n.publish(Quantity::Friction, f);
-                let available = walk.n.get(mu_s) * normal;
                 Held::Slipping(t, force(friction), force(available), against, along.sign())
             });
         }
+    }
+
+    /// The most friction that a contact which could rub needs while it holds, if it does, under these tensions of the springs.
+    fn needed(&self, tie: usize, pulls: &[T]) -> Option<T> {
+        let legs = self
+            .phases
+            .iter()
+            .flat_map(|phases| &phases.legs)
+            .filter(|leg| leg.holds[tie] && !leg.response.is_open(tie));
+        legs.map(|leg| under(pulls, |k| leg.response.reaction(tie, k)).abs()).reduce(T::larger)
+    }
+
+    /// What becomes of the slip of a body that starts with one, `rolling` being the friction with which it would roll.
+    fn thrown(&mut self, tie: usize, rolling: T, [needed, available]: [T; 2]) {
+        let (Some(phases), Some(rub)) = (&self.phases, self.scene.ties[tie].rubbing()) else { return };
+        let (slip0, speeds) = phases.slip(tie);
+        let until = phases.until[tie];
+        let line = Coordinate { body: rub.body, degree: Degree::Along };
+        let start = phases.start_of(line);
+        let v = phases.gone(&|of| of(line)).speed;
+        let last = phases.legs.last().is_some_and(|leg| leg.holds[tie]);
+        let ends_it = matches!(self.scene.end, End::Rolling(c) if c.body == rub.body);
+        let time = match self.scene.end {
+            End::Time(_, t) => Some(self.n.get(t)),
+            _ => (phases.ended && !ends_it).then(|| phases.time()),
+        };
+        let ends = matches!(self.scene.end, End::Time(..) | End::Rolling(_)) && phases.ended;
+        let force = |f: T| self.n.publish(Quantity::Friction, f).f64();
+        let throw = Throw {
+            tie,
+            slips: !slip0.is_zero(),
+            closes: !slip0.is_zero() && until.is_some(),
+            holds: needed.at_most(available),
+            to_roll: ends_it || last || time.zip(until).is_some_and(|(t, until)| until.below(t)),
+            times: time.map(|t| (t.f64(), until.map_or(f64::INFINITY, T::f64))),
+            at_end: ends.then(|| (v.size(), start.size() + (v - start).size())),
+            slip: slip0.size(),
+            speeds,
+            upkeep: force(rolling.signed(-slip0.sign())),
+            kinetic: force(self.n.get(rub.mu_k) * self.response.normal(rub.body)),
+            needed: force(needed),
+            available: force(available),
+        };
+        let (of, still) = (Owner::Body(rub.body), self.scene.end == End::AtOnce);
+        if !still {
+            self.say_scaled(Quantity::SlipSpeed, of, slip0.abs(), speeds);
+        }
+        self.hold(|_| Held::Thrown(throw));
     }
 
     /// Sum of the magnitudes of the forces along the line of a body.
@@ -1007,7 +1108,7 @@ impl<'a, T: Real> Walk<'a, T> {
             self.hold(|walk| Held::Pressed(b, walk.n.publish(Quantity::Normal, normal).f64()));
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
-            if self.response.is_open(t) {
+            let Some(forces) = self.reactions(t, places) else {
                 if let Tie::Roll { body, .. } = tie
                     && self.scene.bodies[*body].line.is_some_and(|l| l.surface)
                 {
@@ -1017,11 +1118,10 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.hold(|_| Held::Open(t));
                 }
                 continue;
-            }
+            };
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
-                    let frictions = places.iter().map(|pulls| self.friction(t, pulls).abs());
-                    let most = frictions.reduce(T::larger).unwrap_or_else(T::zero);
+                    let most = forces.iter().map(|f| f.abs()).reduce(T::larger).unwrap_or_else(T::zero);
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
@@ -1033,20 +1133,44 @@ impl<'a, T: Real> Walk<'a, T> {
                     });
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && c.made == Made::Cord => {
+                    let least =
+                        (0..forces.len()).reduce(|i, j| if forces[j].below(forces[i]) { j } else { i });
                     self.hold(|walk| {
-                        let tensions = places.iter().map(|pulls| (walk.friction(t, pulls), &pulls[..]));
-                        let least = tensions.reduce(|one, next| if next.0.below(one.0) { next } else { one });
-                        let (least, at) = least.unwrap_or((T::zero(), &[]));
-                        let force = walk.n.publish(Quantity::Tension, least).f64();
-                        Held::Cord(t, force, walk.share_of_tension(t, c, least, at))
+                        let least = least.unwrap_or(0);
+                        let force = walk.n.publish(Quantity::Tension, forces[least]).f64();
+                        let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
+                        Held::Cord(t, force, walk.share_of_tension((t, c), forces[least], at))
                     });
                 }
                 Tie::Slide { body, mu_s, mu_k } => {
+                    let pulls = places.last().map_or(&[][..], |pulls| &pulls[..]);
+                    if let (Some(needed), Some(rub)) = (self.needed(t, pulls), tie.rubbing()) {
+                        let available = self.n.get(rub.mu_s) * self.response.normal(rub.body);
+                        self.hold(|walk| {
+                            let force = |f: T| walk.n.publish(Quantity::Friction, f);
+                            Held::Rolling(t, force(needed), Some(force(available)))
+                        });
+                    }
                     self.stays(t, *body, mu_s.unwrap_or(*mu_k), places.last().map_or(&[], |pulls| pulls));
                 }
                 _ => {}
             }
         }
+    }
+
+    /// The reaction of a tie at each of the moments up to the end; `None` where it is open at one of them.
+    fn reactions(&self, tie: usize, places: &[Pulls<T>]) -> Option<Pulls<T>> {
+        let known = |(r, pulls): (&Response<T>, &[T])| {
+            (!r.is_open(tie)).then(|| under(pulls, |k| r.reaction(tie, k)))
+        };
+        self.moments(places).map(known).collect()
+    }
+
+    /// The responses up to the end, each with what varies.
+    fn moments<'p>(&'p self, places: &'p [Pulls<T>]) -> impl Iterator<Item = (&'p Response<T>, &'p [T])> {
+        let earlier = self.phases.iter().flat_map(|phases| &phases.legs[..phases.legs.len() - 1]);
+        let now = places.iter().map(|pulls| (&self.response, &pulls[..]));
+        now.chain(earlier.map(|leg| (&leg.response, &[][..])))
     }
 
     /// The friction that a body needs to stay where it came to rest by sliding.
@@ -1063,7 +1187,13 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Tension of a cord as a share of the other forces (or moments) on what it pulls, under these tensions of the springs: near 0 the
     /// cord is about to go slack. The smaller share of its two ends.
-    fn share_of_tension(&self, tie: usize, cord: &Cord, tension: T, pulls: &[T]) -> f64 {
+    fn share_of_tension(
+        &self,
+        (tie, cord): (usize, &Cord),
+        tension: T,
+        (response, pulls): (&Response<T>, &[T]),
+    ) -> f64 {
+        let friction = |t: usize| under(pulls, |k| response.reaction(t, k));
         let other = match &cord.to {
             Far::Body(end) => Some(end),
             Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
@@ -1085,7 +1215,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(_), Attach::Centre) => T::zero(),
             };
             let size = |x: T| x.f64().abs();
-            let a = self.acceleration(c, pulls);
+            let a = self.acceleration_in(response, c, pulls);
             let mut others = match arm {
                 None => size(n.mass * a) + size(self.drawn(b)),
                 Some(_) => size(n.inertia * a),
@@ -1096,9 +1226,9 @@ impl<'a, T: Real> Walk<'a, T> {
             for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
                 others += match other {
                     Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
-                        size(self.friction(t, pulls) * lever(Attach::Wound(*radius_m, Side::Bottom)))
+                        size(friction(t) * lever(Attach::Wound(*radius_m, Side::Bottom)))
                     }
-                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(self.friction(t, pulls)),
+                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(friction(t)),
                     Tie::Cord(Cord { from, to, .. }) => {
                         let far = match to {
                             Far::Body(end) if end.body == b => Some(end),
@@ -1107,7 +1237,7 @@ impl<'a, T: Real> Walk<'a, T> {
                         let force = match to {
                             Far::Pull(p) => self.n.massive(*p),
                             Far::Spring { .. } => self.pull_of(t, pulls),
-                            Far::Body(_) | Far::Fixed => self.friction(t, pulls),
+                            Far::Body(_) | Far::Fixed => friction(t),
                         };
                         let near = Some(from).filter(|end| end.body == b);
                         near.into_iter().chain(far).map(|end| size(force * lever(end.attach))).sum()
@@ -1262,145 +1392,148 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Everything at the ending event.
-    fn arrived(&mut self, state: &State<T>, sense: f64, pulls: &[T]) {
-        let (s, u) = (state.s, state.u);
-        let zero = T::zero();
-        let mut energy = T::zero();
-        // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
-        let (mut turning, mut whole) = (T::zero(), T::zero());
-        // Of what is carried: of constant forces, each over the way that is seen from the ground.
-        let mut work = T::zero();
+    fn arrived(&mut self, end: &Ended<T>, pulls: &[T]) {
         if !self.scene.grows_with_place() {
-            self.say(Quantity::T, Owner::Scene, state.time);
+            self.say(Quantity::T, Owner::Scene, end.state.time);
         }
         self.accelerations(pulls);
         self.forces(pulls);
         self.bound_of_gyration();
+        let mut sums = Sums::default();
         for b in 0..self.scene.bodies.len() {
-            let n = self.n.bodies[b];
             if let Some(c) = self.along(b) {
-                let ratio = self.ratio(c);
-                let mut v = (ratio * u).signed(sense);
-                let mut moved = (plant!("eom: displacement of the centre", ratio) * s).signed(sense);
-                let mut sizes = [v.size(), moved.size()];
-                let mut aside = zero;
-                if let Some([forward, out]) = n.carried {
-                    let (with, way) = (forward.after(state.time), forward.way(state.time));
-                    aside = out.after(state.time);
-                    v = v.balance(plant!("eom: speed of the carrier", with));
-                    moved = moved.balance(way);
-                    sizes = [sizes[0] + with.size(), sizes[1] + way.size()];
-                    energy = energy + (n.mass * aside.square()).scale2(-1);
-                    let a = self.acceleration(c, pulls).balance(forward.acceleration);
-                    work = work.balance(n.mass * a * moved);
-                    work = work.balance(n.mass * out.acceleration * out.way(state.time));
-                }
-                self.leaves(c, v);
-                self.say_scaled(Quantity::V, Owner::Body(b), speed(v, aside), sizes[0] + aside.size());
-                self.say_scaled(Quantity::Displacement, Owner::Body(b), moved, sizes[1]);
-                self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
-                energy = energy + (n.mass * v * v).scale2(-1);
-                whole = whole + n.mass * ratio * ratio;
+                self.line_at_end(c, end, pulls, &mut sums);
             }
             if let Some(c) = self.turn(b) {
-                let ratio = self.ratio(c);
-                let w = ratio.abs() * u;
-                self.leaves(c, (ratio * u).signed(sense));
-                self.say(Quantity::Omega, Owner::Body(b), w);
-                self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
-                energy = energy + (n.inertia * w * w).scale2(-1);
-                turning = turning + n.inertia * ratio * ratio;
-                if self.scene.carried.is_some() {
-                    let alpha = plant!("eom: couple on what is carried", self.acceleration(c, pulls));
-                    work = work.balance(n.inertia * alpha * (ratio * s).signed(sense));
-                }
+                self.turn_at_end(c, end, pulls, &mut sums);
             }
         }
-        if self.scene.carried.is_some() {
-            self.say(Quantity::Work, Owner::Scene, work);
+        if self.scene.carried.is_some() && self.phases.is_none() {
+            self.say(Quantity::Work, Owner::Scene, sums.carried);
         }
-        self.say(Quantity::KineticEnergy, Owner::Scene, energy);
-        if !energy.is_zero() {
-            self.say(Quantity::RotationalFraction, Owner::Scene, turning / (turning + whole));
+        self.say(Quantity::KineticEnergy, Owner::Scene, sums.energy);
+        if !sums.energy.is_zero() {
+            let share = sums.turning / (sums.turning + sums.moving);
+            self.say(Quantity::RotationalFraction, Owner::Scene, share);
         }
         let mut heat = None;
-        for (t, tie) in self.scene.ties.iter().enumerate() {
-            match tie {
-                Tie::Slip { body, radius_m, .. } => {
-                    let centre = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)) * s;
-                    let turned = self.turn(*body).map_or_else(T::zero, |c| self.ratio(c)) * s;
-                    let wound = plant!("eom: radius of the slip", self.n.get(*radius_m)) * turned;
-                    let slip = (centre - wound).abs();
-                    let scale = centre.size() + wound.size();
-                    self.say_scaled(Quantity::SlipDistance, Owner::Body(*body), slip, scale);
-                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, pulls).abs() * slip);
-                }
-                // What the ties hold produces no heat, whatever its friction.
-                Tie::Slide { .. } if self.response.is_open(t) => heat = heat.or(Some(T::zero())),
-                Tie::Slide { body, .. } => {
-                    let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
-                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, pulls).abs() * path);
-                    if self.scene.carried.is_some() {
-                        self.say(Quantity::SlipDistance, Owner::Body(*body), path);
-                    }
-                }
-                Tie::Cord(c) => {
-                    let rate = self.take_up(&c.from).signed(sense);
-                    if let Far::Pull(force) = c.to {
-                        let p = self.n.massive(force);
-                        if c.from.tilt_deg.is_none() {
-                            self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                        }
-                        let growth = self.response.grown(GivenForce::Pull(t));
-                        let last = growth.map_or(p, |growth| p + growth);
-                        self.say(Quantity::WorkPull, Owner::Tie(t), self.work(p, growth, rate, s));
-                        self.say(Quantity::PowerPull, Owner::Tie(t), last * rate * u);
-                    } else if matches!(c.to, Far::Spring { .. }) {
-                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
-                    }
-                }
-                Tie::Roll { .. } => {}
+        for t in 0..self.scene.ties.len() {
+            if let Some(warm) = self.tie_at_end(t, end) {
+                heat = Some(heat.unwrap_or_else(T::zero) + warm);
             }
         }
         if let Some(heat) = heat {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
+        // With a spring and in phases it may be the small rest of large works, which what is printed does not determine.
+        if self.springs.is_empty() && self.phases.is_none() && self.scene.carried.is_none() {
+            self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", sums.work));
+        }
     }
 
-    /// Work and impulse of all forces, of the couples alone, and angular momentum: `gain` is half the change of the square of the
-    /// speed, which is the integral of the acceleration over the way.
-    fn gained(&mut self, gain: T, change: T, (s, u): (T, T), sense: f64) {
-        use Quantity::{AngularMomentum, Distance, Impulse, PowerCouple, Work, WorkCouple};
-        if !self.asks(&[AngularMomentum, Distance, Impulse, PowerCouple, Work, WorkCouple]) {
-            return;
+    /// The way of a body along its line.
+    fn line_at_end(&mut self, c: Coordinate, end: &Ended<T>, pulls: &[T], sums: &mut Sums<T>) {
+        let (n, of, time) = (self.n.bodies[c.body], Owner::Body(c.body), end.state.time);
+        let gone = self.gone(end, &|of| of(c));
+        let mut v = gone.speed;
+        let mut moved = plant!("eom: displacement of the centre", gone.moved);
+        let mut sizes = [v.size(), gone.path.size()];
+        let mut aside = T::zero();
+        self.say(Quantity::Rise, of, moved * n.climb);
+        if let Some([forward, out]) = n.carried {
+            let (with, way) = (forward.after(time), forward.way(time));
+            aside = out.after(time);
+            v = v.balance(plant!("eom: speed of the carrier", with));
+            moved = moved.balance(way);
+            sizes = [sizes[0] + with.size(), sizes[1] + way.size()];
+            sums.energy = sums.energy + (n.mass * aside.square()).scale2(-1);
+            // Of constant forces, each over the way that is seen from the ground.
+            let a = self.acceleration(c, pulls).balance(forward.acceleration);
+            sums.carried = sums.carried.balance(n.mass * a * moved);
+            sums.carried = sums.carried.balance(n.mass * out.acceleration * out.way(time));
         }
-        let mut felt = T::zero();
-        for b in 0..self.scene.bodies.len() {
-            let n = self.n.bodies[b];
-            if let Some(c) = self.along(b) {
-                let ratio = self.ratio(c);
-                felt = felt + n.mass * ratio * ratio;
-                self.say(Quantity::Distance, Owner::Body(b), ratio.abs() * s);
-                let momentum = plant!("eom: impulse of all forces", n.mass) * ratio * change;
-                self.say(Quantity::Impulse, Owner::Body(b), momentum.signed(sense));
+        self.leaves(c, if self.phases.is_some() { gone.speed } else { v });
+        self.say_scaled(Quantity::V, of, speed(v, aside), sizes[0] + aside.size());
+        self.say_scaled(Quantity::Displacement, of, moved, sizes[1]);
+        self.say(Quantity::Distance, of, gone.path);
+        let momentum = plant!("eom: impulse of all forces", n.mass) * gone.change;
+        self.say(Quantity::Impulse, of, momentum);
+        sums.energy = sums.energy + (n.mass * v * v).scale2(-1);
+        // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
+        sums.moving = sums.moving + n.mass * gone.unit * gone.unit;
+        sums.work = sums.work.balance(n.mass * gone.work);
+    }
+
+    /// The turn of a body.
+    fn turn_at_end(&mut self, c: Coordinate, end: &Ended<T>, pulls: &[T], sums: &mut Sums<T>) {
+        let (n, of) = (self.n.bodies[c.body], Owner::Body(c.body));
+        let gone = self.gone(end, &|of| of(c));
+        let w = gone.speed.abs();
+        self.leaves(c, gone.speed);
+        self.say(Quantity::Omega, of, w);
+        self.say(Quantity::Phi, of, gone.moved.abs());
+        let spin = plant!("eom: angular momentum", n.inertia) * w;
+        self.say(Quantity::AngularMomentum, of, spin);
+        sums.energy = sums.energy + (n.inertia * w * w).scale2(-1);
+        sums.turning = sums.turning + n.inertia * gone.unit * gone.unit;
+        sums.work = sums.work.balance(n.inertia * gone.work);
+        if self.scene.carried.is_some() {
+            let alpha = plant!("eom: couple on what is carried", self.acceleration(c, pulls));
+            sums.carried = sums.carried.balance(n.inertia * alpha * gone.moved);
+        }
+        let Some(moment) = couple_on(self.scene, &self.n, c.body) else { return };
+        // Of all couples on it, whose moment at the start is given.
+        let acting = self.scene.couples.iter().enumerate().filter(|(_, k)| k.body == c.body);
+        let growth = acting.filter_map(|(i, k)| {
+            Some(self.response.grown(GivenForce::Couple(i))?.signed(if k.forward { 1.0 } else { -1.0 }))
+        });
+        let growth = growth.reduce(T::balance);
+        self.say(Quantity::WorkCouple, of, self.work(moment, growth, &gone, end.sense));
+        let last = growth.map_or(moment, |growth| moment + growth);
+        self.say(Quantity::PowerCouple, of, last * gone.speed);
+    }
+
+    /// The way of a contact that rubs or of a cord, and the heat.
+    fn tie_at_end(&mut self, t: usize, end: &Ended<T>) -> Option<T> {
+        let scene = self.scene;
+        if let Some(rub) = scene.ties[t].rubbing() {
+            let of = Owner::Body(rub.body);
+            let coordinate = |degree| Coordinate { body: rub.body, degree };
+            let (v, w) = (coordinate(Degree::Along), coordinate(Degree::Turn));
+            let c = rub.radius_m.map_or_else(T::zero, |c| plant!("eom: radius of the slip", self.n.get(c)));
+            let slip = |of: &dyn Fn(Coordinate) -> T| of(v) - c * of(w);
+            let slid = match &self.phases {
+                Some(phases) => phases.slid(t, &slip),
+                None => self.gone(end, &slip).path,
+            };
+            if rub.radius_m.is_some() || scene.carried.is_some() {
+                let [centre, wound] = [self.gone(end, &|of| of(v)), self.gone(end, &|of| c * of(w))];
+                let scale = centre.path.size() + wound.path.size();
+                self.say_scaled(Quantity::SlipDistance, of, slid, scale);
             }
-            if let Some(c) = self.turn(b) {
-                let ratio = self.ratio(c);
-                felt = felt + n.inertia * ratio * ratio;
-                let spin = plant!("eom: angular momentum", n.inertia) * ratio.abs() * u;
-                self.say(Quantity::AngularMomentum, Owner::Body(b), spin);
-                if let Some(moment) = couple_on(self.scene, &self.n, b) {
-                    let rate = ratio.signed(sense);
-                    let (work, last) = self.couples(b, moment, rate, s);
-                    self.say(Quantity::WorkCouple, Owner::Body(b), work);
-                    self.say(Quantity::PowerCouple, Owner::Body(b), last * rate * u);
-                }
-            }
+            // What the ties hold produces no heat, whatever its friction.
+            let force = self.n.get(rub.mu_k) * self.response.normal(rub.body);
+            return Some(if self.response.is_open(t) { T::zero() } else { force * slid });
         }
-        // With a spring it may be the small rest of large works, which what is printed does not determine.
-        if self.springs.is_empty() && self.scene.carried.is_none() {
-            self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
+        let Tie::Cord(cord) = &scene.ties[t] else { return None };
+        let (of, given) = (Owner::Tie(t), matches!(cord.to, Far::Pull(_)));
+        if !given && !matches!(cord.to, Far::Spring { .. }) {
+            return None;
         }
+        let gone = self.gone(end, &|of| {
+            take_up(&self.n, &cord.from, |degree| of(Coordinate { body: cord.from.body, degree }))
+        });
+        if cord.from.tilt_deg.is_none() {
+            self.say(Quantity::CordTravel, of, gone.path);
+        }
+        if let Far::Pull(force) = cord.to {
+            let p = self.n.massive(force);
+            let growth = self.response.grown(GivenForce::Pull(t));
+            let last = growth.map_or(p, |growth| p + growth);
+            self.say(Quantity::WorkPull, of, self.work(p, growth, &gone, end.sense));
+            self.say(Quantity::PowerPull, of, last * gone.speed);
+        }
+        None
     }
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`. Asked for a single rolling wheel

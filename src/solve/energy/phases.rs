@@ -1,0 +1,390 @@
+//! A motion in phases, by energies and impulses of its modes.
+//!
+//! A unit impulse at a contact sets off the motion that has no kinetic energy in common with any in which the contact is at rest: the
+//! mode of its slip. The energy of that is spent on friction,
+//!
+//! ```text
+//! 1/2 M_s s0^2 = (mu_k N - Q_s) l      work until the contact is at rest, l its way over the surface
+//! M u' = Q                             impulse of the given forces in each mode
+//! ```
+//! so that the way comes first, then the time (twice the way over the slip at the start), then the speeds from what each mode in which
+//! the contact stays at rest has gained of momentum.
+use crate::num::Real;
+use crate::num::plant::plant;
+use crate::scene::{Coordinate, End, Numbers, Rubbing, Scene, Tie};
+use crate::solve::energy::account::{Account, Stores};
+use crate::solve::energy::balance::{self, PerTie, Reactions};
+use crate::solve::energy::speeds::{self, Mode, Modes};
+use crate::solve::energy::{Gone, frictions, motion, push};
+use crate::solve::outcome::{Refusal, Unsupported};
+use smallvec::{SmallVec, smallvec};
+
+/// A stretch of the motion in which the velocities change evenly.
+#[derive(Clone)]
+pub struct Phase<T> {
+    /// Velocities at its start and end.
+    from: Mode<T>,
+    to: Mode<T>,
+    /// How long it lasts.
+    time: T,
+    /// Accelerations.
+    pub rate: Mode<T>,
+    /// Kinetic friction of the contacts that rub; those that hold have none.
+    pub kinetic: PerTie<Option<T>>,
+    /// The friction of those that hold, among all reactions.
+    pub held: Reactions<T>,
+}
+
+/// What a contact that is said to slip would do if it held.
+#[derive(Clone)]
+pub struct Rolled<T> {
+    /// Index of the tie.
+    pub tie: usize,
+    /// Friction that it then has.
+    pub friction: T,
+    /// Accelerations.
+    pub rate: Mode<T>,
+}
+
+/// A motion in phases, up to its end if it gets there.
+pub struct Phases<T: Real> {
+    /// Its phases: those up to the end, or all of them.
+    pub legs: SmallVec<[Phase<T>; 2]>,
+    /// Is its end reached?
+    pub ended: bool,
+    /// The contacts that are said to slip.
+    pub rolled: SmallVec<[Rolled<T>; 1]>,
+    /// Sense in which the ending coordinate sets off.
+    pub sense: f64,
+}
+
+/// What is fixed while a motion is followed, and how far it is.
+struct Follower<'s, 'a, T: Real> {
+    scene: &'s Scene,
+    n: &'s Numbers<'a, T>,
+    pulls: &'s [T],
+    kinetic: PerTie<Option<T>>,
+    sense: f64,
+    turned: bool,
+    gone: T,
+    spent: T,
+}
+
+/// Velocity of a contact that can rub.
+pub fn slip<T: Real>(n: &Numbers<T>, rub: &Rubbing, mode: &Mode<T>) -> [T; 2] {
+    let rim = rub
+        .radius_m
+        .map_or_else(T::zero, |c| plant!("energy: contact of a slipping body", n.get(c)) * mode.w[rub.body]);
+    [mode.v[rub.body], rim]
+}
+
+/// Path between two velocities of one phase, at the mean speed of each stretch in one sense.
+fn path<T: Real>(from: T, to: T, time: T) -> T {
+    let (before, after) = (from.abs(), to.abs());
+    if from.sign() * to.sign() < 0.0 {
+        let there = time * (before / (before + after));
+        (before * there + after * (time - there)).scale2(-1)
+    } else {
+        ((before + after) * time).scale2(-1)
+    }
+}
+
+impl<T: Real> Phases<T> {
+    /// Follows the motion. `pulls` is what springs pull, at an instant.
+    ///
+    /// Errors: a start that contradicts the ties or leaves something open; what holds does so in a way that is left open.
+    pub fn follow(scene: &Scene, n: &Numbers<T>, pulls: &[T]) -> Result<Self, Refusal> {
+        let (zero, at_once) = (T::zero(), scene.end == End::AtOnce);
+        let mut from = speeds::at_start(scene, n)?;
+        let kinetic = smallvec![None; scene.ties.len()];
+        let mut now =
+            Follower { scene, n, pulls, kinetic, sense: 0.0, turned: false, gone: zero, spent: zero };
+        let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
+        let mut held = now.onset(&from, &mut all.rolled)?;
+        let first = now.kinetic.clone();
+        loop {
+            let (modes, rate) = (now.modes(), now.rate());
+            // At an instant nothing hangs on what comes after it.
+            let rests = if at_once { SmallVec::new() } else { now.comes_to_rest(&modes, &from) };
+            let first = rests.iter().copied().reduce(|a, b| if b.1.below(a.1) { b } else { a });
+            let next = first.map(|first| first.1);
+            let end = if all.ended { None } else { now.end_in(&from, &rate, next) };
+            let kinetic = now.kinetic.clone();
+            let leg = Phase { from: from.clone(), to: from.clone(), time: zero, rate, kinetic, held };
+            if let Some(time) = end {
+                let to = now.after(&modes, &from, time);
+                all.legs.push(Phase { to, time, ..leg.clone() });
+                all.ended = true;
+            }
+            let Some(time) = next else {
+                if !all.ended {
+                    all.legs.push(leg);
+                }
+                break;
+            };
+            let now_too = |r: &&(usize, T)| Some(r.0) == first.map(|f| f.0) || r.1.apart(time).is_zero();
+            let closed: SmallVec<[usize; 2]> = rests.iter().filter(now_too).map(|r| r.0).collect();
+            closed.iter().for_each(|t| now.kinetic[*t] = None);
+            let to = now.after_with(&leg.kinetic, &from, time);
+            now.spent = now.spent + time;
+            from = to.clone();
+            if !all.ended {
+                all.legs.push(Phase { to, time, ..leg });
+            }
+            held = now.reactions(&now.rate());
+            let holds = now.holding(&closed, &held, &mut all.rolled)?;
+            all.ended |= now.ends_at_rest(&closed, holds);
+            if !holds {
+                break;
+            }
+        }
+        if let (End::TurningPoint(c), Some(leg)) = (scene.end, all.legs.last_mut()) {
+            // At rest by the definition of the event, not by what rounding leaves.
+            leg.to.stop(c);
+        }
+        all.sense = now.sense;
+        // What never comes to rest: as if it held at the start.
+        for (t, tie) in scene.ties.iter().enumerate() {
+            if matches!(tie, Tie::Slip { .. }) && all.rolled.iter().all(|known| known.tie != t) {
+                now.kinetic = first.clone();
+                now.kinetic[t] = None;
+                let held = now.reactions(&now.rate());
+                now.holding(&[t], &held, &mut all.rolled)?;
+            }
+        }
+        Ok(all)
+    }
+
+    /// How something has gone that hangs linearly on the velocities.
+    pub fn gone(&self, of: &dyn Fn(&Mode<T>) -> T) -> Gone<T> {
+        let zero = T::zero();
+        let before = self.legs.first().map_or(zero, |leg| of(&leg.from));
+        let mut all = Gone { unit: before, before, speed: before, moved: zero, path: zero };
+        for leg in &self.legs {
+            let (a, b) = (of(&leg.from), of(&leg.to));
+            let way = (a.balance(b) * leg.time).scale2(-1);
+            all.moved = all.moved.balance(plant!("energy: way at the mean velocity", way));
+            all.path = all.path + plant!("energy: path of the centre", path(a, b, leg.time));
+            (all.unit, all.speed) = (b, b);
+        }
+        all
+    }
+
+    /// How far a contact slides, which does not change its sense: on the way its mean speed counts.
+    pub fn slid(&self, tie: usize, of: &dyn Fn(&Mode<T>) -> T) -> T {
+        let rubs = self.legs.iter().filter(|leg| leg.kinetic[tie].is_some());
+        let way = |leg: &Phase<T>| ((of(&leg.from) + of(&leg.to)).abs() * leg.time).scale2(-1);
+        rubs.fold(T::zero(), |sum, leg| sum + plant!("energy: way of a contact", way(leg)))
+    }
+
+    /// When it ends.
+    pub fn time(&self) -> T {
+        self.legs.iter().fold(T::zero(), |sum, leg| sum + leg.time)
+    }
+
+    /// The velocities at the start and at the end.
+    pub fn ends(&self) -> [&Mode<T>; 2] {
+        [&self.legs[0].from, &self.legs[self.legs.len() - 1].to]
+    }
+
+    /// The most friction that a contact which could rub needs while it holds.
+    pub fn needed(&self, tie: usize) -> Option<T> {
+        let holding = self.legs.iter().filter(|leg| leg.kinetic[tie].is_none());
+        let holding = holding.filter(|leg| !leg.held.is_open(tie));
+        holding.map(|leg| leg.held[tie].abs()).reduce(T::larger)
+    }
+}
+
+impl<T: Real> Follower<'_, '_, T> {
+    fn rubbing(&self) -> impl Iterator<Item = (usize, Rubbing)> {
+        let ties = self.scene.ties.iter().enumerate();
+        ties.filter_map(|(t, tie)| Some((t, tie.rubbing()?)))
+    }
+    /// Motions in which the contacts that hold are at rest.
+    fn modes(&self) -> Modes<T> {
+        let holds: PerTie<bool> = self.kinetic.iter().map(Option::is_none).collect();
+        speeds::modes(self.scene, self.n, &holds)
+    }
+    fn power(&self, kinetic: &[Option<T>], mode: &Mode<T>) -> (T, f64) {
+        push(self.scene, self.n, mode, &frictions(kinetic), self.pulls)
+    }
+    fn rate(&self) -> Mode<T> {
+        motion(self.n, &self.modes(), |mode| self.power(&self.kinetic, mode))
+    }
+    fn reactions(&self, rate: &Mode<T>) -> Reactions<T> {
+        balance::reactions(self.scene, self.n, &|c: Coordinate| rate.of(c), self.pulls, &self.kinetic)
+    }
+
+    /// The motion of the momenta that a motion `had`, if one is given, with what each mode has gained after a time.
+    fn gained(&self, modes: &[Mode<T>], kinetic: &[Option<T>], had: Option<&Mode<T>>, time: T) -> Mode<T> {
+        motion(self.n, modes, |mode| {
+            let (power, size) = self.power(kinetic, mode);
+            let (gain, size) = (plant!("energy: impulse in a mode", power * time), size * time.size());
+            let Some(from) = had else { return (gain, size) };
+            let had = plant!("energy: momentum of a mode", balance::inertia(self.n, mode, from));
+            (had.balance(gain), had.size() + size)
+        })
+    }
+    /// The velocities after a time. What gains nothing goes on as it is, whatever the rounding of a start that fits the ties.
+    fn after(&self, modes: &[Mode<T>], from: &Mode<T>, time: T) -> Mode<T> {
+        if time.is_zero() { from.clone() } else { from.plus(&self.gained(modes, &self.kinetic, None, time)) }
+    }
+    /// The same where contacts have just come to rest that rubbed with this friction.
+    fn after_with(&self, kinetic: &[Option<T>], from: &Mode<T>, time: T) -> Mode<T> {
+        self.gained(&self.modes(), kinetic, Some(from), time)
+    }
+
+    /// The contacts at the start: what slips rubs, what is at rest holds if it can be held.
+    fn onset(
+        &mut self,
+        from: &Mode<T>,
+        rolled: &mut SmallVec<[Rolled<T>; 1]>,
+    ) -> Result<Reactions<T>, Refusal> {
+        let mut at_rest: SmallVec<[usize; 2]> = SmallVec::new();
+        let slips: SmallVec<[(usize, Rubbing, T); 2]> = self
+            .rubbing()
+            .map(|(t, rub)| {
+                let [v, rim] = slip(self.n, &rub, from);
+                (t, rub, v.apart(rim))
+            })
+            .collect();
+        for (t, rub, slip) in slips {
+            match slip.sign() {
+                0.0 => at_rest.push(t),
+                sense => self.kinetic[t] = Some(self.friction(&rub).signed(-sense)),
+            }
+        }
+        let held = self.reactions(&self.rate());
+        if self.holding(&at_rest, &held, rolled)? {
+            return Ok(held);
+        }
+        let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
+        // It begins to slip against the friction that it would need.
+        let rub = self.scene.ties[one].rubbing();
+        self.kinetic[one] = rub.map(|rub| self.friction(&rub).signed(held[one].sign()));
+        Ok(self.reactions(&self.rate()))
+    }
+
+    /// Kinetic friction.
+    fn friction(&self, rub: &Rubbing) -> T {
+        let normal = balance::normal(self.scene, self.n, rub.body);
+        plant!("energy: kinetic friction of what starts with a speed", self.n.get(rub.mu_k)) * normal
+    }
+
+    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need.
+    fn holding(
+        &self,
+        ties: &[usize],
+        held: &Reactions<T>,
+        rolled: &mut SmallVec<[Rolled<T>; 1]>,
+    ) -> Result<bool, Refusal> {
+        let mut holds = true;
+        for t in ties {
+            let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
+            if held.is_open(*t) {
+                match rub.radius_m {
+                    Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
+                    // No power is lost where the ties hold it.
+                    None => continue,
+                }
+            }
+            let normal = balance::normal(self.scene, self.n, rub.body);
+            holds &= held[*t].abs().at_most(self.n.get(rub.mu_s) * normal);
+            if rub.radius_m.is_some() {
+                rolled.push(Rolled { tie: *t, friction: held[*t], rate: self.rate() });
+            }
+        }
+        Ok(holds)
+    }
+
+    /// The contacts that come to rest, each with the time until then.
+    fn comes_to_rest(&self, modes: &[Mode<T>], from: &Mode<T>) -> SmallVec<[(usize, T); 2]> {
+        let mut rests = SmallVec::new();
+        for (t, rub) in self.rubbing() {
+            let Some(friction) = self.kinetic[t] else { continue };
+            let [v, rim] = slip(self.n, &rub, from);
+            let slip0 = v.apart(rim);
+            if slip0.is_zero() {
+                continue;
+            }
+            // What a unit impulse at the contact sets off, at unit slip.
+            let struck = motion(self.n, modes, |mode| {
+                let [v, rim] = slip(self.n, &rub, mode);
+                (v.balance(-rim), v.size() + rim.size())
+            });
+            let [v, rim] = slip(self.n, &rub, &struck);
+            let unit = v - rim;
+            let mut without = self.kinetic.clone();
+            without[t] = Some(T::zero());
+            let (power, _) = self.power(&without, &struck);
+            let doubled = balance::inertia(self.n, &struck, &struck) / unit.square();
+            let loss = friction.abs().balance(-(power / unit).signed(slip0.sign()));
+            if loss.sign() > 0.0 {
+                let energy = plant!("energy: energy of the slip", doubled * slip0.square()).scale2(-1);
+                let way = energy / loss;
+                rests.push((t, way.scale2(1) / slip0.abs()));
+            }
+        }
+        rests
+    }
+
+    /// Is it the end that these contacts come to rest, which can be held or not?
+    fn ends_at_rest(&self, closed: &[usize], holds: bool) -> bool {
+        let slides = |radius: Option<_>| radius.is_none();
+        closed.iter().filter_map(|t| self.scene.ties[*t].rubbing()).any(|rub| match self.scene.end {
+            End::Rolling(c) => holds && !slides(rub.radius_m) && c.body == rub.body,
+            End::TurningPoint(c) => slides(rub.radius_m) && c.body == rub.body,
+            _ => false,
+        })
+    }
+
+    /// When the end comes in this phase, from its start, unless a contact comes to rest before.
+    fn end_in(&mut self, from: &Mode<T>, rate: &Mode<T>, next: Option<T>) -> Option<T> {
+        let in_time = |time: &T| next.is_none_or(|next| !next.below(*time));
+        let end = self.scene.ending_coordinate();
+        let (u0, gain) = (from.of(end), rate.of(end));
+        let own: SmallVec<[(usize, Rubbing); 1]> =
+            self.rubbing().filter(|(_, rub)| rub.body == end.body).collect();
+        match self.scene.end {
+            End::AtOnce => return Some(T::zero()),
+            End::Time(_, t) => return Some(self.n.get(t) - self.spent).filter(in_time),
+            End::Rolling(_) => {
+                let rolls =
+                    |(t, rub): &(usize, Rubbing)| rub.radius_m.is_some() && self.kinetic[*t].is_none();
+                return (self.spent.is_zero() && own.iter().any(rolls)).then(T::zero);
+            }
+            // It ends where the contact comes to rest.
+            End::TurningPoint(_)
+                if own.iter().any(|(t, rub)| rub.radius_m.is_none() && self.kinetic[*t].is_some()) =>
+            {
+                return None;
+            }
+            _ => {}
+        }
+        if self.sense == 0.0 {
+            self.sense = [u0, gain].iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
+        }
+        if self.turned || u0.sign() * self.sense < 0.0 || self.sense == 0.0 {
+            return None;
+        }
+        // Half the square of its speed is its own account.
+        let u0 = u0.abs();
+        let energy0 = u0.square().scale2(-1);
+        let constant = gain.signed(self.sense);
+        let account = Account { constant, doubled: T::of(1.0), energy0, u0, stores: Stores::new() };
+        let turning = account.turning();
+        let place = match self.scene.end {
+            End::Travel(_, d) => Some(self.n.get(d) - self.gone),
+            End::Position(_, x) => Some(self.n.get(x).signed(self.sense) - self.gone),
+            End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),
+            End::TurningPoint(_) => turning,
+            _ => None,
+        };
+        let time_to = |s: T| account.time(s, account.speed(s));
+        let place = place.filter(|s| s.not_negative() && turning.is_none_or(|far| s.at_most(far)));
+        let time = place.map(time_to).filter(in_time);
+        self.turned = turning.is_some_and(|s| in_time(&time_to(s)));
+        self.gone = self.gone + next.map_or_else(T::zero, |next| account.place(next));
+        time
+    }
+}

@@ -1,0 +1,478 @@
+//! A motion in phases: under constant forces every coordinate accelerates evenly until a contact that rubs comes to rest. From then on
+//! it holds, if static friction can hold it.
+//!
+//! Friction is a force of known size against the slip, with its sense frozen until the event:
+//!
+//! ```text
+//! slip        s = v - c omega                    (velocity of the contact; of a block s = v)
+//! while s /= 0:  F = -sgn(s) mu_k N
+//! event       s + (a - c alpha) t = 0
+//! from there  a = c alpha,  F a reaction, |F| <= mu_s N
+//! ```
+//! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
+use crate::num::Real;
+use crate::num::ode::{Count, Formula, Run};
+use crate::num::plant::plant;
+use crate::scene::{Coordinate, Degree, End, Numbers, Scene, Tie};
+use crate::solve::eom::equations::{Response, Setting, respond};
+use crate::solve::eom::instant::{self, Each};
+use crate::solve::eom::travel::{Leg, Travel};
+use crate::solve::eom::{Gone, Rolled, under};
+use crate::solve::method::Rung;
+use crate::solve::outcome::{Refusal, Unsupported};
+use smallvec::{SmallVec, smallvec};
+
+/// What hangs linearly on the coordinates, from the value of each.
+pub type Linear<'f, T> = &'f dyn Fn(&dyn Fn(Coordinate) -> T) -> T;
+
+/// A stretch of the motion with constant accelerations.
+#[derive(Debug, Clone)]
+pub struct Phase<T> {
+    /// Forces and accelerations.
+    pub response: Response<T>,
+    /// For each tie: is it a contact that could rub and holds?
+    pub holds: SmallVec<[bool; 4]>,
+    speeds: Each<T>,
+    rates: Each<T>,
+    /// When it begins, and how long it lasts.
+    starts: T,
+    lasts: T,
+    /// The ways of the coordinates, where they are from steps.
+    ways: Option<Each<T>>,
+}
+
+/// A motion in phases, up to its end if it gets there.
+pub struct Phases<'a, T: Real> {
+    scene: &'a Scene,
+    /// Of each tie the radius on which it slips, if it is such a contact.
+    rims: Each<Option<T>>,
+    coordinates: SmallVec<[Coordinate; 6]>,
+    /// Its phases: those up to the end, or all of them.
+    pub legs: SmallVec<[Phase<T>; 2]>,
+    /// Is its end reached?
+    pub ended: bool,
+    /// For each contact that is said to slip: as it holds first, or would hold at the start.
+    pub rolled: Rolled<T>,
+    /// For each tie: when its contact comes to rest; 0 where it is at rest from the start.
+    pub until: SmallVec<[Option<T>; 4]>,
+    /// What comes to rest last and cannot be held: when that is.
+    pub through: Option<T>,
+    /// Sense in which the ending coordinate sets off.
+    pub sense: f64,
+    /// Its way in that sense up to the phase that is looked at, and where it turns.
+    gone: T,
+    pub turning: Option<T>,
+    /// The velocities at the end.
+    ends: Each<T>,
+    /// The response of what holds from the end on, where a contact comes to rest there.
+    pub after: Option<Response<T>>,
+}
+
+/// Path between two velocities of one phase, there and back: with `a = (|v0| + |v1|) / t` where it turns back, each way is `v^2 / 2a`.
+fn path<T: Real>(from: T, to: T, time: T) -> T {
+    let speeds = from.abs() + to.abs();
+    if from.sign() * to.sign() < 0.0 {
+        (from.square() + to.square()).over(speeds).scale2(-1) * time
+    } else {
+        (speeds * time).scale2(-1)
+    }
+}
+
+impl<'a, T: Real> Phases<'a, T> {
+    /// Follows the motion. `pulls` is what springs pull, at an instant.
+    ///
+    /// Errors: those of the equations and of the start; what holds does so in a way that is left open.
+    pub fn follow(scene: &'a Scene, n: &Numbers<T>, pulls: &[T]) -> Result<Self, Refusal> {
+        let (coordinates, mut speeds) = instant::start(scene, n)?;
+        let ties = scene.ties.len();
+        let rims = scene.ties.iter().map(|tie| tie.rubbing()?.radius_m.map(|c| n.get(c))).collect();
+        let mut all = Self {
+            scene,
+            rims,
+            coordinates,
+            legs: SmallVec::new(),
+            ended: false,
+            rolled: Rolled::new(),
+            until: smallvec![None; ties],
+            through: None,
+            sense: 0.0,
+            gone: T::zero(),
+            turning: None,
+            ends: Each::new(),
+            after: None,
+        };
+        let (mut setting, mut response) = all.onset(n, &speeds, pulls)?;
+        let first = setting.clone();
+        let mut starts = T::zero();
+        loop {
+            let rates: Each<T> =
+                all.coordinates.iter().map(|c| under(pulls, |k| response.acceleration(*c, k))).collect();
+            let rest = all.comes_to_rest(&setting, &speeds, &rates, starts);
+            let holds = setting.holds.clone();
+            let lasts = rest.unwrap_or_else(T::zero);
+            let leg = Phase { response, holds, speeds, rates, starts, lasts, ways: None };
+            let end = if all.ended { None } else { all.end_in(n, &leg, rest) };
+            speeds = leg.after(lasts);
+            if !all.ended {
+                all.legs.push(leg);
+            }
+            if let (Some(time), Some(leg)) = (end, all.legs.last_mut()) {
+                leg.lasts = time;
+                all.ended = true;
+            }
+            let Some(time) = rest.filter(|_| scene.end != End::AtOnce) else { break };
+            starts = starts + time;
+            let closed = all.close(&mut setting, starts);
+            response = respond(scene, n, &setting)?;
+            let held = all.holding(n, &closed, &response, pulls)?;
+            if !all.ended && all.ends_at_rest(&closed, held) {
+                all.ended = true;
+                all.after = Some(response.clone());
+            }
+            if !held {
+                all.through = Some(starts);
+                break;
+            }
+        }
+        if let Some(leg) = all.legs.last() {
+            all.ends = leg.after(leg.lasts);
+        }
+        if let End::TurningPoint(c) = scene.end
+            && let Some(i) = all.coordinates.iter().position(|own| *own == c)
+        {
+            // At rest by the definition of the event, not by what rounding leaves.
+            all.ends[i] = T::zero();
+        }
+        // What never comes to rest: as if it held at the start.
+        for (t, tie) in scene.ties.iter().enumerate() {
+            if matches!(tie, Tie::Slip { .. }) && all.rolled.iter().all(|(known, _)| *known != t) {
+                let mut setting = first.clone();
+                setting.holds[t] = true;
+                let response = respond(scene, n, &setting)?;
+                if response.is_open(t) {
+                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                }
+                all.rolled.push((t, response));
+            }
+        }
+        Ok(all)
+    }
+
+    fn of(&self, values: &[T], body: usize, degree: Degree) -> T {
+        let place = self.coordinates.iter().position(|c| *c == Coordinate { body, degree });
+        place.map_or_else(T::zero, |i| values[i])
+    }
+
+    /// Velocity of the centre and of the rim at a contact that can rub, or their rates.
+    fn at_contact(&self, tie: usize, values: &[T]) -> Option<[T; 2]> {
+        let rub = self.scene.ties[tie].rubbing()?;
+        let rim = self.rims[tie].map_or_else(T::zero, |c| {
+            plant!("eom: speed of the rim", c * self.of(values, rub.body, Degree::Turn))
+        });
+        Some([self.of(values, rub.body, Degree::Along), rim])
+    }
+
+    /// The slip of a contact at the start, and the size of the speeds that make it up.
+    pub fn slip(&self, tie: usize) -> (T, f64) {
+        let [v, rim] = self.at_contact(tie, &self.legs[0].speeds).unwrap_or([T::zero(); 2]);
+        (v.apart(rim), v.size() + rim.size())
+    }
+
+    /// How the contacts are at the start: what slips rubs, what is at rest holds. One that is at rest and cannot be held begins to slip
+    /// against the friction that it would need.
+    fn onset(
+        &mut self,
+        n: &Numbers<T>,
+        speeds: &[T],
+        pulls: &[T],
+    ) -> Result<(Setting, Response<T>), Refusal> {
+        let mut setting = Setting::loose(self.scene);
+        let mut at_rest: SmallVec<[usize; 4]> = SmallVec::new();
+        for t in 0..self.scene.ties.len() {
+            let Some([v, rim]) = self.at_contact(t, speeds) else { continue };
+            let slip = v.apart(rim);
+            setting.friction_sense[t] = -slip.sign();
+            if slip.is_zero() {
+                setting.holds[t] = true;
+                at_rest.push(t);
+            }
+        }
+        let response = respond(self.scene, n, &setting)?;
+        if self.holding(n, &at_rest, &response, pulls)? {
+            at_rest.into_iter().for_each(|t| self.until[t] = Some(T::zero()));
+            return Ok((setting, response));
+        }
+        let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
+        setting.holds[one] = false;
+        setting.friction_sense[one] = under(pulls, |k| response.reaction(one, k)).sign();
+        let response = respond(self.scene, n, &setting)?;
+        Ok((setting, response))
+    }
+
+    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need.
+    fn holding(
+        &mut self,
+        n: &Numbers<T>,
+        ties: &[usize],
+        response: &Response<T>,
+        pulls: &[T],
+    ) -> Result<bool, Refusal> {
+        let mut holds = true;
+        for t in ties {
+            let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
+            if response.is_open(*t) {
+                match rub.radius_m {
+                    Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
+                    // The ties hold it, whatever its friction.
+                    None => continue,
+                }
+            }
+            let needed = under(pulls, |k| response.reaction(*t, k)).abs();
+            holds &= needed.at_most(n.get(rub.mu_s) * response.normal(rub.body));
+            if rub.radius_m.is_some() {
+                self.rolled.push((*t, response.clone()));
+            }
+        }
+        Ok(holds)
+    }
+
+    /// When the next contact comes to rest, from the start of this phase.
+    fn comes_to_rest(&mut self, setting: &Setting, speeds: &[T], rates: &[T], starts: T) -> Option<T> {
+        let mut next: Option<T> = None;
+        for t in 0..setting.holds.len() {
+            let (Some([v, rim]), Some([a, turned])) = (self.at_contact(t, speeds), self.at_contact(t, rates))
+            else {
+                continue;
+            };
+            if setting.holds[t] {
+                continue;
+            }
+            let slip = v.apart(rim);
+            let closing = plant!("eom: rate of the slip", a.balance(-turned)).signed(-slip.sign());
+            let time = (!slip.is_zero() && closing.sign() > 0.0).then(|| slip.abs() / closing);
+            self.until[t] = time.map(|time| starts + time);
+            next = match (next, time) {
+                (Some(one), Some(other)) if !other.below(one) => Some(one),
+                (one, other) => other.or(one),
+            };
+        }
+        next
+    }
+
+    /// Closes the contacts that come to rest now.
+    fn close(&self, setting: &mut Setting, now: T) -> SmallVec<[usize; 4]> {
+        let closes = |t: &usize| !setting.holds[*t] && self.until[*t].is_some_and(|t| t.apart(now).is_zero());
+        let closed: SmallVec<[usize; 4]> = (0..setting.holds.len()).filter(closes).collect();
+        for t in &closed {
+            setting.holds[*t] = true;
+            setting.friction_sense[*t] = 0.0;
+        }
+        closed
+    }
+
+    /// Is it the end that these contacts come to rest, which can be held or not?
+    fn ends_at_rest(&self, closed: &[usize], held: bool) -> bool {
+        closed.iter().filter_map(|t| self.scene.ties[*t].rubbing()).any(|rub| match self.scene.end {
+            End::Rolling(c) => held && rub.radius_m.is_some() && c.body == rub.body,
+            End::TurningPoint(c) => rub.radius_m.is_none() && c.body == rub.body,
+            _ => false,
+        })
+    }
+
+    /// When the end comes in this phase, from its start, which a contact that comes to rest ends.
+    fn end_in(&mut self, n: &Numbers<T>, leg: &Phase<T>, rest: Option<T>) -> Option<T> {
+        let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time));
+        let end = self.scene.ending_coordinate();
+        let slides = |t: usize| {
+            let rub = self.scene.ties[t].rubbing().filter(|rub| rub.body == end.body);
+            rub.map(|rub| (rub.radius_m.is_some(), leg.holds[t]))
+        };
+        match self.scene.end {
+            End::Time(_, t) => return Some(n.get(t) - leg.starts).filter(by_then),
+            End::AtOnce => return Some(T::zero()),
+            End::Rolling(_) => {
+                let rolls = |t| slides(t) == Some((true, true)) && leg.starts.is_zero();
+                return (0..leg.holds.len()).any(rolls).then(T::zero);
+            }
+            // Told where the contact comes to rest.
+            End::TurningPoint(_) if (0..leg.holds.len()).any(|t| slides(t) == Some((false, false))) => {
+                return None;
+            }
+            _ => {}
+        }
+        let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
+        if self.sense == 0.0 {
+            self.sense = if v.is_zero() { a.sign() } else { v.sign() };
+        }
+        let sense = self.sense;
+        if self.turning.is_some() || sense == 0.0 || v.sign() * sense < 0.0 {
+            self.turning = self.turning.or((sense != 0.0).then_some(self.gone));
+            return None;
+        }
+        let legs = [Leg { from: T::zero(), f: a.signed(sense), w2: None }];
+        let travel = Travel { u0: v.abs(), legs: &legs };
+        let turning = travel.turning();
+        let s = match self.scene.end {
+            End::Travel(_, d) => Some(n.get(d) - self.gone),
+            End::Position(_, x) => Some(n.get(x).signed(sense) - self.gone),
+            End::Speed(_, u) => travel.reaching(n.get(u).abs()),
+            End::TurningPoint(_) => turning,
+            _ => None,
+        };
+        let s = s.filter(|s| s.not_negative() && turning.is_none_or(|turning| s.at_most(turning)));
+        let time = s.map(|s| travel.at(s).time).filter(by_then);
+        let turns = turning.filter(|s| by_then(&travel.at(*s).time));
+        self.turning = turns.map(|s| self.gone + s);
+        self.gone = self.gone + rest.map_or_else(T::zero, |rest| travel.after(rest));
+        time
+    }
+
+    /// The velocity of a coordinate at the start.
+    pub fn start_of(&self, c: Coordinate) -> T {
+        self.of(&self.legs[0].speeds, c.body, c.degree)
+    }
+
+    /// The farthest that it goes, in the measure of its end; infinite where it goes on and on.
+    pub fn farthest(&self) -> T {
+        let endless = || T::of(f64::INFINITY);
+        match self.scene.end {
+            End::Time(..) | End::Rolling(_) => self.through.unwrap_or_else(endless),
+            End::Speed(c, _) => {
+                let faster = self.legs.iter().map(|leg| self.of(&leg.speeds, c.body, c.degree).abs());
+                let grows = self.turning.is_none().then(endless);
+                faster.chain(grows).reduce(T::larger).unwrap_or_else(endless)
+            }
+            _ => self.turning.or(self.through.map(|_| self.gone)).unwrap_or_else(endless),
+        }
+    }
+
+    /// When it ends.
+    pub fn time(&self) -> T {
+        self.legs.last().map_or_else(T::zero, |leg| leg.starts + leg.lasts)
+    }
+
+    /// How what hangs linearly on the coordinates has gone: its velocity, its way.
+    pub fn gone(&self, of: Linear<'_, T>) -> Gone<T> {
+        let value = |values: &[T]| of(&|c: Coordinate| self.of(values, c.body, c.degree));
+        let zero = T::zero();
+        let mut all = Gone { unit: zero, speed: zero, moved: zero, path: zero, change: zero, work: zero };
+        for (i, leg) in self.legs.iter().enumerate() {
+            let [u0, rate] = [value(&leg.speeds), value(&leg.rates)];
+            let gain = plant!("eom: gain of velocity", rate * leg.lasts);
+            let after = self.legs.get(i + 1).map(|next| value(&next.speeds));
+            let u1 = after.unwrap_or_else(|| value(&self.ends));
+            let way = match &leg.ways {
+                Some(ways) => value(ways),
+                None => (u0 * leg.lasts).balance((rate * leg.lasts.square()).scale2(-1)),
+            };
+            let way = plant!("eom: travel while accelerated", way);
+            all.moved = all.moved.balance(way);
+            all.path = all.path + plant!("eom: path of the centre", path(u0, u1, leg.lasts));
+            all.change = all.change.balance(gain);
+            (all.speed, all.unit) = (u1, u1);
+        }
+        all
+    }
+
+    /// How far a contact slides, which does not change its sense while it rubs.
+    pub fn slid(&self, tie: usize, of: Linear<'_, T>) -> T {
+        let mut all = T::zero();
+        for leg in self.legs.iter().filter(|leg| !leg.holds[tie]) {
+            let [slip0, rate] = [&leg.speeds, &leg.rates].map(|values| {
+                let values: &[T] = values;
+                of(&|c: Coordinate| self.of(values, c.body, c.degree))
+            });
+            let way = slip0 * leg.lasts + (rate * leg.lasts.square()).scale2(-1);
+            all = all + plant!("eom: way of the slipping contact", way.abs());
+        }
+        all
+    }
+
+    /// The phases by the steps of a rung, each landing on its event, and what that cost.
+    pub fn stepped(&mut self, rung: Rung) -> Result<Count, Refusal> {
+        let mut sum = Count::default();
+        let end = self.scene.ending_coordinate();
+        let total = self.time();
+        let formula = rung.method().formula().unwrap_or(Formula::Dop853);
+        let (mut starts, mut speeds) = (T::zero(), self.legs[0].speeds.clone());
+        let last = self.legs.len() - 1;
+        for i in 0..self.legs.len() {
+            let leg = &self.legs[i];
+            let lasts = leg.lasts.f64();
+            let first = if lasts > 0.0 { 0.05 * lasts } else { 1.0 };
+            // One coordinate, or the slip of a contact: `[x, v]` under a constant acceleration.
+            let mut run = |v: T, a: T, stop: &Stop| -> Result<[f64; 3], Refusal> {
+                let a = a.f64();
+                let field = |_: f64, y: &[f64; 2]| [y[1], a];
+                let mut run = Run::new(formula, field, 0.0, [0.0, v.f64()], rung.pace(first));
+                let landed = match stop {
+                    Stop::Time(time) => run.to(*time),
+                    Stop::Rest => {
+                        let sense = -v.sign();
+                        run.until(&|_, y| sense * y[1], v.size(), &|_, _| -1.0).map(|_| ())
+                    }
+                    Stop::Place(s) => {
+                        run.until(&|_, y| s.signum() * (y[0] - s), s.abs(), &|_, _| -1.0).map(|_| ())
+                    }
+                };
+                landed.map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
+                let count = run.count();
+                sum.evaluations += count.evaluations;
+                sum.steps += count.steps;
+                sum.refused += count.refused;
+                let [x, v] = run.y();
+                Ok([run.x(), x, v])
+            };
+            let closes = |t: &usize| {
+                let ends = leg.starts + leg.lasts;
+                !leg.holds[*t] && self.until[*t].is_some_and(|t| t.apart(ends).is_zero())
+            };
+            let closing = (0..leg.holds.len()).find(closes).filter(|_| i < last || self.after.is_some());
+            let time = match (
+                closing.and_then(|t| Some((self.at_contact(t, &speeds)?, self.at_contact(t, &leg.rates)?))),
+                self.scene.end,
+            ) {
+                (Some(([v, rim], [a, turned])), _) => run(v - rim, a - turned, &Stop::Rest)?[0],
+                (None, End::Time(..)) => total.f64() - starts.f64(),
+                (None, _) => {
+                    let v = self.of(&speeds, end.body, end.degree);
+                    let a = self.of(&leg.rates, end.body, end.degree);
+                    let way = v.f64() * lasts + 0.5 * a.f64() * lasts * lasts;
+                    if matches!(self.scene.end, End::TurningPoint(_)) {
+                        run(v, a, &Stop::Rest)?[0]
+                    } else if way != 0.0 {
+                        run(v, a, &Stop::Place(way))?[0]
+                    } else {
+                        lasts
+                    }
+                }
+            };
+            let (mut ways, mut next) = (Each::new(), Each::new());
+            for (v, a) in speeds.iter().zip(&leg.rates) {
+                let [_, x, v] = run(*v, *a, &Stop::Time(time))?;
+                ways.push(T::of(x));
+                next.push(T::of(v));
+            }
+            let leg = &mut self.legs[i];
+            (leg.speeds, leg.starts, leg.lasts, leg.ways) = (speeds, starts, T::of(time), Some(ways));
+            starts = starts + leg.lasts;
+            speeds = next;
+        }
+        self.ends = speeds;
+        Ok(sum)
+    }
+}
+
+/// Where a run of steps stops.
+enum Stop {
+    Time(f64),
+    Rest,
+    Place(f64),
+}
+
+impl<T: Real> Phase<T> {
+    /// The velocities after a time.
+    fn after(&self, time: T) -> Each<T> {
+        self.speeds.iter().zip(&self.rates).map(|(v, a)| v.balance(*a * time)).collect()
+    }
+}

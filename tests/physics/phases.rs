@@ -1,0 +1,190 @@
+//! Motions in phases by formulas derived by hand for each scene: slip beside a block on a cord and to any end, two contacts that slip,
+//! two freedoms with speeds at the start, and instants with springs where something rubs.
+use slipstick::bank::{labels, load};
+use slipstick::solve::agree::{prove, solve};
+use slipstick::solve::outcome::Solved;
+
+const G: f64 = 9.81;
+
+/// The values of these quantities; all checks hold, and each is enclosed.
+fn told(scene: &str, names: &[&str]) -> (Vec<f64>, Solved) {
+    let indented: String = scene.lines().map(|l| format!("      {l}\n")).collect();
+    let text = format!(
+        "bank: phases\ntitle: Phases\nproblems:\n  phases:\n    title: Phases\n    data:\n      m: {{name: mass, unit: kg, draw: always 2}}\n    \
+         scene:\n{indented}    questions:\n      kinetic_energy: {{ask: the kinetic energy}}\n"
+    );
+    let bank = load::scenes_only(&text, "phases.yaml").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+    let scene = &bank.problems[0].cases[0].scene;
+    let data = [2.0, G];
+    let mut solved = solve(scene, &data).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
+    assert!(prove(scene, &data, &mut solved), "{text}");
+    assert!(solved.all_hold(), "{:?}\n{text}", solved.checks);
+    let of = |name: &&str| {
+        let entry = solved.get(labels::named(scene, name).expect(name)).expect(name);
+        assert!(entry.bound.is_some(), "{name} is enclosed");
+        entry.value()
+    };
+    (names.iter().map(of).collect(), solved)
+}
+
+fn compare(names: &[&str], found: &[f64], expected: &[f64]) {
+    assert_eq!(names.len(), expected.len());
+    for ((name, a), b) in names.iter().zip(found).zip(expected) {
+        assert!((a - b).abs() <= 1e-12 * a.abs().max(b.abs()), "{name}: {a} {b}");
+    }
+}
+
+/// A ball with topspin is drawn along a level by a block that hangs on a cord: friction drives it on until it rolls.
+#[test]
+fn a_ball_slips_beside_a_block_on_a_cord_to_any_end() {
+    let scene = |end: &str| {
+        format!(
+            "surfaces: {{lane: level}}
+bodies:
+  ball: {{mass: m, shape: {{sphere: 0.1 m}}, moves: along lane}}
+  load: {{mass: 1 kg, moves: vertically}}
+ties:
+  - slips: {{body: ball, on its: rim, mu_s: 0.6, mu_k: 0.2}}
+  - cord: {{from: {{body: ball, tied at: centre, leaves: forward}}, to: {{body: load, tied at: centre, leaves: up}}}}
+start: {{ball: {{speed: 1 m/s, spin: 30 rad/s}}}}
+end: {end}"
+        )
+    };
+    let (m, load, r, v0, w0) = (2.0, 1.0, 0.1, 1.0, 30.0);
+    let (i, f) = (0.4 * m * r * r, 0.2 * m * G);
+    let (a, alpha) = ((load * G + f) / (m + load), -f * r / i);
+    let t = (r * w0 - v0) / (a - r * alpha);
+    let (v, w) = (v0 + a * t, w0 + alpha * t);
+    let (x, phi) = (v0 * t + a * t * t / 2.0, w0 * t + alpha * t * t / 2.0);
+    let slid = (r * w0 - v0) * t / 2.0;
+    let names = [
+        "t",
+        "ball.v",
+        "load.v",
+        "omega",
+        "ball.displacement",
+        "load.rise",
+        "phi",
+        "slip_distance",
+        "heat",
+        "friction",
+        "tension",
+        "mu_required",
+    ];
+    let rolling = load * G / (m + load + i / (r * r));
+    let expected =
+        [t, v, v, w, x, -x, phi, slid, f * slid, f, load * (G - a), i / (r * r) * rolling / (m * G)];
+    compare(&names, &told(&scene("{rolling: ball}"), &names).0, &expected);
+    // Rolling on: for a time, and up to a place.
+    for late in [0.3, 1.0] {
+        let (v1, x1) = (v + rolling * late, x + v * late + rolling * late * late / 2.0);
+        let names =
+            ["t", "ball.v", "ball.displacement", "omega", "phi", "friction", "tension", "slip_distance"];
+        let ended = [
+            t + late,
+            v1,
+            x1,
+            v1 / r,
+            phi + (x1 - x) / r,
+            -i / (r * r) * rolling,
+            load * (G - rolling),
+            slid,
+        ];
+        let by = |end: &str| told(&scene(end), &names).0;
+        let timed = by(&format!("{{time: {{of: ball, is: {} s}}}}", t + late));
+        compare(&names, &timed, &ended);
+        compare(&names, &by(&format!("{{travel: {{of: ball, by: {x1} m}}}}")), &ended);
+        compare(&names, &by(&format!("{{speed: {{of: load, reaches: {v1} m/s}}}}")), &ended);
+    }
+    // At the start, before it has moved.
+    let names = ["ball.a", "alpha", "friction", "tension", "ball.v"];
+    compare(&names, &told(&scene("at once"), &names).0, &[a, alpha, f, load * (G - a), v0]);
+}
+
+/// Two cylinders joined by a light rod at their centres slip and come to roll one after the other.
+#[test]
+fn two_contacts_slip_and_roll_one_after_the_other() {
+    let scene = |end: &str| {
+        format!(
+            "surfaces: {{lane: level}}
+bodies:
+  front: {{mass: m, shape: {{disc: 0.2 m}}, moves: along lane}}
+  rear: {{mass: 3 kg, shape: {{hoop: 0.1 m}}, moves: along lane}}
+ties:
+  - slips: {{body: front, on its: rim, mu_s: 0.5, mu_k: 0.3}}
+  - slips: {{body: rear, on its: rim, mu_s: 0.5, mu_k: 0.2}}
+  - link: {{from: {{body: front, tied at: centre, leaves: back}}, to: {{body: rear, tied at: centre, leaves: forward}}}}
+start: {{front: {{speed: 6 m/s, spin: 24 rad/s}}, rear: {{spin: 0 rad/s}}}}
+end: {end}"
+        )
+    };
+    // Turns as speeds of the rim: the disc's I/R^2 is 1 kg, the hoop's 3 kg.
+    let (f, g) = (0.3 * 2.0 * G, 0.2 * 3.0 * G);
+    let a = -(f + g) / 5.0;
+    let t1 = (6.0 - 24.0 * 0.2) / (f / 1.0 - a);
+    let (v1, rear1) = (6.0 + a * t1, g / 3.0 * t1);
+    // The disc rolls, and is slowed down by the rear one alone.
+    let b = -g / (5.0 + 1.0);
+    let t2 = (v1 - rear1) / (g / 3.0 - b);
+    let v2 = v1 + b * t2;
+    let (slid, rear_slid) = (
+        1.2 * t1 / 2.0,
+        (6.0 * t1 + a * t1 * t1 / 2.0) + (v1 * t2 + b * t2 * t2 / 2.0) - g / 6.0 * (t1 + t2) * (t1 + t2),
+    );
+    let names =
+        ["t", "front.v", "front.omega", "rear.omega", "front.slip_distance", "rear.slip_distance", "heat"];
+    let expected = [t1 + t2, v2, v2 / 0.2, v2 / 0.1, slid, rear_slid, f * slid + g * rear_slid];
+    let (found, _) = told(&scene("{rolling: rear}"), &names);
+    compare(&names, &found, &expected);
+    // On a level nothing changes any more, and nothing rubs.
+    let (found, _) = told(&scene(&format!("{{time: {{of: front, is: {} s}}}}", t1 + t2 + 0.7)), &names);
+    compare(&names[1..], &found[1..], &expected[1..]);
+    // While the rear one still slips.
+    let names = ["front.v", "front.friction", "rear.friction", "tension", "front.mu_required"];
+    let (found, _) = told(&scene(&format!("{{time: {{of: front, is: {} s}}}}", t1 + t2 / 2.0)), &names);
+    let held = -b / (2.0 * G);
+    compare(&names, &found, &[v1 + b * t2 / 2.0, -b, -g, -(2.0 * b + b), held]);
+}
+
+/// A block on a rough level and a disc that unwinds from the cord between them, both set going: two freedoms.
+#[test]
+fn two_freedoms_start_with_speeds() {
+    let scene = |spring: &str, start: &str, end: &str| {
+        format!(
+            "surfaces: {{table: level}}
+bodies:
+  block: {{mass: m, moves: along table}}
+  disc: {{mass: 4 kg, shape: {{disc: 0.3 m}}, moves: vertically, positive: down}}
+ties:
+  - slides: {{body: block, mu_k: 0.25}}
+  - cord: {{from: {{body: block, tied at: centre, leaves: forward}}, to: {{body: disc, wound on: rim, leaves: up}}, name: thread}}
+{spring}start: {start}
+end: {end}"
+        )
+    };
+    let (m, disc, v0, w0, t) = (2.0, 4.0, 1.5, 2.0, 0.8);
+    // The disc's r^2/I is 2/m.
+    let force = |pull: f64| (G + 0.25 * G + pull / m) / (1.0 / m + 1.0 / disc + 2.0 / disc);
+    let tension = force(0.0);
+    let (a, down) = (tension / m - 0.25 * G, G - tension / disc);
+    let alpha = (down - a) / 0.3;
+    let v = v0 + a * t;
+    let names = ["block.v", "disc.v", "omega", "block.displacement", "disc.displacement", "heat", "tension"];
+    let way = |v: f64, a: f64| v * t + a * t * t / 2.0;
+    let fall = v0 + 0.3 * w0;
+    let expected =
+        [v, fall + down * t, w0 + alpha * t, way(v0, a), way(fall, down), 0.25 * m * G * way(v0, a), tension];
+    let start = "{block: {speed: 1.5 m/s}, disc: {spin: 2 rad/s}}";
+    let (found, _) = told(&scene("", start, "{time: {of: block, is: 0.8 s}}"), &names);
+    compare(&names, &found, &expected);
+    // At an instant, held back by a spring besides.
+    let spring = "  - cord: {from: {body: block, tied at: centre, leaves: back}, spring: {stiffness: 100 N/m, stretch: 0.12 m, attached: rigidly}, name: band}\n";
+    let pulled = force(12.0);
+    let names = ["block.a", "disc.a", "thread.tension", "band.tension"];
+    let (found, _) = told(&scene(spring, start, "at once"), &names);
+    compare(&names, &found, &[(pulled - 12.0) / m - 0.25 * G, G - pulled / disc, pulled, 12.0]);
+    // From rest static friction holds the block, and the disc unwinds alone.
+    let pulled = G / (3.0 / disc);
+    let (found, _) = told(&scene(spring, "at rest", "at once"), &names);
+    compare(&names, &found, &[0.0, G - pulled / disc, pulled, 12.0]);
+}
