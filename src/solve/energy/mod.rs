@@ -756,7 +756,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             let Some(rub) = self.scene.ties[t].rubbing() else { continue };
             let (of, normal) = (Owner::Body(rub.body), balance::normal(self.scene, &self.n, rub.body));
             let later = self.phases.as_ref().and_then(|phases| phases.needed(t));
-            let needed = later.unwrap_or(friction.abs());
+            let needed = later.map_or(friction.abs(), |later| later.larger(friction.abs()));
             self.say(Quantity::FrictionIfRolled, of, friction.signed(self.up(rub.body)));
             self.say(Quantity::MuRequired, of, needed.over(normal));
             if self.scene.end != End::AtOnce {

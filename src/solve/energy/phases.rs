@@ -33,7 +33,12 @@ pub struct Phase<T> {
     pub kinetic: PerTie<Option<T>>,
     /// The friction of those that hold, among all reactions.
     pub held: Reactions<T>,
+    /// What friction those need.
+    needs: Needs<T>,
 }
+
+/// Of each tie the friction that its contact needs, if it is one that could rub and holds by friction.
+type Needs<T> = PerTie<Option<T>>;
 
 /// What a contact that is said to slip would do if it held.
 #[derive(Clone)]
@@ -100,7 +105,7 @@ impl<T: Real> Phases<T> {
         let mut now =
             Follower { scene, n, pulls, kinetic, sense: 0.0, turned: false, gone: zero, spent: zero };
         let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
-        let mut held = now.onset(&from, &mut all.rolled)?;
+        let (mut held, mut needs) = now.onset(&from, &mut all.rolled)?;
         let first = now.kinetic.clone();
         loop {
             let (modes, rate) = (now.modes(), now.rate());
@@ -110,7 +115,7 @@ impl<T: Real> Phases<T> {
             let next = first.map(|first| first.1);
             let end = if all.ended { None } else { now.end_in(&from, &rate, next) };
             let kinetic = now.kinetic.clone();
-            let leg = Phase { from: from.clone(), to: from.clone(), time: zero, rate, kinetic, held };
+            let leg = Phase { from: from.clone(), to: from.clone(), time: zero, rate, kinetic, held, needs };
             if let Some(time) = end {
                 let to = now.after(&modes, &from, time);
                 all.legs.push(Phase { to, time, ..leg.clone() });
@@ -132,7 +137,8 @@ impl<T: Real> Phases<T> {
                 all.legs.push(Phase { to, time, ..leg });
             }
             held = now.reactions(&now.rate());
-            let holds = now.holding(&closed, &held, &mut all.rolled)?;
+            needs = now.needs(&held)?;
+            let holds = now.holding(&closed, &held, &needs, &mut all.rolled);
             all.ended |= now.ends_at_rest(&closed, holds);
             if !holds {
                 break;
@@ -148,8 +154,12 @@ impl<T: Real> Phases<T> {
             if matches!(tie, Tie::Slip { .. }) && all.rolled.iter().all(|known| known.tie != t) {
                 now.kinetic = first.clone();
                 now.kinetic[t] = None;
-                let held = now.reactions(&now.rate());
-                now.holding(&[t], &held, &mut all.rolled)?;
+                let rate = now.rate();
+                let held = now.reactions(&rate);
+                if held.is_open(t) {
+                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                }
+                all.rolled.push(Rolled { tie: t, friction: held[t], rate });
             }
         }
         Ok(all)
@@ -189,9 +199,7 @@ impl<T: Real> Phases<T> {
 
     /// The most friction that a contact which could rub needs while it holds.
     pub fn needed(&self, tie: usize) -> Option<T> {
-        let holding = self.legs.iter().filter(|leg| leg.kinetic[tie].is_none());
-        let holding = holding.filter(|leg| !leg.held.is_open(tie));
-        holding.map(|leg| leg.held[tie].abs()).reduce(T::larger)
+        self.legs.iter().filter_map(|leg| leg.needs[tie]).reduce(T::larger)
     }
 }
 
@@ -239,7 +247,7 @@ impl<T: Real> Follower<'_, '_, T> {
         &mut self,
         from: &Mode<T>,
         rolled: &mut SmallVec<[Rolled<T>; 1]>,
-    ) -> Result<Reactions<T>, Refusal> {
+    ) -> Result<(Reactions<T>, Needs<T>), Refusal> {
         let mut at_rest: SmallVec<[usize; 2]> = SmallVec::new();
         let slips: SmallVec<[(usize, Rubbing, T); 2]> = self
             .rubbing()
@@ -255,14 +263,15 @@ impl<T: Real> Follower<'_, '_, T> {
             }
         }
         let held = self.reactions(&self.rate());
-        if self.holding(&at_rest, &held, rolled)? {
-            return Ok(held);
+        let needs = self.needs(&held)?;
+        if self.holding(&at_rest, &held, &needs, rolled) {
+            return Ok((held, needs));
         }
         let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
         // It begins to slip against the friction that it would need.
         let rub = self.scene.ties[one].rubbing();
         self.kinetic[one] = rub.map(|rub| self.friction(&rub).signed(held[one].sign()));
-        Ok(self.reactions(&self.rate()))
+        Ok((self.reactions(&self.rate()), smallvec![None; needs.len()]))
     }
 
     /// Kinetic friction.
@@ -271,30 +280,63 @@ impl<T: Real> Follower<'_, '_, T> {
         plant!("energy: kinetic friction of what starts with a speed", self.n.get(rub.mu_k)) * normal
     }
 
-    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need.
+    /// The friction that those contacts need which hold. Bodies that slide and are held together give way in one motion: its power is
+    /// taken by all of them in the ratio of what their static friction could take.
+    ///
+    /// Errors: what slips is held by other ties as well, or such bodies can give way in several motions.
+    fn needs(&self, held: &Reactions<T>) -> Result<Needs<T>, Refusal> {
+        let mut needs: Needs<T> = smallvec![None; self.scene.ties.len()];
+        let mut holds: PerTie<bool> = self.kinetic.iter().map(Option::is_none).collect();
+        let fast = speeds::modes(self.scene, self.n, &holds).len();
+        let mut shared: SmallVec<[(usize, Rubbing); 4]> = SmallVec::new();
+        for (t, rub) in self.rubbing().filter(|(t, _)| self.kinetic[*t].is_none()) {
+            if !held.is_open(t) {
+                needs[t] = Some(held[t].abs());
+            } else if rub.radius_m.is_some() {
+                return Err(Refusal::Unsupported(Unsupported::SlipShared));
+            } else {
+                holds[t] = false;
+                shared.push((t, rub));
+            }
+        }
+        let loose = speeds::modes(self.scene, self.n, &holds);
+        if loose.len() > fast + 1 {
+            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+        }
+        let slides = |mode: &&Mode<T>| shared.iter().any(|(_, rub)| !mode.v[rub.body].is_zero());
+        let Some(way) = loose.iter().find(slides) else { return Ok(needs) };
+        let (power, _) = self.power(&self.kinetic, way);
+        let taken = power.balance(-balance::inertia(self.n, way, &self.rate())).abs();
+        let limits = shared.iter().map(|(t, rub)| {
+            let normal = balance::normal(self.scene, self.n, rub.body);
+            (*t, self.n.get(rub.mu_s) * normal, way.v[rub.body].abs())
+        });
+        let most = limits.clone().fold(T::zero(), |sum, (_, limit, v)| sum + limit * v);
+        for (t, limit, v) in limits.filter(|(.., v)| !v.is_zero()) {
+            needs[t] = Some(if most.is_zero() { taken / v } else { taken * limit / most });
+        }
+        Ok(needs)
+    }
+
+    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need at first.
     fn holding(
         &self,
         ties: &[usize],
         held: &Reactions<T>,
+        needs: &[Option<T>],
         rolled: &mut SmallVec<[Rolled<T>; 1]>,
-    ) -> Result<bool, Refusal> {
+    ) -> bool {
         let mut holds = true;
         for t in ties {
-            let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
-            if held.is_open(*t) {
-                match rub.radius_m {
-                    Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
-                    // No power is lost where the ties hold it.
-                    None => continue,
-                }
-            }
+            // What needs none is held by the other ties: no power is lost.
+            let (Some(rub), Some(needed)) = (self.scene.ties[*t].rubbing(), needs[*t]) else { continue };
             let normal = balance::normal(self.scene, self.n, rub.body);
-            holds &= held[*t].abs().at_most(self.n.get(rub.mu_s) * normal);
-            if rub.radius_m.is_some() {
+            holds &= needed.at_most(self.n.get(rub.mu_s) * normal);
+            if rub.radius_m.is_some() && rolled.iter().all(|known| known.tie != *t) {
                 rolled.push(Rolled { tie: *t, friction: held[*t], rate: self.rate() });
             }
         }
-        Ok(holds)
+        holds
     }
 
     /// The contacts that come to rest, each with the time until then.
@@ -345,6 +387,9 @@ impl<T: Real> Follower<'_, '_, T> {
         let (u0, gain) = (from.of(end), rate.of(end));
         let own: SmallVec<[(usize, Rubbing); 1]> =
             self.rubbing().filter(|(_, rub)| rub.body == end.body).collect();
+        if self.sense == 0.0 {
+            self.sense = [u0, gain].iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
+        }
         match self.scene.end {
             End::AtOnce => return Some(T::zero()),
             End::Time(_, t) => return Some(self.n.get(t) - self.spent).filter(in_time),
@@ -360,9 +405,6 @@ impl<T: Real> Follower<'_, '_, T> {
                 return None;
             }
             _ => {}
-        }
-        if self.sense == 0.0 {
-            self.sense = [u0, gain].iter().map(|x| x.sign()).find(|s| *s != 0.0).unwrap_or(0.0);
         }
         if self.turned || u0.sign() * self.sense < 0.0 || self.sense == 0.0 {
             return None;

@@ -17,8 +17,11 @@ use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
 use crate::scene::pose;
-use crate::scene::{Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Scene, Tie};
-use crate::solve::outcome::Refusal;
+use crate::scene::{
+    Action, Coordinate, Degree, Far, GivenForce, Grows, Growth, Num, Numbers, Rubbing, Scene, Tie,
+};
+use crate::solve::eom::under;
+use crate::solve::outcome::{Refusal, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
 /// Right-hand side of the constant forces.
@@ -203,6 +206,68 @@ pub fn normals<T: Real>(scene: &Scene, n: &Numbers<T>) -> SmallVec<[T; 2]> {
         normals[body] = normals[body].balance(-plant!("eom: lift of a pull at an angle", lifts));
     }
     normals
+}
+
+/// Of each tie the friction that its contact needs, if it is one that could rub and holds by friction.
+pub type Needs<T> = SmallVec<[Option<T>; 4]>;
+
+/// The friction that those contacts need which hold, under what varies. Bodies that slide and share what they take together are the
+/// first to move on all at once, each at the limit of its static friction: each needs the same share of that.
+///
+/// Errors: what slips is held by other ties as well, or such bodies are free to move on in several ways.
+pub fn needs<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    (setting, response): (&Setting, &Response<T>),
+    pulls: &[T],
+) -> Result<Needs<T>, Refusal> {
+    let mut needs: Needs<T> = smallvec![None; scene.ties.len()];
+    let mut shared: SmallVec<[(usize, Rubbing); 4]> = SmallVec::new();
+    for t in (0..scene.ties.len()).filter(|t| setting.holds[*t]) {
+        match scene.ties[t].rubbing() {
+            Some(_) if !response.is_open(t) => {
+                needs[t] = Some(under(pulls, |k| response.reaction(t, k)).abs());
+            }
+            Some(Rubbing { radius_m: None, .. }) if !cfg!(feature = "program") => {}
+            Some(rub) if rub.radius_m.is_none() => shared.push((t, rub)),
+            Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
+            None => {}
+        }
+    }
+    let mut loose = setting.clone();
+    shared.iter().for_each(|(t, _)| loose.holds[*t] = false);
+    // With these held alone, is the last of them held by the others?
+    let held = |those: &[usize]| -> Result<bool, Refusal> {
+        let mut setting = loose.clone();
+        those.iter().for_each(|t| setting.holds[*t] = true);
+        let response = respond(scene, n, &setting)?;
+        Ok(those.last().is_some_and(|t| response.is_open(*t)))
+    };
+    let mut free = SmallVec::<[(usize, Rubbing); 4]>::new();
+    for (t, rub) in shared {
+        if !held(&[t])? {
+            free.push((t, rub));
+        }
+    }
+    let Some((first, rub)) = free.first() else { return Ok(needs) };
+    for (t, _) in &free[1..] {
+        if !held(&[*first, *t])? {
+            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+        }
+    }
+    let line = |rub: &Rubbing| Coordinate { body: rub.body, degree: Degree::Along };
+    let loose = respond(scene, n, &Setting { probe: Some(line(rub)), ..loose })?;
+    let driven = under(pulls, |k| loose.acceleration(line(rub), k)).abs();
+    // A force on one body accelerates another as it would itself be accelerated by the same force there.
+    let limits = free.iter().map(|(_, rub)| n.get(rub.mu_s) * response.normal(rub.body));
+    let stopped = free.iter().zip(limits.clone());
+    let stopped = stopped.map(|((_, rub), limit)| limit * loose.acceleration(line(rub), loose.last()).abs());
+    let stopped = stopped.fold(T::zero(), |sum, a| sum + a);
+    for ((t, _), limit) in free.iter().zip(limits) {
+        let alone = || driven / loose.acceleration(line(rub), loose.last());
+        needs[*t] = Some(if stopped.is_zero() { alone() } else { driven * limit / stopped });
+    }
+    Ok(needs)
 }
 
 /// Assembles the rows that the scene has and solves them.

@@ -19,10 +19,10 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made, Num,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made,
     Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
-use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
+use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, needs, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::onset::Onset;
 use crate::solve::eom::phases::{Linear, Phases};
@@ -357,7 +357,7 @@ struct Walk<'a, T: Real> {
     /// For each contact that is said to slip: as if it rolled.
     rolled: Rolled<T>,
     /// With all that slides held where it comes to rest, if the end says that it stays there.
-    holding: Option<Response<T>>,
+    holding: Option<(Setting, Response<T>)>,
     /// At the end that is told of.
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
@@ -433,8 +433,8 @@ impl<'a, T: Real> Walk<'a, T> {
         let Onset { setting, response, rolled, .. } = onset;
         let v0 = of(&response, end);
         let holding = scene.formulas.stays.then(|| {
-            let holds = smallvec![true; scene.ties.len()];
-            respond(scene, &n, &Setting { holds, ..setting.clone() }).ok()
+            let held = Setting { holds: smallvec![true; scene.ties.len()], ..setting.clone() };
+            respond(scene, &n, &held).ok().map(|response| (held, response))
         });
         let mut walk = Self::still((scene, n), (springs, response), asked);
         (walk.rolled, walk.holding) = (rolled, holding.flatten());
@@ -1005,7 +1005,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let friction = under(pulls, |k| rolled.reaction(t, k));
             let normal = rolled.normal(body);
             let scale = self.friction_scale(&rolled, body, friction, pulls);
-            let needed = self.needed(t, pulls).unwrap_or(friction.abs());
+            let needed = self.needed(t).map_or(friction.abs(), |later| later.larger(friction.abs()));
             self.say_scaled(FrictionIfRolled, of, friction.signed(self.up(body)), scale);
             self.say(MuRequired, of, needed.over(normal));
             let available = self.n.get(mu_s) * normal;
@@ -1031,14 +1031,10 @@ impl<'a, T: Real> Walk<'a, T> {
         }
     }
 
-    /// The most friction that a contact which could rub needs while it holds, if it does, under these tensions of the springs.
-    fn needed(&self, tie: usize, pulls: &[T]) -> Option<T> {
-        let legs = self
-            .phases
-            .iter()
-            .flat_map(|phases| &phases.legs)
-            .filter(|leg| leg.holds[tie] && !leg.response.is_open(tie));
-        legs.map(|leg| under(pulls, |k| leg.response.reaction(tie, k)).abs()).reduce(T::larger)
+    /// The most friction that a contact which could rub needs while it holds, if it does.
+    fn needed(&self, tie: usize) -> Option<T> {
+        let legs = self.phases.iter().flat_map(|phases| &phases.legs);
+        legs.filter_map(|leg| leg.needs[tie]).reduce(T::larger)
     }
 
     /// What becomes of the slip of a body that starts with one, `rolling` being the friction with which it would roll.
@@ -1143,15 +1139,15 @@ impl<'a, T: Real> Walk<'a, T> {
                     });
                 }
                 Tie::Slide { body, mu_s, mu_k } => {
-                    let pulls = places.last().map_or(&[][..], |pulls| &pulls[..]);
-                    if let (Some(needed), Some(rub)) = (self.needed(t, pulls), tie.rubbing()) {
-                        let available = self.n.get(rub.mu_s) * self.response.normal(rub.body);
+                    let pulls = places.last().map_or(&[][..], |pulls| pulls);
+                    let needed = self.needed(t).into_iter().chain(self.to_stay(t, pulls));
+                    if let Some(needed) = needed.reduce(T::larger) {
+                        let available = self.n.get(mu_s.unwrap_or(*mu_k)) * self.response.normal(*body);
                         self.hold(|walk| {
                             let force = |f: T| walk.n.publish(Quantity::Friction, f);
                             Held::Rolling(t, force(needed), Some(force(available)))
                         });
                     }
-                    self.stays(t, *body, mu_s.unwrap_or(*mu_k), places.last().map_or(&[], |pulls| pulls));
                 }
                 _ => {}
             }
@@ -1174,15 +1170,9 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// The friction that a body needs to stay where it came to rest by sliding.
-    fn stays(&mut self, tie: usize, body: usize, mu_s: Num, pulls: &[T]) {
-        let reached = self.road.course.is_some_and(|course| course.reached);
-        let Some(holding) = self.holding.as_ref().filter(|r| reached && !r.is_open(tie)) else { return };
-        let needed = under(pulls, |k| holding.reaction(tie, k)).abs();
-        let available = self.n.get(mu_s) * holding.normal(body);
-        self.hold(|walk| {
-            let force = |f: T| walk.n.publish(Quantity::Friction, f);
-            Held::Rolling(tie, force(needed), Some(force(available)))
-        });
+    fn to_stay(&self, tie: usize, pulls: &[T]) -> Option<T> {
+        let (setting, response) = self.holding.as_ref().filter(|_| self.road.course.is_some_and(|c| c.reached))?;
+        needs(self.scene, &self.n, (setting, response), pulls).ok()?[tie]
     }
 
     /// Tension of a cord as a share of the other forces (or moments) on what it pulls, under these tensions of the springs: near 0 the
@@ -1513,7 +1503,8 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             // What the ties hold produces no heat, whatever its friction.
             let force = self.n.get(rub.mu_k) * self.response.normal(rub.body);
-            return Some(if self.response.is_open(t) { T::zero() } else { force * slid });
+            let held = self.phases.is_none() && self.response.is_open(t);
+            return Some(if held { T::zero() } else { force * slid });
         }
         let Tie::Cord(cord) = &scene.ties[t] else { return None };
         let (of, given) = (Owner::Tie(t), matches!(cord.to, Far::Pull(_)));

@@ -14,7 +14,7 @@ use crate::num::Real;
 use crate::num::ode::{Count, Formula, Run};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Numbers, Scene, Tie};
-use crate::solve::eom::equations::{Response, Setting, respond};
+use crate::solve::eom::equations::{self, Needs, Response, Setting, respond};
 use crate::solve::eom::instant::{self, Each};
 use crate::solve::eom::travel::{Leg, Travel};
 use crate::solve::eom::{Gone, Rolled, under};
@@ -32,6 +32,8 @@ pub struct Phase<T> {
     pub response: Response<T>,
     /// For each tie: is it a contact that could rub and holds?
     pub holds: SmallVec<[bool; 4]>,
+    /// The friction that those need which hold.
+    pub needs: Needs<T>,
     speeds: Each<T>,
     rates: Each<T>,
     /// When it begins, and how long it lasts.
@@ -59,13 +61,14 @@ pub struct Phases<'a, T: Real> {
     pub through: Option<T>,
     /// Sense in which the ending coordinate sets off.
     pub sense: f64,
-    /// Its way in that sense up to the phase that is looked at, and where it turns.
+    /// Its way in that sense up to the phase that is looked at, where it turns or stays, and how fast it gets.
     gone: T,
     pub turning: Option<T>,
+    fastest: T,
     /// The velocities at the end.
     ends: Each<T>,
-    /// The response of what holds from the end on, where a contact comes to rest there.
-    pub after: Option<Response<T>>,
+    /// What holds from the end on, where a contact comes to rest there.
+    pub after: Option<(Setting, Response<T>)>,
 }
 
 /// Path between two velocities of one phase, there and back: with `a = (|v0| + |v1|) / t` where it turns back, each way is `v^2 / 2a`.
@@ -98,10 +101,11 @@ impl<'a, T: Real> Phases<'a, T> {
             sense: 0.0,
             gone: T::zero(),
             turning: None,
+            fastest: T::zero(),
             ends: Each::new(),
             after: None,
         };
-        let (mut setting, mut response) = all.onset(n, &speeds, pulls)?;
+        let (mut setting, mut response, mut needs) = all.onset(n, &speeds, pulls)?;
         let first = setting.clone();
         let mut starts = T::zero();
         loop {
@@ -110,8 +114,9 @@ impl<'a, T: Real> Phases<'a, T> {
             let rest = all.comes_to_rest(&setting, &speeds, &rates, starts);
             let holds = setting.holds.clone();
             let lasts = rest.unwrap_or_else(T::zero);
-            let leg = Phase { response, holds, speeds, rates, starts, lasts, ways: None };
-            let end = if all.ended { None } else { all.end_in(n, &leg, rest) };
+            let leg = Phase { response, holds, needs, speeds, rates, starts, lasts, ways: None };
+            // How far it would go on is looked for beyond its end, too.
+            let end = all.end_in(n, &leg, rest).filter(|_| !all.ended);
             speeds = leg.after(lasts);
             if !all.ended {
                 all.legs.push(leg);
@@ -124,10 +129,11 @@ impl<'a, T: Real> Phases<'a, T> {
             starts = starts + time;
             let closed = all.close(&mut setting, starts);
             response = respond(scene, n, &setting)?;
-            let held = all.holding(n, &closed, &response, pulls)?;
+            needs = equations::needs(scene, n, (&setting, &response), pulls)?;
+            let held = all.holding(n, &closed, &response, &needs);
             if !all.ended && all.ends_at_rest(&closed, held) {
                 all.ended = true;
-                all.after = Some(response.clone());
+                all.after = Some((setting.clone(), response.clone()));
             }
             if !held {
                 all.through = Some(starts);
@@ -185,7 +191,7 @@ impl<'a, T: Real> Phases<'a, T> {
         n: &Numbers<T>,
         speeds: &[T],
         pulls: &[T],
-    ) -> Result<(Setting, Response<T>), Refusal> {
+    ) -> Result<(Setting, Response<T>, Needs<T>), Refusal> {
         let mut setting = Setting::loose(self.scene);
         let mut at_rest: SmallVec<[usize; 4]> = SmallVec::new();
         for t in 0..self.scene.ties.len() {
@@ -198,42 +204,36 @@ impl<'a, T: Real> Phases<'a, T> {
             }
         }
         let response = respond(self.scene, n, &setting)?;
-        if self.holding(n, &at_rest, &response, pulls)? {
+        let needs = equations::needs(self.scene, n, (&setting, &response), pulls)?;
+        if self.holding(n, &at_rest, &response, &needs) {
             at_rest.into_iter().for_each(|t| self.until[t] = Some(T::zero()));
-            return Ok((setting, response));
+            return Ok((setting, response, needs));
         }
         let [one] = at_rest[..] else { return Err(Refusal::Unsupported(Unsupported::SlidesInTurn)) };
         setting.holds[one] = false;
         setting.friction_sense[one] = under(pulls, |k| response.reaction(one, k)).sign();
         let response = respond(self.scene, n, &setting)?;
-        Ok((setting, response))
+        Ok((setting, response, smallvec![None; needs.len()]))
     }
 
-    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need.
+    /// Can static friction hold these contacts? Of those that are said to slip it is told what they need at first.
     fn holding(
         &mut self,
         n: &Numbers<T>,
         ties: &[usize],
         response: &Response<T>,
-        pulls: &[T],
-    ) -> Result<bool, Refusal> {
+        needs: &[Option<T>],
+    ) -> bool {
         let mut holds = true;
         for t in ties {
-            let Some(rub) = self.scene.ties[*t].rubbing() else { continue };
-            if response.is_open(*t) {
-                match rub.radius_m {
-                    Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
-                    // The ties hold it, whatever its friction.
-                    None => continue,
-                }
-            }
-            let needed = under(pulls, |k| response.reaction(*t, k)).abs();
+            // What has none is held by the other ties, whatever its friction.
+            let (Some(rub), Some(needed)) = (self.scene.ties[*t].rubbing(), needs[*t]) else { continue };
             holds &= needed.at_most(n.get(rub.mu_s) * response.normal(rub.body));
-            if rub.radius_m.is_some() {
+            if rub.radius_m.is_some() && self.rolled.iter().all(|(known, _)| known != t) {
                 self.rolled.push((*t, response.clone()));
             }
         }
-        Ok(holds)
+        holds
     }
 
     /// When the next contact comes to rest, from the start of this phase.
@@ -287,6 +287,10 @@ impl<'a, T: Real> Phases<'a, T> {
             let rub = self.scene.ties[t].rubbing().filter(|rub| rub.body == end.body);
             rub.map(|rub| (rub.radius_m.is_some(), leg.holds[t]))
         };
+        let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
+        if self.sense == 0.0 {
+            self.sense = if v.is_zero() { a.sign() } else { v.sign() };
+        }
         match self.scene.end {
             End::Time(_, t) => return Some(n.get(t) - leg.starts).filter(by_then),
             End::AtOnce => return Some(T::zero()),
@@ -299,10 +303,6 @@ impl<'a, T: Real> Phases<'a, T> {
                 return None;
             }
             _ => {}
-        }
-        let [v, a] = [&leg.speeds, &leg.rates].map(|of| self.of(of, end.body, end.degree));
-        if self.sense == 0.0 {
-            self.sense = if v.is_zero() { a.sign() } else { v.sign() };
         }
         let sense = self.sense;
         if self.turning.is_some() || sense == 0.0 || v.sign() * sense < 0.0 {
@@ -322,7 +322,14 @@ impl<'a, T: Real> Phases<'a, T> {
         let s = s.filter(|s| s.not_negative() && turning.is_none_or(|turning| s.at_most(turning)));
         let time = s.map(|s| travel.at(s).time).filter(by_then);
         let turns = turning.filter(|s| by_then(&travel.at(*s).time));
-        self.turning = turns.map(|s| self.gone + s);
+        let stays = (rest.is_none() && v.is_zero() && a.is_zero()).then(T::zero);
+        self.turning = turns.or(stays).map(|s| self.gone + s);
+        let fastest = match rest {
+            _ if a.sign() * sense <= 0.0 => travel.u0,
+            Some(rest) => travel.u0 + a.abs() * rest,
+            None => T::of(f64::INFINITY),
+        };
+        self.fastest = self.fastest.larger(fastest);
         self.gone = self.gone + rest.map_or_else(T::zero, |rest| travel.after(rest));
         time
     }
@@ -337,11 +344,7 @@ impl<'a, T: Real> Phases<'a, T> {
         let endless = || T::of(f64::INFINITY);
         match self.scene.end {
             End::Time(..) | End::Rolling(_) => self.through.unwrap_or_else(endless),
-            End::Speed(c, _) => {
-                let faster = self.legs.iter().map(|leg| self.of(&leg.speeds, c.body, c.degree).abs());
-                let grows = self.turning.is_none().then(endless);
-                faster.chain(grows).reduce(T::larger).unwrap_or_else(endless)
-            }
+            End::Speed(..) => self.fastest,
             _ => self.turning.or(self.through.map(|_| self.gone)).unwrap_or_else(endless),
         }
     }
