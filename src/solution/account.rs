@@ -587,10 +587,11 @@ impl<'d, 'a> Account<'d, 'a> {
     fn set_out(&mut self) -> Result<(), DerivationStop> {
         let moves = self.scene.end != End::AtOnce;
         let rubs = self.scene.ties.iter().any(|t| t.rubbing().is_some());
-        // Several phases of several bodies, and what rubs beside a spring.
-        let phases = moves && self.scene.goes_in_phases() && self.scene.thrown().is_none();
-        if phases || !moves && self.scene.is_sprung() && (rubs || !self.m.one) {
-            return Err(Beyond::Unfound.into());
+        if moves && self.scene.goes_in_phases() && self.scene.thrown().is_none() {
+            return Err(Beyond::Phases.into());
+        }
+        if !moves && self.scene.is_sprung() && (rubs || !self.m.one) {
+            return Err(Beyond::SpringAtOnce.into());
         }
         self.v0 = self.start_velocity();
         if let Some(thrown) = self.scene.thrown().filter(|_| self.scene.end != End::AtOnce) {

@@ -57,8 +57,12 @@ pub enum Beyond {
     Mechanism,
     /// What a motion that follows takes over.
     Next,
+    /// A motion in phases, in which contacts come to rest one after the other.
+    Phases,
     /// One of several springs whose cord goes slack on the way.
     Slack,
+    /// A spring that pulls at an instant what rubs, or where several motions are free.
+    SpringAtOnce,
     /// Something that does not come out.
     Unfound,
     /// A quantity that they do not find.
@@ -79,7 +83,9 @@ impl Beyond {
             Self::GrowingForce => ("growing_force", None),
             Self::Mechanism => ("mechanism", None),
             Self::Next => ("next", None),
+            Self::Phases => ("phases", None),
             Self::Slack => ("slack", None),
+            Self::SpringAtOnce => ("spring_at_once", None),
             Self::Unfound => ("unfound", None),
             Self::Quantity(q) => ("quantity", Some(q)),
             Self::Differs(q) => ("differs", Some(q)),
@@ -97,8 +103,15 @@ mod tests {
     #[test]
     fn everything_that_is_not_covered_has_words() {
         for words in Words::languages().filter_map(Words::of) {
-            let alone =
-                [Beyond::GrowingForce, Beyond::Mechanism, Beyond::Next, Beyond::Slack, Beyond::Unfound];
+            let alone = [
+                Beyond::GrowingForce,
+                Beyond::Mechanism,
+                Beyond::Next,
+                Beyond::Phases,
+                Beyond::Slack,
+                Beyond::SpringAtOnce,
+                Beyond::Unfound,
+            ];
             for what in alone.into_iter().chain([Beyond::Quantity(Quantity::V), Beyond::Differs(Quantity::V)])
             {
                 assert!(what.text(&words).len() > 9, "{what:?}");

@@ -134,6 +134,7 @@ pub enum Event {
     Speed,
     TurningPoint,
     AtOnce,
+    Rolling,
 }
 
 #[derive(Clone)]
@@ -476,7 +477,7 @@ pub fn scene(seed: u64) -> Scene {
         Event::Position => Some(m.some(-200, 200, 2, "m")),
         Event::Time => Some(m.some(5, 200, 2, "s")),
         Event::Speed => Some(m.some(5, 300, 2, if line { "m/s" } else { "rad/s" })),
-        Event::TurningPoint | Event::AtOnce => None,
+        Event::TurningPoint | Event::AtOnce | Event::Rolling => None,
     };
     let headed = matches!(event, Event::Travel | Event::Turn | Event::Speed | Event::Time | Event::Position);
     let heading = (headed && m.lot.in_100(12)).then(|| m.lot.of(&["forward", "back"]));
@@ -577,15 +578,79 @@ fn constructs(s: &Scene) -> Vec<&'static str> {
         Event::Speed => "end: speed",
         Event::TurningPoint => "end: turning point",
         Event::AtOnce => "end: at once",
+        Event::Rolling => "end: rolling",
     });
     list.sort_unstable();
     list.dedup();
     list
 }
 
-/// The same with every datum a little off, each by its own share: data that are equal by chance are so no more.
-pub fn nudged(seed: u64) -> Scene {
+/// A scene of a seed set going: contacts that rub, and a speed for each freedom that `adds` says is one beside those before it.
+pub fn set_going(seed: u64, adds: impl Fn(&Scene) -> bool) -> Scene {
     let mut s = scene(seed);
+    let mut lot = Lot::new(seed ^ 0x90a1_6000);
+    let mut m = Maker { lot: &mut lot, data: 100, most: 120 };
+    let Scene { bodies, ties, surfaces, .. } = &mut s;
+    for tie in ties.iter_mut() {
+        let Tie::Rolls { body, on, .. } = *tie else { continue };
+        let wall = matches!(bodies[body].way, Way::Along(i) if surfaces[i].vertical);
+        let massless = matches!(&bodies[body].spread, Spread::Moment(i) if i.si == 0.0);
+        if !wall && !massless && m.lot.in_100(65) {
+            let mu_k = m.friction(2, 40);
+            let least = (mu_k.si * 100.0).round() as i64;
+            let more = m.lot.of(&[0, 5, 20, 40]);
+            let mu_s = m.amount(least + more, 2, "1", 1.0);
+            *tie = Tie::Slips { body, on, mu_s, mu_k };
+        }
+    }
+    for (i, b) in bodies.iter().enumerate() {
+        let rests = matches!(b.way, Way::Along(_)) && matches!(b.spread, Spread::Block);
+        let bare = !ties.iter().any(|t| matches!(t, Tie::Slides { body, .. } if *body == i));
+        if rests && bare && m.lot.in_100(50) {
+            let mu_k = m.friction(5, 60);
+            let mu_s = m.lot.in_100(50).then(|| m.amount((mu_k.si * 100.0).round() as i64 + 10, 2, "1", 1.0));
+            ties.push(Tie::Slides { body: i, mu_s, mu_k });
+        }
+    }
+    let at_once = m.lot.in_100(12);
+    if !at_once {
+        ties.retain(|t| !matches!(t, Tie::Cord { far: Far::Spring { .. }, .. }));
+    }
+    s.start.clear();
+    s.heading = None;
+    let mut candidates: Vec<(usize, bool)> = Vec::new();
+    for (i, b) in s.bodies.iter().enumerate() {
+        candidates.extend((b.way != Way::Axle).then_some((i, false)));
+        candidates.extend((!matches!(b.spread, Spread::Block)).then_some((i, true)));
+    }
+    while !candidates.is_empty() {
+        let (body, spin) = candidates.swap_remove(m.lot.below(candidates.len()));
+        let x = if m.lot.in_100(15) { 0 } else { m.whole(-60, 60) };
+        let v = m.amount(if spin { 4 * x } else { x }, 1, if spin { "rad/s" } else { "m/s" }, 1.0);
+        s.start.push((body, spin, v));
+        if !adds(&s) {
+            s.start.pop();
+        }
+    }
+    let slipping: Vec<usize> = s
+        .ties
+        .iter()
+        .filter_map(|t| if let Tie::Slips { body, .. } = t { Some(*body) } else { None })
+        .collect();
+    if at_once {
+        (s.event, s.by) = (Event::AtOnce, None);
+    } else if !slipping.is_empty() && m.lot.in_100(30) {
+        (s.event, s.by, s.of) = (Event::Rolling, None, m.lot.of(&slipping));
+    } else if matches!(s.event, Event::AtOnce) || m.lot.in_100(35) {
+        let time = m.lot.of(&[5, 20, 50, 100, 200, 400]) + m.whole(0, 40);
+        (s.event, s.by) = (Event::Time, Some(m.amount(time, 2, "s", 1.0)));
+    }
+    s.constructs = constructs(&s);
+    s
+}
+
+/// The same with every datum a little off, each by its own share: data that are equal by chance are so no more.
+pub fn nudged(mut s: Scene) -> Scene {
     let nudge = |a: &mut Amount| {
         if let Some(n) = a.symbol.as_ref().and_then(|x| x[1..].parse::<u32>().ok()) {
             a.si *= 1.0 + 1e-3 * f64::from(n * n % 31 + 1).sqrt();
@@ -742,10 +807,18 @@ pub fn yaml(s: &Scene) -> String {
     if s.start.is_empty() {
         out.push_str("      start: at rest\n");
     }
-    for (body, spin, v) in &s.start {
-        let what = if *spin { "spin" } else { "speed" };
-        let v = say(v, &mut data);
-        let _ = writeln!(out, "      start: {{{}: {{{what}: {v}}}}}", s.bodies[*body].name);
+    let mut starts: Vec<String> = Vec::new();
+    for (i, b) in s.bodies.iter().enumerate() {
+        let own = s.start.iter().filter(|(body, ..)| *body == i);
+        let own: Vec<String> = own
+            .map(|(_, spin, v)| format!("{}: {}", if *spin { "spin" } else { "speed" }, say(v, &mut data)))
+            .collect();
+        if !own.is_empty() {
+            starts.push(format!("{}: {{{}}}", b.name, own.join(", ")));
+        }
+    }
+    if !starts.is_empty() {
+        let _ = writeln!(out, "      start: {{{}}}", starts.join(", "));
     }
     let of = &s.bodies[s.of].name;
     let by = s.by.as_ref().map(|b| say(b, &mut data)).unwrap_or_default();
@@ -753,6 +826,7 @@ pub fn yaml(s: &Scene) -> String {
     let end = match s.event {
         Event::AtOnce => "at once".to_owned(),
         Event::TurningPoint => format!("{{turning point: {of}}}"),
+        Event::Rolling => format!("{{rolling: {of}}}"),
         Event::Travel => format!("{{travel: {{of: {of}, by: {by}{heading}}}}}"),
         Event::Turn => format!("{{turn: {{of: {of}, by: {by}{heading}}}}}"),
         Event::Position => format!("{{position: {{of: {of}, at: {by}{heading}}}}}"),

@@ -281,8 +281,10 @@ struct Spring {
 pub enum Verdict {
     /// The motion is not determined: something without inertia is free to move.
     Undetermined,
-    /// More freedoms than one, and a spring or a start speed, or what comes after the first phase: not for this judge.
+    /// More freedoms than one and a spring on the way: not for this judge.
     Beyond(&'static str),
+    /// On the way friction can no longer hold a contact that came to rest, or was at rest.
+    Torn,
     /// A start speed that the ties do not allow.
     Contradiction,
     /// Which contacts hold is not settled by Coulomb's law with two coefficients.
@@ -322,6 +324,53 @@ pub enum Owner {
     Scene,
     Body(usize),
     Tie(usize),
+}
+
+impl Told {
+    /// Velocities as they are, accelerations and forces; nothing of what comes later.
+    fn at_once(&mut self, velocities: Vec<(&'static str, Owner, f64, f64)>) {
+        let at_once = ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
+        self.values.retain(|v| at_once.contains(&v.0) || v.0.starts_with("pin_"));
+        self.values.extend(velocities);
+    }
+}
+
+/// A stretch of a motion with constant accelerations.
+struct Stretch {
+    /// Velocities at its start.
+    from: Vec<f64>,
+    now: Instant,
+    grips: Vec<Grip>,
+    lasts: f64,
+}
+
+impl Stretch {
+    fn after(&self) -> Vec<f64> {
+        self.from.iter().zip(&self.now.a).map(|(v, a)| v + a * self.lasts).collect()
+    }
+    /// How far something has gone whose velocity is this row of velocities.
+    fn moved(&self, row: &[f64]) -> f64 {
+        self.lasts * (inner(row, &self.from) + 0.5 * self.lasts * inner(row, &self.now.a))
+    }
+    /// The same there and back.
+    fn covered(&self, row: &[f64]) -> f64 {
+        let (u, a) = (inner(row, &self.from), inner(row, &self.now.a));
+        let turns = if a == 0.0 { 0.0 } else { -u / a };
+        if turns > 0.0 && turns < self.lasts {
+            0.5 * a.abs() * (turns * turns + (self.lasts - turns) * (self.lasts - turns))
+        } else {
+            self.moved(row).abs()
+        }
+    }
+}
+
+/// How far the ending coordinate is.
+#[derive(Default)]
+struct Ending {
+    sense: f64,
+    gone: f64,
+    turned: bool,
+    near: bool,
 }
 
 impl<'s> System<'s> {
@@ -704,22 +753,563 @@ impl<'s> System<'s> {
         now.reactions[contact.tie].map(|r| r * dot(f.forward, f.up))
     }
 
+    /// The word for a sense of the ending coordinate.
+    fn direction(&self, sense: f64) -> &'static str {
+        let s = self.s;
+        let f = &self.frames[s.of];
+        let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].slope.is_none() && !s.surfaces[i].vertical);
+        match (sense, f.line && !level) {
+            (0.0, _) => "stays",
+            (_, true) => {
+                if sense * dot(f.forward, f.up) > 0.0 {
+                    "up"
+                } else {
+                    "down"
+                }
+            }
+            // On a level up is to the right, whichever way is forward.
+            (_, false) => {
+                if sense * dot(f.forward, f.up) > 0.0 {
+                    "forward"
+                } else {
+                    "back"
+                }
+            }
+        }
+    }
+
+    /// The forces of the fixed axles, and those that nothing determines, springs at these tensions.
+    fn axles(
+        &self,
+        there: &Instant,
+        pulls: &[f64],
+    ) -> (Vec<(&'static str, Owner, f64)>, Vec<(&'static str, Owner)>) {
+        let s = self.s;
+        // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
+        // it leaves. Nobody knows the direction of one that goes round a corner.
+        let onward = |e: &End| dot(leaves(s, &self.frames, e).1, self.frames[e.body].forward) > 0.0;
+        let on_slope =
+            |e: &&End| matches!(s.bodies[e.body].way, Way::Along(k) if s.surfaces[k].slope.is_some());
+        let (mut pins, mut open) = (Vec::new(), Vec::new());
+        for (b, body) in s.bodies.iter().enumerate() {
+            if !matches!(body.way, Way::Axle) || matches!(body.spread, Spread::Moment(_)) {
+                continue;
+            }
+            let own = Owner::Body(b);
+            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, true, false);
+            for (t, tie) in s.ties.iter().enumerate() {
+                let Tie::Cord { from, far } = tie else { continue };
+                let to = if let Far::To(end) = far { Some(end) } else { None };
+                let (end, other) = match to {
+                    Some(end) if end.body == b => (end, Some(from)),
+                    _ if from.body == b => (from, to),
+                    _ => continue,
+                };
+                let pull = match far {
+                    Far::Pulled(p) => Some(p.si),
+                    Far::Spring { .. } => {
+                        Some(pulls[self.springs.iter().position(|s| s.tie == t).expect("a spring")])
+                    }
+                    Far::Fast | Far::To(_) => there.reactions[t],
+                };
+                shared |= pull.is_none();
+                let mut along = leaves(s, &self.frames, end).1;
+                if let Some(other) = other.filter(on_slope).filter(|_| along.1.abs() < 1e-12) {
+                    // Forward is to the right: of what counts positive down a picture may show either side.
+                    let (right, up) = self.frames[other.body].forward;
+                    told &= onward(end) != onward(other) && right + up > 0.0;
+                    along = times(-1.0, leaves(s, &self.frames, other).1);
+                }
+                (x, y) = (x - pull.unwrap_or(0.0) * along.0, y - pull.unwrap_or(0.0) * along.1);
+            }
+            if told && shared {
+                open.extend(["pin_x", "pin_y", "pin_force", "pin_angle"].map(|name| (name, own)));
+            } else if told {
+                pins.extend([("pin_x", own, x), ("pin_y", own, y), ("pin_force", own, x.hypot(y))]);
+            }
+        }
+        (pins, open)
+    }
+
+    /// The account of these velocities.
+    fn velocities(&self, v0: &[f64]) -> Vec<(&'static str, Owner, f64, f64)> {
+        let mut values = Vec::new();
+        let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
+        values.push(("kinetic_energy", Owner::Scene, energy, energy));
+        let mut spinning = 0.0;
+        for (b, f) in self.frames.iter().enumerate() {
+            let mut say = |name, spin| {
+                let v = inner(&self.moving(b, spin), v0).abs();
+                values.push((name, Owner::Body(b), v, v));
+                v
+            };
+            if f.line {
+                say("v", false);
+            }
+            if f.turns {
+                let w = say("omega", true);
+                let spin = self.inertia[b] * w;
+                values.push(("angular_momentum", Owner::Body(b), spin, spin));
+                spinning += 0.5 * self.inertia[b] * w * w;
+            }
+        }
+        if energy > 0.0 {
+            values.push(("rotational_fraction", Owner::Scene, spinning / energy, 1.0));
+        }
+        values
+    }
+
+    /// The velocities that the start gives, if it gives all and they fit.
+    fn set_out(&self, loose: &[Grip]) -> Result<Vec<f64>, Verdict> {
+        let modes = self.modes(loose);
+        let rows = self.s.start.iter().map(|(body, spin, v)| {
+            let moving = self.moving(*body, *spin);
+            modes.iter().map(|z| inner(&moving, z)).chain([v.si]).collect()
+        });
+        let k = modes.len();
+        let reduced = reduce(rows.collect(), k);
+        let left = reduced.rows.iter().enumerate().filter(|(i, _)| !reduced.pivots.iter().any(|p| p.0 == *i));
+        if left.into_iter().any(|(_, row)| row[k].abs() > NOTHING) {
+            return Err(Verdict::Contradiction);
+        }
+        let mut v = vec![0.0; self.cols()];
+        for (z, rate) in modes.iter().zip(reduced.determined(k)) {
+            let rate = rate.ok_or(Verdict::Undetermined)?;
+            v.iter_mut().zip(z).for_each(|(v, z)| *v += rate * z);
+        }
+        Ok(v)
+    }
+
+    /// Does the last speed of the start say something that those before it do not?
+    pub fn starts_add(&self) -> bool {
+        let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
+        let modes = self.modes(&loose);
+        let rank = |count: usize| {
+            let rows = self.s.start[..count].iter().map(|(body, spin, _)| {
+                let moving = self.moving(*body, *spin);
+                modes.iter().map(|z| inner(&moving, z)).chain([0.0]).collect()
+            });
+            reduce(rows.collect(), modes.len()).pivots.len()
+        };
+        rank(self.s.start.len()) > rank(self.s.start.len() - 1)
+    }
+
+    /// What contacts do that slip in these senses, or do not (0): of those at rest each may stay or set off either way. Do all stay?
+    fn settle(&self, slips: &[f64], tensions: &[f64]) -> Result<(Vec<Grip>, bool), Verdict> {
+        let open: Vec<usize> =
+            (0..slips.len()).filter(|i| slips[*i] == 0.0 && self.contacts[*i].said != Said::Rolls).collect();
+        let mut fitting: Vec<Vec<Grip>> = Vec::new();
+        for code in 0..3usize.pow(u32::try_from(open.len()).expect("few")) {
+            let mut grips: Vec<Grip> =
+                slips.iter().map(|s| if *s == 0.0 { Grip::Sticks } else { Grip::Slides(-s) }).collect();
+            let mut rest = code;
+            for i in &open {
+                grips[*i] = [Grip::Sticks, Grip::Slides(1.0), Grip::Slides(-1.0)][rest % 3];
+                rest /= 3;
+            }
+            let Some(now) = self.instant(&grips, tensions) else { return Err(Verdict::Undetermined) };
+            let against = open.iter().all(|i| match grips[*i] {
+                Grip::Sticks => true,
+                Grip::Slides(sign) => {
+                    let row = &self.contacts[*i].row;
+                    let terms: f64 = row.iter().zip(&now.a).map(|(r, a)| (r * a).abs()).sum();
+                    let slip = inner(row, &now.a);
+                    slip * sign < 0.0 && slip.abs() > 1e-11 * terms
+                }
+            });
+            if against && self.can_hold(&grips, tensions) == Some(true) {
+                if code == 0 {
+                    return Ok((grips, true));
+                }
+                fitting.push(grips);
+            }
+        }
+        match fitting.len() {
+            1 => Ok((fitting.remove(0), false)),
+            0 => Err(Verdict::Undetermined),
+            _ => Err(Verdict::Ambiguous),
+        }
+    }
+
+    /// A motion that starts with speeds where something slips or several freedoms are left, from one contact that comes to rest to the
+    /// next, up to its end.
+    fn in_phases(&self, loose: &[Grip]) -> Verdict {
+        let s = self.s;
+        let mut v = match self.set_out(loose) {
+            Ok(v) => v,
+            Err(verdict) => return verdict,
+        };
+        if self.contacts.iter().any(|c| c.normal < 0.0) {
+            return Verdict::LiftsOff;
+        }
+        let tensions: Vec<f64> = self.springs.iter().map(|s| s.ks * s.x0).collect();
+        let speeds: f64 = v.iter().map(|v| v.abs()).sum();
+        let slip = |c: &Contact, v: &[f64]| {
+            let terms: f64 = c.row.iter().zip(v).map(|(r, v)| (r * v).abs()).sum();
+            let slip = inner(&c.row, v);
+            if c.said == Said::Rolls || slip.abs() <= 1e-11 * (terms + speeds) { 0.0 } else { slip }
+        };
+        let mut slips: Vec<f64> = self.contacts.iter().map(|c| slip(c, &v)).collect();
+        slips.iter_mut().filter(|s| **s != 0.0).for_each(|s| *s = s.signum());
+        let could_roll = self.contacts.iter().zip(&slips).any(|(c, s)| c.said == Said::Slips && *s == 0.0);
+        let mut ending = Ending::default();
+        let mut legs: Vec<Stretch> = Vec::new();
+        let (mut told, mut time) = (Told::default(), 0.0);
+        loop {
+            let (grips, all) = match self.settle(&slips, &tensions) {
+                Ok(settled) => settled,
+                Err(_) if !legs.is_empty() => return Verdict::Torn,
+                Err(verdict) => return verdict,
+            };
+            if !all && !legs.is_empty() {
+                return Verdict::Torn;
+            }
+            for (s, g) in slips.iter_mut().zip(&grips) {
+                if let Grip::Slides(sign) = g {
+                    *s = -sign;
+                }
+            }
+            let Some(now) = self.instant(&grips, &tensions) else { return Verdict::Undetermined };
+            let closing = |i: usize| {
+                let c = &self.contacts[i];
+                let terms: f64 = c.row.iter().zip(&now.a).map(|(r, a)| (r * a).abs()).sum();
+                let rate = -inner(&c.row, &now.a) * slips[i];
+                let slip = slip(c, &v).abs();
+                (slips[i] != 0.0 && slip > 0.0 && rate > 1e-11 * terms).then(|| slip / rate)
+            };
+            let closings: Vec<Option<f64>> = (0..slips.len()).map(closing).collect();
+            let next = closings.iter().flatten().copied().reduce(f64::min);
+            let rests = |i: usize| closings[i].zip(next).is_some_and(|(t, next)| t <= next * (1.0 + 1e-9));
+            let own = |i: usize, said: Said| self.contacts[i].body == s.of && self.contacts[i].said == said;
+            let end = self.ends_in(&mut ending, (&v, &now.a, &slips), next, time);
+            let mut leg = Stretch { from: v.clone(), now, grips, lasts: next.unwrap_or(0.0) };
+            if let Some(end) = end {
+                told.near_reach = next.is_some_and(|next| (end / next - 1.0).abs() < 1e-9)
+                    && self.event() != Event::TurningPoint;
+                leg.lasts = end;
+                legs.push(leg);
+                break;
+            }
+            let Some(next) = next.filter(|_| s.event != Event::AtOnce) else {
+                told.near_reach |= ending.near;
+                legs.push(leg);
+                return self.tell_of(told, &ending, &legs, None, could_roll);
+            };
+            v = leg.after();
+            time += next;
+            legs.push(leg);
+            let closed: Vec<usize> = (0..slips.len()).filter(|i| rests(*i)).collect();
+            closed.iter().for_each(|i| slips[*i] = 0.0);
+            // A body that slides to its turning point may be torn loose there.
+            if self.event() == Event::TurningPoint && closed.iter().any(|i| own(*i, Said::Slides)) {
+                break;
+            }
+            if s.event == Event::Rolling && closed.iter().any(|i| own(*i, Said::Slips)) {
+                if !self.settle(&slips, &tensions).is_ok_and(|settled| settled.1) {
+                    return Verdict::Torn;
+                }
+                break;
+            }
+        }
+        told.near_reach |= ending.near;
+        let arrived = if s.event == Event::AtOnce { None } else { Some(legs.as_slice()) };
+        self.tell_of(told, &ending, &legs, arrived, could_roll)
+    }
+
+    /// What ends the motion; what comes down to no speed comes to rest.
+    fn event(&self) -> Event {
+        match &self.s.by {
+            Some(by) if self.s.event == Event::Speed && by.si == 0.0 && by.symbol.is_none() => {
+                Event::TurningPoint
+            }
+            _ => self.s.event,
+        }
+    }
+
+    /// The ending coordinate.
+    fn watch(&self) -> Vec<f64> {
+        self.moving(self.s.of, self.s.event == Event::Turn || !self.frames[self.s.of].line)
+    }
+
+    /// When the end comes in a stretch of constant accelerations, unless a contact comes to rest before.
+    fn ends_in(
+        &self,
+        ending: &mut Ending,
+        (v, a, slips): (&[f64], &[f64], &[f64]),
+        next: Option<f64>,
+        time: f64,
+    ) -> Option<f64> {
+        let s = self.s;
+        let watch = self.watch();
+        let clean = |x: f64, of: &[f64]| {
+            let terms: f64 = of.iter().map(|x| x.abs()).sum();
+            if x.abs() <= 1e-11 * terms { 0.0 } else { x }
+        };
+        let (u, a) = (clean(inner(&watch, v), v), clean(inner(&watch, a), a));
+        if ending.sense == 0.0 {
+            ending.sense = if u != 0.0 {
+                u.signum()
+            } else if a != 0.0 {
+                a.signum()
+            } else {
+                0.0
+            };
+        }
+        let by = s.by.as_ref().map_or(0.0, |b| b.si);
+        let by_then = |t: &f64| next.is_none_or(|next| *t <= next * (1.0 + 1e-9));
+        let own = |said: Said, sticks: bool| {
+            let mut own = self.contacts.iter().zip(slips);
+            own.any(|(c, slip)| c.body == s.of && c.said == said && (*slip == 0.0) == sticks)
+        };
+        match self.event() {
+            Event::AtOnce => return Some(0.0),
+            Event::Time => return Some(by - time).filter(by_then),
+            Event::Rolling => return (time == 0.0 && own(Said::Slips, true)).then_some(0.0),
+            Event::TurningPoint if own(Said::Slides, false) => return None,
+            _ => {}
+        }
+        if ending.turned || ending.sense == 0.0 {
+            return None;
+        }
+        let (u, a) = (u * ending.sense, a * ending.sense);
+        let turning = (a < 0.0).then(|| u.max(0.0) / -a);
+        let way = |d: f64| -> Option<f64> {
+            let square = u * u + 2.0 * a * d;
+            (d >= 0.0 && square >= 0.0 && u + square.sqrt() > 0.0).then(|| 2.0 * d / (u + square.sqrt()))
+        };
+        let (mut all, mut least) = (None, 0.0);
+        match self.event() {
+            Event::Travel | Event::Turn => (all, least) = (way(by - ending.gone), by),
+            Event::Position => (all, least) = (way(by * ending.sense - ending.gone), by.abs()),
+            Event::Speed if u == by => all = Some(0.0),
+            Event::Speed if a != 0.0 => all = Some((by - u) / a).filter(|t| *t >= 0.0),
+            Event::TurningPoint => all = turning,
+            _ => {}
+        }
+        if all.is_none() && next.is_none() && u == 0.0 && a == 0.0 && ending.gone > 0.0 {
+            ending.near |= (ending.gone / least - 1.0).abs() < 1e-9;
+        }
+        ending.turned = turning.is_some_and(|t| by_then(&t));
+        if let Some(t) = turning.filter(by_then) {
+            let farthest = ending.gone + 0.5 * u * t;
+            ending.near |= least != 0.0 && (farthest / least - 1.0).abs() < 1e-9;
+        }
+        let all = all.filter(|t| turning.is_none_or(|turning| *t <= turning * (1.0 + 1e-12)));
+        if let Some(next) = next {
+            ending.gone += u * next + 0.5 * a * next * next;
+        }
+        all.filter(by_then)
+    }
+
+    /// What there is to tell at the end of these stretches, or, where it does not come, of the start.
+    fn tell_of(
+        &self,
+        mut told: Told,
+        ending: &Ending,
+        legs: &[Stretch],
+        arrived: Option<&[Stretch]>,
+        could_roll: bool,
+    ) -> Verdict {
+        let s = self.s;
+        let tensions: Vec<f64> = self.springs.iter().map(|s| s.ks * s.x0).collect();
+        let last = legs.last().expect("one at least");
+        let v = last.after();
+        let at_once = s.event == Event::AtOnce;
+        let forces = self.forces;
+        let speeds: f64 = legs.iter().flat_map(|leg| &leg.from).chain(&v).fold(0.0, |m, v| m.max(v.abs()));
+        let time: f64 = legs.iter().map(|leg| leg.lasts).sum();
+        let ways = speeds * time;
+        let accelerations = legs.iter().flat_map(|leg| &leg.now.a).fold(s.gravity.si, |m, a| m.max(a.abs()));
+        let own = inner(&self.watch(), &v);
+        let moving = arrived.is_some() && own.abs() > 1e-11 * speeds && self.event() != Event::TurningPoint;
+        told.sense = if moving { own.signum() } else { ending.sense };
+        told.direction = self.direction(told.sense);
+        let wrong_way = match s.heading {
+            Some("forward") => ending.sense < 0.0,
+            Some("back") => ending.sense > 0.0,
+            _ => false,
+        };
+        told.as_said = told.sense != 0.0 && !wrong_way;
+        let by = s.by.as_ref().map_or(0.0, |b| b.si);
+        let back = match self.event() {
+            Event::Speed => by == inner(&self.watch(), &legs[0].from).abs(),
+            Event::TurningPoint | Event::AtOnce | Event::Rolling => false,
+            _ => by == 0.0,
+        };
+        told.reached = arrived.is_some() && !back && !wrong_way;
+        let mut say = |name, of, value: f64, size: f64| told.values.push((name, of, value, size));
+        let mut open = Vec::new();
+        let there = if arrived.is_some() { &last.now } else { &legs[0].now };
+        let sum = |of: &dyn Fn(&Stretch) -> f64| -> f64 { legs.iter().map(of).sum() };
+        let mut work = 0.0;
+        for (b, f) in self.frames.iter().enumerate() {
+            let body = Owner::Body(b);
+            for (turns, _, acceleration) in
+                [(false, f.line, "a"), (true, f.turns, "alpha")].into_iter().filter(|d| d.1)
+            {
+                let row = self.moving(b, turns);
+                say(acceleration, body, inner(&row, &there.a), accelerations);
+                if arrived.is_none() {
+                    continue;
+                }
+                let (moved, path) = (sum(&|leg| leg.moved(&row)), sum(&|leg| leg.covered(&row)));
+                let (u, u0) = (inner(&row, &v), inner(&row, &legs[0].from));
+                if turns {
+                    say("phi", body, moved.abs(), ways);
+                    let couples = s.couples.iter().filter(|c| c.0 == b);
+                    let moment = couples.map(|(_, m, forward)| if *forward { m.si } else { -m.si });
+                    if let Some(m) = moment.reduce(|a, b| a + b) {
+                        say("work_couple", body, m * moved, m.abs() * ways);
+                        say("power_couple", body, m * u, m.abs() * speeds);
+                        work += m * moved;
+                    }
+                } else {
+                    say("displacement", body, moved, ways);
+                    say("distance", body, path, ways);
+                    say("impulse", body, self.mass[3 * b] * (u - u0), self.mass[3 * b] * speeds);
+                }
+            }
+            if f.line && arrived.is_some() {
+                let mut up = vec![0.0; self.cols()];
+                up[3 * b + 1] = 1.0;
+                let rise = sum(&|leg| leg.moved(&up));
+                say("rise", body, rise, ways);
+                work -= self.mass[3 * b] * s.gravity.si * rise;
+            }
+            let wall = matches!(s.bodies[b].way, Way::Along(i) if s.surfaces[i].vertical);
+            let toothed = |tie: &Tie| matches!(tie, Tie::Rolls { body, mu_s: None, .. } if *body == b);
+            let pulled =
+                |tie: &Tie| matches!(tie, Tie::Cord { from, .. } if from.body == b && from.tilt.is_some());
+            if f.line && f.on_surface && (!wall || !s.ties.iter().any(toothed) || s.ties.iter().any(pulled)) {
+                say("normal", body, pressed(s, &self.frames, self.mass[3 * b], b), forces);
+            }
+        }
+        let velocities = self.velocities(&v);
+        let energy = velocities[0].2;
+        let before = self.velocities(&legs[0].from)[0].2;
+        if arrived.is_some() {
+            say("t", Owner::Scene, time, time);
+        }
+        if arrived.is_some() || at_once {
+            for (name, of, value, _) in velocities {
+                say(name, of, value, if name == "rotational_fraction" { 1.0 } else { value + speeds });
+            }
+        }
+        let mut heat = None;
+        let mut checks: Vec<(&'static str, usize, bool)> = Vec::new();
+        for (i, c) in self.contacts.iter().enumerate() {
+            let body = Owner::Body(c.body);
+            let upward = dot(self.frames[c.body].forward, self.frames[c.body].up);
+            match there.reactions[c.tie] {
+                Some(force) => say("friction", body, force * upward, forces),
+                None => open.push(("friction", body)),
+            }
+            if c.said != Said::Rolls {
+                let slid: f64 = legs
+                    .iter()
+                    .filter(|leg| leg.grips[i] != Grip::Sticks)
+                    .map(|leg| leg.covered(&c.row))
+                    .sum();
+                if arrived.is_some() {
+                    heat = Some(heat.unwrap_or(0.0) + c.mu_k * c.normal * slid);
+                    if c.said == Said::Slips {
+                        say("slip_distance", body, slid, ways);
+                    }
+                    if legs.iter().any(|leg| leg.grips[i] == Grip::Sticks) {
+                        checks.push(("no_slip", c.tie, true));
+                    }
+                }
+                continue;
+            }
+            if self.frames[c.body].on_surface {
+                let most = legs.iter().map(|leg| leg.now.reactions[c.tie]);
+                let most = most.collect::<Option<Vec<f64>>>();
+                let Some(most) = most else {
+                    open.push(("mu_required", body));
+                    continue;
+                };
+                let most = most.into_iter().fold(0.0f64, |m, r| m.max(r.abs()));
+                if c.normal > 0.0 {
+                    say("mu_required", body, most / c.normal, forces / c.normal);
+                }
+                if let Some(mu) = c.mu_s
+                    && (mu * c.normal - most).abs() > 1e-9 * forces
+                {
+                    checks.push(("no_slip", c.tie, mu * c.normal > most));
+                }
+            }
+        }
+        if let Some(heat) = heat {
+            say("heat", Owner::Scene, heat, heat);
+        }
+        for (t, tie) in s.ties.iter().enumerate() {
+            let cord = Owner::Tie(t);
+            match tie {
+                Tie::Cord { from, far: Far::Pulled(p) } if arrived.is_some() => {
+                    let (point, along) = leaves(s, &self.frames, from);
+                    let mut row = vec![0.0; self.cols()];
+                    row[3 * from.body] = along.0;
+                    row[3 * from.body + 1] = along.1;
+                    row[3 * from.body + 2] = dot(quarter(point), along);
+                    if from.tilt.is_none() {
+                        say("cord_travel", cord, sum(&|leg| leg.covered(&row)), ways);
+                    }
+                    let done = p.si * sum(&|leg| leg.moved(&row));
+                    say("work_pull", cord, done, p.si * ways);
+                    say("power_pull", cord, p.si * inner(&row, &v), p.si * speeds);
+                    work += done;
+                }
+                Tie::Cord { far: Far::Spring { .. }, .. } => {
+                    let own = self.springs.iter().position(|s| s.tie == t).expect("a spring");
+                    say("tension", cord, tensions[own], forces);
+                }
+                Tie::Cord { far: Far::Fast | Far::To(_), .. } | Tie::Link { .. } => {
+                    match there.reactions[t] {
+                        Some(pull) => say("tension", cord, pull, forces),
+                        None => open.push(("tension", cord)),
+                    }
+                    let all: Option<Vec<f64>> = legs.iter().map(|leg| leg.now.reactions[t]).collect();
+                    if let (Tie::Cord { .. }, Some(least)) =
+                        (tie, all.and_then(|all| all.into_iter().reduce(f64::min)))
+                        && least.abs() > 1e-9 * forces
+                    {
+                        checks.push(("taut", t, least > 0.0));
+                    }
+                }
+                _ => {}
+            }
+        }
+        let (pins, shared) = self.axles(there, &tensions);
+        pins.into_iter().for_each(|(name, of, value)| say(name, of, value, forces));
+        open.extend(shared);
+        (told.open, told.checks) = (open, checks);
+        if arrived.is_some() {
+            let off = (before + work - heat.unwrap_or(0.0) - energy).abs();
+            let size = before + energy + heat.unwrap_or(0.0) + forces * ways;
+            assert!(off <= 1e-9 * size, "the judge's own energies differ by {off}");
+        }
+        if could_roll { Verdict::CouldRoll } else { Verdict::Told(told) }
+    }
+
     pub fn judge(&self) -> Verdict {
         let s = self.s;
         let all: Vec<Grip> = vec![Grip::Sticks; self.contacts.len()];
         let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
         let freedoms = self.modes(&loose).len();
         let slips = self.contacts.iter().any(|c| c.said == Said::Slips);
+        // On the way; at an instant a spring is a force like others.
+        let sprung = !self.springs.is_empty() && s.event != Event::AtOnce;
+        if slips && sprung {
+            return Verdict::Beyond("a spring where something slips");
+        }
+        if freedoms > 1 && sprung {
+            return Verdict::Beyond("a spring with two freedoms");
+        }
+        if !s.start.is_empty() && (slips || freedoms > 1) {
+            return self.in_phases(&loose);
+        }
         let (v0, started) = match s.start.first() {
             None => (vec![0.0; self.cols()], false),
-            Some((body, spin, v)) if freedoms > 1 => {
-                let moving = self.moving(*body, *spin);
-                let held = self.modes(&loose).iter().all(|mode| inner(&moving, mode).abs() < NOTHING);
-                if held && v.si != 0.0 {
-                    return Verdict::Contradiction;
-                }
-                return Verdict::Beyond("a speed with two freedoms");
-            }
             Some((.., v)) if freedoms == 0 && v.si != 0.0 => return Verdict::Contradiction,
             Some(_) if freedoms == 0 => (vec![0.0; self.cols()], false),
             Some((body, spin, v)) => {
@@ -735,50 +1325,9 @@ impl<'s> System<'s> {
                 }
             }
         };
-        // On the way; at an instant a spring is a force like others.
-        let sprung = !self.springs.is_empty() && s.event != Event::AtOnce;
-        if slips && sprung {
-            return Verdict::Beyond("a spring where something slips");
-        }
-        // What goes in phases is followed here up to the end of the first, where its contact comes to rest.
-        let phases = slips && !s.start.is_empty();
-        let later = Verdict::Beyond("a speed where something slips");
-        if phases && !started {
-            return later;
-        }
-        if freedoms > 1 && sprung {
-            return Verdict::Beyond("a spring with two freedoms");
-        }
         let mut velocities = Vec::new();
         if s.event == Event::AtOnce {
-            let mut told = Told::default();
-            let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
-            told.values.push(("kinetic_energy", Owner::Scene, energy, energy));
-            let mut spinning = 0.0;
-            for (b, f) in self.frames.iter().enumerate() {
-                let mut say = |name, spin| {
-                    let v = inner(&self.moving(b, spin), &v0).abs();
-                    told.values.push((name, Owner::Body(b), v, v));
-                    v
-                };
-                if f.line {
-                    say("v", false);
-                }
-                if f.turns {
-                    let w = say("omega", true);
-                    told.values.push((
-                        "angular_momentum",
-                        Owner::Body(b),
-                        self.inertia[b] * w,
-                        self.inertia[b] * w,
-                    ));
-                    spinning += 0.5 * self.inertia[b] * w * w;
-                }
-            }
-            if energy > 0.0 {
-                told.values.push(("rotational_fraction", Owner::Scene, spinning / energy, 1.0));
-            }
-            velocities = told.values;
+            velocities = self.velocities(&v0);
         }
         if self.contacts.iter().any(|c| c.normal < 0.0) {
             return Verdict::LiftsOff;
@@ -811,16 +1360,7 @@ impl<'s> System<'s> {
         let mut told = Told::default();
         self.move_on(&grips, &all, &v0, started, now, &tensions, &mut told);
         if s.event == Event::AtOnce {
-            // Velocities as they are, accelerations and forces; nothing of what comes later.
-            let at_once =
-                ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
-            told.values.retain(|v| at_once.contains(&v.0) || v.0.starts_with("pin_"));
-            told.values.extend(velocities);
-        } else if phases {
-            if !told.reached {
-                return later;
-            }
-            told.values.retain(|v| !["work", "v_max", "D_at_v_max", "D_turn"].contains(&v.0));
+            told.at_once(velocities);
         }
         Verdict::Told(told)
     }
@@ -871,7 +1411,8 @@ impl<'s> System<'s> {
         let u0 = lead_v.abs();
         let lead = |a: &[f64]| inner(&watch, a) * told.sense;
         let mut law = Law { u0, a: lead(&now.a), springs: Vec::new() };
-        if moves {
+        // At an instant they are forces like others.
+        if moves && s.event != Event::AtOnce {
             // Those whose ends do not move pull all the time.
             let acts = |s: &Spring| inner(&s.row, &q).abs() > NOTHING;
             let pulls = |i: usize, f: f64| -> Vec<f64> {
@@ -908,30 +1449,11 @@ impl<'s> System<'s> {
                 Event::Time => turns_at.is_none_or(|t| by <= t * (1.0 + 1e-12)).then_some(by),
                 Event::Speed => law.reaching(by),
                 Event::TurningPoint => turns_at,
-                Event::AtOnce => None,
+                Event::AtOnce | Event::Rolling => None,
             }
         };
         told.as_said = moves && !wrong_way;
-        let f = &self.frames[s.of];
-        let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].slope.is_none() && !s.surfaces[i].vertical);
-        told.direction = match (told.sense, f.line && !level) {
-            (0.0, _) => "stays",
-            (sense, true) => {
-                if sense * dot(f.forward, f.up) > 0.0 {
-                    "up"
-                } else {
-                    "down"
-                }
-            }
-            // On a level up is to the right, whichever way is forward.
-            (sense, false) => {
-                if sense * dot(f.forward, f.up) > 0.0 {
-                    "forward"
-                } else {
-                    "back"
-                }
-            }
-        };
+        told.direction = self.direction(told.sense);
         // Where it is set going is no place at which it ends.
         let back = match event {
             Event::Speed => by == law.speed(0.0),
@@ -1161,48 +1683,9 @@ impl<'s> System<'s> {
                 }
             }
         }
-        // An axle holds the weight of its body against the pulls of its cords: one to a body on a slope runs along that, any other as
-        // it leaves. Nobody knows the direction of one that goes round a corner.
-        let onward = |e: &End| dot(leaves(s, &self.frames, e).1, self.frames[e.body].forward) > 0.0;
-        let on_slope =
-            |e: &&End| matches!(s.bodies[e.body].way, Way::Along(k) if s.surfaces[k].slope.is_some());
-        for (b, body) in s.bodies.iter().enumerate() {
-            if !matches!(body.way, Way::Axle) || matches!(body.spread, Spread::Moment(_)) {
-                continue;
-            }
-            let own = Owner::Body(b);
-            let (mut x, mut y, mut told, mut shared) = (0.0, self.mass[3 * b] * s.gravity.si, true, false);
-            for (t, tie) in s.ties.iter().enumerate() {
-                let Tie::Cord { from, far } = tie else { continue };
-                let to = if let Far::To(end) = far { Some(end) } else { None };
-                let (end, other) = match to {
-                    Some(end) if end.body == b => (end, Some(from)),
-                    _ if from.body == b => (from, to),
-                    _ => continue,
-                };
-                let pull = match far {
-                    Far::Pulled(p) => Some(p.si),
-                    Far::Spring { .. } => Some(pull_of(t)),
-                    Far::Fast | Far::To(_) => there.reactions[t],
-                };
-                shared |= pull.is_none();
-                let mut along = leaves(s, &self.frames, end).1;
-                if let Some(other) = other.filter(on_slope).filter(|_| along.1.abs() < 1e-12) {
-                    // Forward is to the right: of what counts positive down a picture may show either side.
-                    let (right, up) = self.frames[other.body].forward;
-                    told &= onward(end) != onward(other) && right + up > 0.0;
-                    along = times(-1.0, leaves(s, &self.frames, other).1);
-                }
-                (x, y) = (x - pull.unwrap_or(0.0) * along.0, y - pull.unwrap_or(0.0) * along.1);
-            }
-            if told && shared {
-                open.extend(["pin_x", "pin_y", "pin_force", "pin_angle"].map(|name| (name, own)));
-            } else if told {
-                say("pin_x", own, x, forces);
-                say("pin_y", own, y, forces);
-                say("pin_force", own, x.hypot(y), forces);
-            }
-        }
+        let (pins, shared) = self.axles(&there, &pulls);
+        pins.into_iter().for_each(|(name, own, value)| say(name, own, value, forces));
+        open.extend(shared);
         // Where nothing accelerates, sliding friction left out.
         let mode = self.modes(&self.contacts.iter().map(Contact::loose).collect::<Vec<_>>());
         if let Some(mode) =

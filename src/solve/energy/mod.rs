@@ -820,12 +820,10 @@ impl<'a, T: Real> Ledger<'a, T> {
                 self.say(Quantity::Normal, Owner::Body(b), normal);
             }
         }
-        let mut held: SmallVec<[Reactions<T>; 3]> =
-            places.iter().map(|pulls| self.reactions(pulls)).collect();
-        if let Some(phases) = &self.phases {
-            let earlier = &phases.legs[..phases.legs.len() - 1];
-            held.extend(earlier.iter().map(|leg| leg.held.clone()));
-        }
+        let held: SmallVec<[Reactions<T>; 3]> = match &self.phases {
+            Some(phases) => phases.legs.iter().map(|leg| leg.held.clone()).collect(),
+            None => places.iter().map(|pulls| self.reactions(pulls)).collect(),
+        };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
                 if held.iter().any(|held| held.is_open(t)) {

@@ -382,7 +382,8 @@ impl<T: Real> Follower<'_, '_, T> {
 
     /// When the end comes in this phase, from its start, unless a contact comes to rest before.
     fn end_in(&mut self, from: &Mode<T>, rate: &Mode<T>, next: Option<T>) -> Option<T> {
-        let in_time = |time: &T| next.is_none_or(|next| !next.below(*time));
+        // Where ties stop it together with that contact, both times are one.
+        let in_time = |time: &T| next.is_none_or(|next| !next.below(*time) || next.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
         let (u0, gain) = (from.of(end), rate.of(end));
         let own: SmallVec<[(usize, Rubbing); 1]> =

@@ -1164,14 +1164,15 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// The responses up to the end, each with what varies.
     fn moments<'p>(&'p self, places: &'p [Pulls<T>]) -> impl Iterator<Item = (&'p Response<T>, &'p [T])> {
-        let earlier = self.phases.iter().flat_map(|phases| &phases.legs[..phases.legs.len() - 1]);
-        let now = places.iter().map(|pulls| (&self.response, &pulls[..]));
-        now.chain(earlier.map(|leg| (&leg.response, &[][..])))
+        let legs = self.phases.as_ref().map_or(&[][..], |phases| &phases.legs[..]);
+        let now = std::iter::once(&self.response).filter(|_| legs.is_empty());
+        now.chain(legs.iter().map(|leg| &leg.response)).flat_map(|r| places.iter().map(move |p| (r, &p[..])))
     }
 
     /// The friction that a body needs to stay where it came to rest by sliding.
     fn to_stay(&self, tie: usize, pulls: &[T]) -> Option<T> {
-        let (setting, response) = self.holding.as_ref().filter(|_| self.road.course.is_some_and(|c| c.reached))?;
+        let (setting, response) =
+            self.holding.as_ref().filter(|_| self.road.course.is_some_and(|c| c.reached))?;
         needs(self.scene, &self.n, (setting, response), pulls).ok()?[tie]
     }
 

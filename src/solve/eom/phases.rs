@@ -281,7 +281,8 @@ impl<'a, T: Real> Phases<'a, T> {
 
     /// When the end comes in this phase, from its start, which a contact that comes to rest ends.
     fn end_in(&mut self, n: &Numbers<T>, leg: &Phase<T>, rest: Option<T>) -> Option<T> {
-        let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time));
+        // What ties bring to rest with that contact comes to rest at the same time, whatever its last digits.
+        let by_then = |time: &T| rest.is_none_or(|rest| !rest.below(*time) || rest.apart(*time).is_zero());
         let end = self.scene.ending_coordinate();
         let slides = |t: usize| {
             let rub = self.scene.ties[t].rubbing().filter(|rub| rub.body == end.body);
