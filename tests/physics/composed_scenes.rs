@@ -206,6 +206,7 @@ fn named(messages: &[String]) -> Option<String> {
         ("its speed says which way it goes", "heading of what starts with slip"),
         ("the start and the ties leave", "start that leaves a velocity open"),
         ("the rest of the start already give", "start that says a velocity twice"),
+        ("the ties leave one freedom, so one speed", "start that says a velocity twice"),
     ];
     let mut first = None;
     for m in messages {

@@ -952,16 +952,27 @@ impl<'s> System<'s> {
         let mut slips: Vec<f64> = self.contacts.iter().map(|c| slip(c, &v)).collect();
         slips.iter_mut().filter(|s| **s != 0.0).for_each(|s| *s = s.signum());
         let could_roll = self.contacts.iter().zip(&slips).any(|(c, s)| c.said == Said::Slips && *s == 0.0);
+        let held = |c: &&Contact| self.modes(loose).iter().all(|z| inner(&c.row, z).abs() < NOTHING);
+        if s.event == Event::AtOnce
+            && self.contacts.iter().filter(|c| c.said == Said::Slips).any(|c| held(&c))
+        {
+            // Nothing more is told of a contact that other ties hold.
+            return Verdict::Told(Told { values: self.velocities(&v), ..Told::default() });
+        }
         let mut ending = Ending::default();
         let mut legs: Vec<Stretch> = Vec::new();
         let (mut told, mut time) = (Told::default(), 0.0);
+        let mut closed: Vec<usize> = Vec::new();
         loop {
             let (grips, all) = match self.settle(&slips, &tensions) {
                 Ok(settled) => settled,
                 Err(_) if !legs.is_empty() => return Verdict::Torn,
                 Err(verdict) => return verdict,
             };
-            if !all && !legs.is_empty() {
+            // What slides goes on the other way where it cannot be held; what holds, or is to roll, is not to be torn loose.
+            let torn = |i: usize| grips[i] != Grip::Sticks && slips[i] == 0.0;
+            let free = |i: usize| closed.contains(&i) && self.contacts[i].said == Said::Slides;
+            if !all && !legs.is_empty() && !(0..slips.len()).filter(|i| torn(*i)).all(free) {
                 return Verdict::Torn;
             }
             for (s, g) in slips.iter_mut().zip(&grips) {
@@ -998,7 +1009,7 @@ impl<'s> System<'s> {
             v = leg.after();
             time += next;
             legs.push(leg);
-            let closed: Vec<usize> = (0..slips.len()).filter(|i| rests(*i)).collect();
+            closed = (0..slips.len()).filter(|i| rests(*i)).collect();
             closed.iter().for_each(|i| slips[*i] = 0.0);
             // A body that slides to its turning point may be torn loose there.
             if self.event() == Event::TurningPoint && closed.iter().any(|i| own(*i, Said::Slides)) {
@@ -1184,9 +1195,12 @@ impl<'s> System<'s> {
                 say("normal", body, pressed(s, &self.frames, self.mass[3 * b], b), forces);
             }
         }
-        let velocities = self.velocities(&v);
+        let mut velocities = self.velocities(&v);
         let energy = velocities[0].2;
         let before = self.velocities(&legs[0].from)[0].2;
+        if energy < 1e-20 * (before + forces * ways) {
+            velocities.retain(|v| v.0 != "rotational_fraction");
+        }
         if arrived.is_some() {
             say("t", Owner::Scene, time, time);
         }

@@ -75,6 +75,11 @@ struct Follower<'s, 'a, T: Real> {
     spent: T,
 }
 
+/// Is it a contact that is said to slip?
+fn slips(scene: &Scene, tie: usize) -> bool {
+    matches!(scene.ties[tie], Tie::Slip { .. })
+}
+
 /// Velocity of a contact that can rub.
 pub fn slip<T: Real>(n: &Numbers<T>, rub: &Rubbing, mode: &Mode<T>) -> [T; 2] {
     let rim = rub
@@ -105,6 +110,10 @@ impl<T: Real> Phases<T> {
         let mut now =
             Follower { scene, n, pulls, kinetic, sense: 0.0, turned: false, gone: zero, spent: zero };
         let mut all = Self { legs: SmallVec::new(), ended: false, rolled: SmallVec::new(), sense: 0.0 };
+        let pressed = |(_, rub): (_, Rubbing)| balance::normal(scene, n, rub.body).not_negative();
+        if !at_once && !now.rubbing().all(pressed) {
+            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+        }
         let (mut held, mut needs) = now.onset(&from, &mut all.rolled)?;
         let first = now.kinetic.clone();
         loop {
@@ -141,7 +150,16 @@ impl<T: Real> Phases<T> {
             let holds = now.holding(&closed, &held, &needs, &mut all.rolled);
             all.ended |= now.ends_at_rest(&closed, holds);
             if !holds {
-                break;
+                let slips = |t: &usize| self::slips(scene, *t);
+                if all.ended || closed.iter().any(slips) {
+                    break;
+                }
+                now.gives_way(&closed, &held)?;
+                if all.legs.len() > 4 * scene.ties.len() {
+                    return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+                }
+                held = now.reactions(&now.rate());
+                needs = now.needs(&held)?;
             }
         }
         if let (End::TurningPoint(c), Some(leg)) = (scene.end, all.legs.last_mut()) {
@@ -180,7 +198,7 @@ impl<T: Real> Phases<T> {
         all
     }
 
-    /// How far a contact slides, which does not change its sense: on the way its mean speed counts.
+    /// How far a contact slides, which changes its sense only at rest: on the way its mean speed counts.
     pub fn slid(&self, tie: usize, of: &dyn Fn(&Mode<T>) -> T) -> T {
         let rubs = self.legs.iter().filter(|leg| leg.kinetic[tie].is_some());
         let way = |leg: &Phase<T>| ((of(&leg.from) + of(&leg.to)).abs() * leg.time).scale2(-1);
@@ -316,6 +334,25 @@ impl<T: Real> Follower<'_, '_, T> {
             needs[t] = Some(if most.is_zero() { taken / v } else { taken * limit / most });
         }
         Ok(needs)
+    }
+
+    /// What slides and cannot be held where it comes to rest loses power to friction on its way back.
+    fn gives_way(&mut self, closed: &[usize], held: &Reactions<T>) -> Result<(), Refusal> {
+        let own: SmallVec<[(usize, Rubbing); 2]> =
+            self.rubbing().filter(|(t, _)| closed.contains(t)).collect();
+        let together = own.len() == 1 || own.iter().all(|(t, _)| held.is_open(*t));
+        own.iter().for_each(|(t, _)| self.kinetic[*t] = Some(T::zero()));
+        let smooth = self.rate();
+        for (t, rub) in &own {
+            self.kinetic[*t] = Some(self.friction(rub).signed(-smooth.v[rub.body].sign()));
+        }
+        let rate = self.rate();
+        let loses = |(_, rub): &(usize, Rubbing)| rate.v[rub.body].sign() * smooth.v[rub.body].sign() > 0.0;
+        if together && own.iter().all(loses) {
+            Ok(())
+        } else {
+            Err(Refusal::Unsupported(Unsupported::SlidesInTurn))
+        }
     }
 
     /// Can static friction hold these contacts? Of those that are said to slip it is told what they need at first.

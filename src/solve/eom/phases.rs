@@ -14,7 +14,7 @@ use crate::num::Real;
 use crate::num::ode::{Count, Formula, Run};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Numbers, Scene, Tie};
-use crate::solve::eom::equations::{self, Needs, Response, Setting, respond};
+use crate::solve::eom::equations::{self, CONSTANT, Needs, Response, Setting, respond};
 use crate::solve::eom::instant::{self, Each};
 use crate::solve::eom::travel::{Leg, Travel};
 use crate::solve::eom::{Gone, Rolled, under};
@@ -34,6 +34,8 @@ pub struct Phase<T> {
     pub holds: SmallVec<[bool; 4]>,
     /// The friction that those need which hold.
     pub needs: Needs<T>,
+    /// The contact that comes to rest at its end.
+    closes: Option<usize>,
     speeds: Each<T>,
     rates: Each<T>,
     /// When it begins, and how long it lasts.
@@ -55,9 +57,9 @@ pub struct Phases<'a, T: Real> {
     pub ended: bool,
     /// For each contact that is said to slip: as it holds first, or would hold at the start.
     pub rolled: Rolled<T>,
-    /// For each tie: when its contact comes to rest; 0 where it is at rest from the start.
+    /// For each tie: when its contact comes to rest first; 0 where it is at rest from the start.
     pub until: SmallVec<[Option<T>; 4]>,
-    /// What comes to rest last and cannot be held: when that is.
+    /// When a contact that is said to slip comes to rest and cannot be held.
     pub through: Option<T>,
     /// Sense in which the ending coordinate sets off.
     pub sense: f64,
@@ -105,16 +107,28 @@ impl<'a, T: Real> Phases<'a, T> {
             ends: Each::new(),
             after: None,
         };
+        if scene.end != End::AtOnce && !all.is_pressed(n) {
+            return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+        }
         let (mut setting, mut response, mut needs) = all.onset(n, &speeds, pulls)?;
         let first = setting.clone();
         let mut starts = T::zero();
         loop {
             let rates: Each<T> =
                 all.coordinates.iter().map(|c| under(pulls, |k| response.acceleration(*c, k))).collect();
-            let rest = all.comes_to_rest(&setting, &speeds, &rates, starts);
+            let rests = all.comes_to_rest(&setting, &speeds, &rates, starts);
+            let rest = rests
+                .iter()
+                .flatten()
+                .copied()
+                .reduce(|one, other| if other.below(one) { other } else { one });
             let holds = setting.holds.clone();
             let lasts = rest.unwrap_or_else(T::zero);
-            let leg = Phase { response, holds, needs, speeds, rates, starts, lasts, ways: None };
+            let closed: SmallVec<[usize; 4]> = (0..ties)
+                .filter(|t| rests[*t].zip(rest).is_some_and(|(own, rest)| own.apart(rest).is_zero()))
+                .collect();
+            let closes = closed.first().copied();
+            let leg = Phase { response, holds, needs, closes, speeds, rates, starts, lasts, ways: None };
             // How far it would go on is looked for beyond its end, too.
             let end = all.end_in(n, &leg, rest).filter(|_| !all.ended);
             speeds = leg.after(lasts);
@@ -122,12 +136,15 @@ impl<'a, T: Real> Phases<'a, T> {
                 all.legs.push(leg);
             }
             if let (Some(time), Some(leg)) = (end, all.legs.last_mut()) {
-                leg.lasts = time;
+                (leg.lasts, leg.closes) = (time, None);
                 all.ended = true;
             }
             let Some(time) = rest.filter(|_| scene.end != End::AtOnce) else { break };
             starts = starts + time;
-            let closed = all.close(&mut setting, starts);
+            for t in &closed {
+                setting.holds[*t] = true;
+                setting.friction_sense[*t] = 0.0;
+            }
             response = respond(scene, n, &setting)?;
             needs = equations::needs(scene, n, (&setting, &response), pulls)?;
             let held = all.holding(n, &closed, &response, &needs);
@@ -136,8 +153,15 @@ impl<'a, T: Real> Phases<'a, T> {
                 all.after = Some((setting.clone(), response.clone()));
             }
             if !held {
-                all.through = Some(starts);
-                break;
+                if all.ended {
+                    break;
+                }
+                if closed.iter().any(|t| all.rims[*t].is_some()) {
+                    all.through = Some(starts);
+                    break;
+                }
+                response = all.gives_way(n, (&mut setting, &response), &closed)?;
+                needs = equations::needs(scene, n, (&setting, &response), pulls)?;
             }
         }
         if let Some(leg) = all.legs.last() {
@@ -162,6 +186,12 @@ impl<'a, T: Real> Phases<'a, T> {
             }
         }
         Ok(all)
+    }
+
+    /// Is everything that could rub pressed on its surface?
+    fn is_pressed(&self, n: &Numbers<T>) -> bool {
+        let normals = equations::normals(self.scene, n);
+        self.scene.ties.iter().filter_map(Tie::rubbing).all(|rub| normals[rub.body].not_negative())
     }
 
     fn of(&self, values: &[T], body: usize, degree: Degree) -> T {
@@ -236,9 +266,35 @@ impl<'a, T: Real> Phases<'a, T> {
         holds
     }
 
-    /// When the next contact comes to rest, from the start of this phase.
-    fn comes_to_rest(&mut self, setting: &Setting, speeds: &[T], rates: &[T], starts: T) -> Option<T> {
-        let mut next: Option<T> = None;
+    /// What slides and cannot be held where it comes to rest goes on the other way: alone, or together with what shares its friction.
+    fn gives_way(
+        &self,
+        n: &Numbers<T>,
+        (setting, held): (&mut Setting, &Response<T>),
+        closed: &[usize],
+    ) -> Result<Response<T>, Refusal> {
+        let refused = Refusal::Unsupported(Unsupported::SlidesInTurn);
+        if !(closed.len() == 1 || closed.iter().all(|t| held.is_open(*t)))
+            || self.legs.len() > 4 * self.rims.len()
+        {
+            return Err(refused);
+        }
+        let goes = |response: &Response<T>, t: usize| {
+            let own =
+                self.scene.ties[t].rubbing().map(|rub| Coordinate { body: rub.body, degree: Degree::Along });
+            own.map_or(0.0, |c| response.acceleration(c, CONSTANT).sign())
+        };
+        closed.iter().for_each(|t| setting.holds[*t] = false);
+        let smooth = respond(self.scene, n, setting)?;
+        closed.iter().for_each(|t| setting.friction_sense[*t] = -goes(&smooth, *t));
+        let response = respond(self.scene, n, setting)?;
+        let against = closed.iter().all(|t| goes(&response, *t) * setting.friction_sense[*t] < 0.0);
+        if against { Ok(response) } else { Err(refused) }
+    }
+
+    /// When contacts come to rest, from the start of this phase.
+    fn comes_to_rest(&mut self, setting: &Setting, speeds: &[T], rates: &[T], starts: T) -> Needs<T> {
+        let mut rests: Needs<T> = smallvec![None; setting.holds.len()];
         for t in 0..setting.holds.len() {
             let (Some([v, rim]), Some([a, turned])) = (self.at_contact(t, speeds), self.at_contact(t, rates))
             else {
@@ -250,24 +306,12 @@ impl<'a, T: Real> Phases<'a, T> {
             let slip = v.apart(rim);
             let closing = plant!("eom: rate of the slip", a.balance(-turned)).signed(-slip.sign());
             let time = (!slip.is_zero() && closing.sign() > 0.0).then(|| slip.abs() / closing);
-            self.until[t] = time.map(|time| starts + time);
-            next = match (next, time) {
-                (Some(one), Some(other)) if !other.below(one) => Some(one),
-                (one, other) => other.or(one),
-            };
+            if self.rolled.iter().all(|(known, _)| *known != t) {
+                self.until[t] = time.map(|time| starts + time);
+            }
+            rests[t] = time;
         }
-        next
-    }
-
-    /// Closes the contacts that come to rest now.
-    fn close(&self, setting: &mut Setting, now: T) -> SmallVec<[usize; 4]> {
-        let closes = |t: &usize| !setting.holds[*t] && self.until[*t].is_some_and(|t| t.apart(now).is_zero());
-        let closed: SmallVec<[usize; 4]> = (0..setting.holds.len()).filter(closes).collect();
-        for t in &closed {
-            setting.holds[*t] = true;
-            setting.friction_sense[*t] = 0.0;
-        }
-        closed
+        rests
     }
 
     /// Is it the end that these contacts come to rest, which can be held or not?
@@ -378,7 +422,7 @@ impl<'a, T: Real> Phases<'a, T> {
         all
     }
 
-    /// How far a contact slides, which does not change its sense while it rubs.
+    /// How far a contact slides, which changes its sense only where it comes to rest.
     pub fn slid(&self, tie: usize, of: Linear<'_, T>) -> T {
         let mut all = T::zero();
         for leg in self.legs.iter().filter(|leg| !leg.holds[tie]) {
@@ -399,7 +443,6 @@ impl<'a, T: Real> Phases<'a, T> {
         let total = self.time();
         let formula = rung.method().formula().unwrap_or(Formula::Dop853);
         let (mut starts, mut speeds) = (T::zero(), self.legs[0].speeds.clone());
-        let last = self.legs.len() - 1;
         for i in 0..self.legs.len() {
             let leg = &self.legs[i];
             let lasts = leg.lasts.f64();
@@ -427,13 +470,9 @@ impl<'a, T: Real> Phases<'a, T> {
                 let [x, v] = run.y();
                 Ok([run.x(), x, v])
             };
-            let closes = |t: &usize| {
-                let ends = leg.starts + leg.lasts;
-                !leg.holds[*t] && self.until[*t].is_some_and(|t| t.apart(ends).is_zero())
-            };
-            let closing = (0..leg.holds.len()).find(closes).filter(|_| i < last || self.after.is_some());
             let time = match (
-                closing.and_then(|t| Some((self.at_contact(t, &speeds)?, self.at_contact(t, &leg.rates)?))),
+                leg.closes
+                    .and_then(|t| Some((self.at_contact(t, &speeds)?, self.at_contact(t, &leg.rates)?))),
                 self.scene.end,
             ) {
                 (Some(([v, rim], [a, turned])), _) => run(v - rim, a - turned, &Stop::Rest)?[0],
