@@ -228,7 +228,6 @@ pub fn needs<T: Real>(
             Some(_) if !response.is_open(t) => {
                 needs[t] = Some(under(pulls, |k| response.reaction(t, k)).abs());
             }
-            Some(Rubbing { radius_m: None, .. }) if !cfg!(feature = "program") => {}
             Some(rub) if rub.radius_m.is_none() => shared.push((t, rub)),
             Some(_) => return Err(Refusal::Unsupported(Unsupported::SlipShared)),
             None => {}

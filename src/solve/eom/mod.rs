@@ -1058,7 +1058,10 @@ impl<'a, T: Real> Walk<'a, T> {
             slips: !slip0.is_zero(),
             closes: !slip0.is_zero() && until.is_some(),
             holds: needed.at_most(available),
-            to_roll: ends_it || last || time.zip(until).is_some_and(|(t, until)| until.below(t)),
+            to_roll: ends_it
+                || last
+                || phases.through.is_some() && !phases.ended
+                || time.zip(until).is_some_and(|(t, until)| until.below(t)),
             times: time.map(|t| (t.f64(), until.map_or(f64::INFINITY, T::f64))),
             at_end: ends.then(|| (v.size(), start.size() + (v - start).size())),
             slip: slip0.size(),
