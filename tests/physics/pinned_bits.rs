@@ -61,7 +61,7 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("off-a-cylinder", "6ff90d0a4163ef6e", "c0f4a13ad9df1e0d", "e3b0c44298fc1c14"),
     ("gear-on-a-rack", "aacbf37f43b837c1", "5471fc0f4655934e", "e3b0c44298fc1c14"),
     ("thrown-ball", "26af46574cdccf6f", "975bd4fde3adfacb", "fb6461d9fa7bca76"),
-    ("wheel-set-down", "9d1d0943968ef4a9", "accc2394d3db95b9", "70b39b1e3959782e"),
+    ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676", "70b39b1e3959782e"),
     ("kinetic-energy", "b3b64a99a2d5aaae", "5675fde5d235c27d", "e3b0c44298fc1c14"),
     ("pulled-rolling", "f8f5d8eb64da0778", "ec869cd7494f0f75", "302283d47e8b7f1e"),
     ("pulled-slipping", "05a2ddf4c8f2c3c4", "e1a5f24dc134e3dd", "f2b413577a131733"),

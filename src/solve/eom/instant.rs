@@ -115,8 +115,13 @@ const LEFT: f64 = 65_536.0;
 
 /// The coordinates and their velocities at the start, where the start gives each. Errors: those of [`struck`].
 pub fn start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<(Each<Coordinate>, Each<T>), Refusal> {
-    let struck = struck(scene, n)?;
-    Ok((struck.coordinates, struck.velocities))
+    let Struck { coordinates, mut velocities, .. } = struck(scene, n)?;
+    // What is given is so to its last digit.
+    for (given, v) in scene.start_speeds() {
+        let own = coordinates.iter().zip(&mut velocities).find(|(c, _)| **c == given);
+        own.into_iter().for_each(|(_, velocity)| *velocity = n.start(given, v));
+    }
+    Ok((coordinates, velocities))
 }
 
 /// The velocities at the start. Impulses are to velocities what forces are to accelerations: a unit impulse changes the
