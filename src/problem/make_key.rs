@@ -80,11 +80,10 @@ impl<'p> KeyFrame<'p> {
         let scene = &problem.cases[variant.case].scene;
         let parts = problem.questions.iter().map(|question| {
             let mut entry = entry(problem, question, scene, variant);
-            let magnitude = scene.is_magnitude(question.label);
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
                 WrongValue {
                     method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
-                    value: if magnitude { w.value.abs() } else { w.value },
+                    value: scene.as_asked(w.label, w.value),
                 }
             }));
             entry
@@ -127,7 +126,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
             key.gap = e.gap();
             key.cond = Some(e.cond);
             key.bound = e.bound;
-            (e.value(), e.scale)
+            (scene.as_asked(question.label, e.value()), e.scale)
         }
         None => (f64::NAN, 0.0),
     };
