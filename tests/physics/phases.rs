@@ -188,3 +188,63 @@ end: {end}"
     let (found, _) = told(&scene(spring, "at rest", "at once"), &names);
     compare(&names, &found, &[0.0, G - pulled / disc, pulled, 12.0]);
 }
+
+/// Two crates on a light rod come to rest together, beside a drum that turns. Held by both of their frictions, more than each could
+/// take; let go where both cannot, and then they go back.
+#[test]
+fn two_crates_that_stop_together_are_held_together() {
+    let scene = |pull: f64, end: &str| {
+        format!(
+            "surfaces: {{table: level}}
+bodies:
+  rear: {{mass: m, moves: along table}}
+  front: {{mass: 3 kg, moves: along table}}
+  drum: {{mass: 4 kg, shape: {{disc: 0.3 m}}, moves: about a fixed axle}}
+ties:
+  - slides: {{body: rear, mu_s: 0.5, mu_k: 0.3}}
+  - slides: {{body: front, mu_s: 0.4, mu_k: 0.2}}
+  - link: {{from: {{body: rear, tied at: centre, leaves: forward}}, to: {{body: front, tied at: centre, leaves: back}}}}
+  - cord: {{from: {{body: front, tied at: centre, leaves: back}}, pulled with: {pull} N}}
+start: {{rear: {{speed: 2 m/s}}, drum: {{spin: 5 rad/s}}}}
+end: {end}"
+        )
+    };
+    let names =
+        ["t", "front.v", "rear.displacement", "rear.distance", "heat", "omega", "work_pull", "front.a"];
+    let (rubs, t) = (1.2 * G, 3.0);
+    let end = "{time: {of: front, is: 3 s}}";
+    // Static friction holds 2.2 g, the rear crate at most g and the front one 1.2 g.
+    for pull in [5.0, 18.0] {
+        let way = 4.0 / (2.0 * (pull + rubs) / 5.0);
+        let (found, solved) = told(&scene(pull, end), &names);
+        compare(&names, &found, &[t, 0.0, way, way, rubs * way, 5.0, -pull * way, 0.0]);
+        assert!(solved.regime.word().contains("forward"), "{}", solved.regime.word());
+        let held = solved.checks.iter().filter(|c| c.kind.name() == "no_slip");
+        let shares: Vec<f64> = held.map(|c| c.required / c.available).collect();
+        assert_eq!(shares.len(), 2);
+        assert!(shares.iter().all(|share| (share - pull / (2.2 * G)).abs() < 1e-12), "{shares:?}");
+    }
+    let pull = 30.0;
+    let (there, back) = ((pull + rubs) / 5.0, (pull - rubs) / 5.0);
+    let (stops, way) = (2.0 / there, 2.0 / there);
+    let late = t - stops;
+    let returned = back * late * late / 2.0;
+    let expected = [
+        t,
+        back * late,
+        way - returned,
+        way + returned,
+        rubs * (way + returned),
+        5.0,
+        pull * (returned - way),
+        -back,
+    ];
+    compare(&names, &told(&scene(pull, end), &names).0, &expected);
+    // Where they turn it ends, whether they can be held or not.
+    for pull in [18.0, 30.0] {
+        let (found, _) = told(&scene(pull, "{turning point: front}"), &["t", "front.v", "rear.displacement"]);
+        let there = (pull + rubs) / 5.0;
+        assert!(found[1] == 0.0);
+        compare(&["t", "way"], &[found[0], found[2]], &[2.0 / there, 2.0 / there]);
+    }
+}

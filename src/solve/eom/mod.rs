@@ -1113,7 +1113,12 @@ impl<'a, T: Real> Walk<'a, T> {
                 {
                     self.say_open(Quantity::MuRequired, Owner::Body(*body));
                 }
-                if matches!(tie, Tie::Roll { mu_s: Some(_), .. } | Tie::Cord(_)) {
+                // A light rod may push as well.
+                let watched = match tie {
+                    Tie::Cord(cord) => cord.made == Made::Cord,
+                    _ => matches!(tie, Tie::Roll { mu_s: Some(_), .. }),
+                };
+                if watched {
                     self.hold(|_| Held::Open(t));
                 }
                 continue;

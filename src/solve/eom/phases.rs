@@ -1,5 +1,5 @@
 //! A motion in phases: under constant forces every coordinate accelerates evenly until a contact that rubs comes to rest. From then on
-//! it holds, if static friction can hold it.
+//! it holds, if static friction can hold it; a body that slides and cannot be held goes on the other way.
 //!
 //! Friction is a force of known size against the slip, with its sense frozen until the event:
 //!
