@@ -103,7 +103,7 @@ fn judge<P: Real>(
         words.extend(rolling(scene, h).map(|(tie, holds)| (rolls(scene, tie), yes_or_no(holds))));
     }
     // The start of rolling has its own checks.
-    if if thrown { !matches!(scene.end, End::Rolling(_)) } else { course.sense != 0.0 } {
+    if if thrown { !matches!(scene.end, End::Rolling(_) | End::AtOnce) } else { course.sense != 0.0 } {
         checks.push(reaches(end.body, course));
     }
     // The turn of a body has no such word.

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use slipstick::bank::load;
 use slipstick::scene as program;
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
+use slipstick::solve::outcome::{Entry, Refusal, Solved, Unsupported};
 use std::collections::BTreeMap;
 
 /// What became of one scene.
@@ -86,7 +86,17 @@ fn judge(s: composed::Scene) -> Result<Outcome, String> {
             return Err(format!("{:?} is no number", e.label));
         }
     }
+    // Where bodies slide in turn, an instant has velocities alone.
+    let rates = |e: &Entry| ["a", "alpha"].contains(&e.label.quantity.name());
+    let resting = s.event == composed::Event::AtOnce && case.scene.goes_in_phases();
+    let alone = resting && !solved.entries.iter().any(rates);
     let told = match verdict {
+        Verdict::Told(mut told) if alone => {
+            let speeds = ["v", "omega", "kinetic_energy", "angular_momentum", "rotational_fraction"];
+            told.values.retain(|v| speeds.contains(&v.0));
+            told
+        }
+        _ if alone => return Ok(Outcome::Unjudged("an instant with velocities alone")),
         Verdict::Told(told) => told,
         Verdict::Ambiguous => return Ok(Outcome::Unjudged("two grips fit")),
         Verdict::CouldRoll => {
@@ -206,6 +216,7 @@ fn named(messages: &[String]) -> Option<String> {
         ("its speed says which way it goes", "heading of what starts with slip"),
         ("the start and the ties leave", "start that leaves a velocity open"),
         ("the rest of the start already give", "start that says a velocity twice"),
+        ("`rolling` ends the slip of a body", "rolling of what does not start with slip"),
         ("the ties leave one freedom, so one speed", "start that says a velocity twice"),
     ];
     let mut first = None;

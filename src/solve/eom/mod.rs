@@ -1005,6 +1005,8 @@ impl<'a, T: Real> Walk<'a, T> {
             let friction = under(pulls, |k| rolled.reaction(t, k));
             let normal = rolled.normal(body);
             let scale = self.friction_scale(&rolled, body, friction, pulls);
+            // Where no force at all acts along its line, what presses it has a size.
+            let scale = if scale == 0.0 { normal.size() } else { scale };
             let needed = self.needed(t).map_or(friction.abs(), |later| later.larger(friction.abs()));
             self.say_scaled(FrictionIfRolled, of, friction.signed(self.up(body)), scale);
             self.say(MuRequired, of, needed.over(normal));
