@@ -94,6 +94,8 @@ pub struct Draft<'a> {
     pub varies: Option<f64>,
     /// What is left of the balance of work at a place that is the key's, J.
     pub imbalance: Option<f64>,
+    /// The slipping contact that is taken as if it rolled.
+    pub rolled: Option<usize>,
     /// What the contacts are taken as, where another scene is worked.
     pub as_if: Option<AsIf>,
     /// The data as the scene takes them, with what it takes over where it follows another motion.
@@ -142,6 +144,7 @@ impl<'a> Draft<'a> {
             unknown,
             varies: None,
             imbalance: None,
+            rolled: None,
             as_if: None,
             values: variant.data.clone(),
             handed: Vec::new(),

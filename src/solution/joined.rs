@@ -1,5 +1,5 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
+use crate::scene::{Acts, End, Joint, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
 use crate::solution::draft::{Detail, is_rate};
@@ -776,10 +776,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.symbols.value(rate).is_nan() {
             return unfound();
         }
-        let mu = self.scene.joints.iter().find_map(|joint| match joint.kind {
-            JointKind::Guide { mu_k, .. } => mu_k,
-            _ => None,
-        });
+        let rubs = |joint: &Joint| if let JointKind::Guide { mu_k, .. } = joint.kind { mu_k } else { None };
+        let mu = self.scene.joints.iter().find_map(rubs);
         let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
         self.say("joined.rubs", &[("rate", &rate), ("mu", &self.tex(&mu))]);
         self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);
@@ -1039,14 +1037,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             [drive, square].map(|e| places.iter().map(|at| plane.along_way(&e, *at)).collect::<Vec<f64>>())
         });
         let Some([moments, squares]) = looked else { return };
-        if self.first == ZERO {
-            let moment = self.rough(moments[0], "N m");
-            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
-        } else {
-            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
-        }
         let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+        let name = match self.first == ZERO {
+            true if moments[0].abs() <= AGREEMENT_REL * sizes => "pinned.set_off_slightly",
+            true => "pinned.sets_off",
+            false => "pinned.goes_on",
+        };
+        let moment = self.rough(moments[0], "N m");
+        self.say(name, &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         if turns_back {
             self.say("pinned.turns_there", &[angle]);

@@ -143,7 +143,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     for tie in slips {
         supposed |= could_it_roll(draft, tie)?;
     }
-    let mut account = Account::new(draft, None)?;
+    let mut account = Account::new(draft)?;
     let stays = account.stays();
     if !stays {
         account.arrive()?;
@@ -305,7 +305,7 @@ pub fn as_if(
     how: AsIf,
     labels: &[Label],
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
-    let mut n = Account::new(draft, None)?;
+    let mut n = Account::new(draft)?;
     if labels.iter().all(|l| is_rate(l.quantity)) {
         n.accelerate();
     } else {
@@ -347,8 +347,7 @@ pub fn as_if(
         let (rows, rest) = wanted.into_iter().partition::<Vec<SymbolId>, _>(|s| rows.contains(s));
         n.tell(rows);
         wanted = rest;
-        let time = matches!(n.scene.end, End::Time(..));
-        n.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
+        n.say_integrated();
     }
     n.tell(wanted);
     if how == AsIf::Next {
@@ -381,7 +380,8 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> 
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(false);
     }
-    let mut n = Account::new(draft, Some(tie))?;
+    draft.rolled = Some(tie);
+    let mut n = Account::new(draft)?;
     n.short = Short::Neither;
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
@@ -408,6 +408,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> 
     let name = if slips { "rolled.slips" } else { "rolled.rolls" };
     n.say(name, &[("needed", &size), ("limit", &limit), ("way", &way)]);
     n.end();
+    draft.rolled = None;
     Ok(true)
 }
 
@@ -481,7 +482,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             }
             Short::Motion => {
                 self.motion("short")?;
-                self.begin("why");
+                self.begin_as("why", "which");
                 self.say("why.not_energy", &[("v", &self.speed()), ("s", &self.s.clone())]);
                 self.say("why.ask", &[]);
                 Ok(())
@@ -1159,8 +1160,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let rubs = [self.normals(), self.kinetic_frictions()].concat();
             let later = later.into_iter().filter(|s| settled.contains(s)).chain(rubs);
             self.tell_as_known(later.collect());
-            let time = matches!(self.scene.end, End::Time(..));
-            self.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
+            self.say_integrated();
             self.tell_new();
         } else {
             self.integrate(id == "long");
@@ -1250,19 +1250,31 @@ impl<'d, 'a> Account<'d, 'a> {
         own.next().unwrap_or_default()
     }
 
+    /// `v dv = a ds` of the lead, or `omega d omega = alpha d phi`: its three pieces.
+    fn over_way(&self) -> [String; 3] {
+        let (v, a) = (self.symbols.tex(self.speed()), self.symbols.tex(self.rate()).to_owned());
+        let ds = self.of_lead(r"\mathrm{d}s", r"\mathrm{d}\varphi").to_owned();
+        [format!(r"{v}\,\mathrm{{d}}{v}"), a, ds]
+    }
+
+    /// How the accelerations lead to the speed at the end, over the time or over the way.
+    fn say_integrated(&mut self) {
+        let time = matches!(self.scene.end, End::Time(..));
+        let [vv, aa, ds] = self.over_way();
+        let name = if time { "motion.over_time" } else { "motion.over_way" };
+        self.say(name, &[("vv", &vv), ("aa", &aa), ("ds", &ds)]);
+    }
+
     /// From the acceleration to the speed, or to the distance.
     fn integrate(&mut self, again: bool) {
         let a = self.rate();
         let v = self.speed();
         let gain = ratio(1, 2) * (square(&self.v) - square(&self.v0));
-        let pieces: Pieces = &[
-            ("a", &a),
-            ("gain", &self.equation(&gain, &(a * &self.s))),
-            ("ds", &self.of_lead(r"\mathrm{d}s", r"\mathrm{d}\varphi")),
-            ("d", &self.s.clone()),
-            ("vv", &format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
-            ("aa", &self.symbols.tex(a).to_owned()),
-        ];
+        let [vv, aa, ds] = self.over_way();
+        let gain = self.equation(&gain, &(a * &self.s));
+        let way = self.s.clone();
+        let pieces: Pieces =
+            &[("a", &a), ("gain", &gain), ("d", &way), ("vv", &vv), ("aa", &aa), ("ds", &ds)];
         match self.scene.end {
             _ if self.short == Short::Rates => {}
             End::Time(..) if self.spring.is_some() => {}
@@ -1308,7 +1320,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 } else if again {
                     self.say("motion.integral", pieces);
                 } else if self.short == Short::Together && !self.stays() {
-                    self.say("motion.speed_of_slip", &[]);
+                    self.say_integrated();
                     self.tell([v]);
                 }
             }
@@ -1601,7 +1613,7 @@ impl<'d, 'a> Account<'d, 'a> {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
             let from = root(Expr::Number(2, 1) * by * self.distance());
-            self.say("motion.speed_of_slip", &[]);
+            self.say_integrated();
             self.formula(self.chain(v, &from));
         } else {
             self.tell([v].into_iter().chain(self.s.uses()));
