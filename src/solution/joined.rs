@@ -1,4 +1,5 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
+use crate::num::elliptic;
 use crate::scene::{Acts, End, Joint, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
@@ -486,7 +487,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let j = self.j();
         let first = self.first_energy();
-        self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
         let works = positive_first(self.works.clone());
         let last = if given == Some(ZERO) { ZERO } else { ratio(1, 2).by(&j).by(square(rate)) };
         let same = first == ratio(1, 2).by(&j).by(square(&self.first)) && last != ZERO;
@@ -508,10 +508,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         }
         let mark = if given.is_some() { r" \quad (\mathrm{E})" } else { "" };
-        let line = self.equation(&works, &right);
         if self.single() || !from_rest || given.is_some() {
-            let lines = format!(r"{} \\ &= {}", self.tex(&works), self.tex(&right));
-            self.formula(if width(&line) <= LINE { format!("{line}{mark}") } else { lines });
+            self.page.tell_balance(from_rest, [&works, &right], mark);
+        } else {
+            self.say("energy.from_rest", &[]);
         }
         if given.is_some() {
             self.tell([rate]);
@@ -821,9 +821,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.phrase("joined.forces_of_joints", &[])
         };
         let ties = if self.single() && self.own_spin().is_none() { "joined.ties_one" } else { "joined.ties" };
-        self.compare(what, [&newton, &energy], &[ties], Some(&forces));
-        self.say("why.price", &[("forces", &forces)]);
-        self.say("why.ask", &[]);
+        self.compare(what, [&newton, &energy], &[ties], [Some(&forces); 2]);
     }
 
     /// What is left when the forces of the joints have been eliminated, of a single body: the angular acceleration that it gives.
@@ -969,7 +967,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let over = t.value(&amplitude) > 1.0;
         let (names, pi) = ([r"\kappa_c", r"\lambda_c"], Expr::from(t.draft.pi()));
-        let (mut a, rest, turns) = if over {
+        let (one, rest, turns) = if over {
             let kappa = t.find(&[r"\kappa", r"\lambda"], "1", amplitude);
             (t.symbols.value(kappa), root(square(kappa) - ONE), pi)
         } else {
@@ -977,26 +975,19 @@ impl<'d, 'a> Plane<'d, 'a> {
             (1.0, rest, number(2) * pi)
         };
         let rest = t.find(&names, "1", rest);
-        let shown = t.names(&[rest]);
-        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[("rest", &shown)]);
-        let mut b = t.symbols.value(rest);
+        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[("rest", &rest)]);
+        let first = [one, t.symbols.value(rest)];
         t.tell_new();
-        let (mut pairs, mut alike) = (Vec::new(), false);
-        for _ in 0..40 {
-            (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            let printed = [a, b].map(|x| t.digits(x, FIGURES));
-            if pairs.len() < 3 && !alike {
-                let [a, b] = &printed;
-                alike = a == b;
-                pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
-            }
-            if (a - b).abs() <= 1e-15 * a {
-                break;
-            }
-        }
+        let means = |[a, b]: &[f64; 2]| Some([0.5 * (a + b), (a * b).sqrt()]);
+        let printed = std::iter::successors(Some(first), means).skip(1).take(3).map(|pair| {
+            let [a, b] = pair.map(|x| t.digits(x, FIGURES));
+            format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and"))
+        });
+        let mut pairs: Vec<String> = printed.collect();
+        pairs.dedup();
         t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
         let name = t.free(&[r"a_{\infty}", r"b_{\infty}"]);
-        let mean = t.symbols.found(&name, a, "");
+        let mean = t.symbols.found(&name, elliptic::mean_of(first[0], first[1]), "");
         t.page.say("pinned.mean_found", &[("mean", &t.page.shown(mean))]);
         let period = t.find(&[r"\tau", r"\tau_1"], "s", turns / (frequency * mean));
         let label = of_body(Quantity::Period, t.lead);

@@ -19,9 +19,7 @@ use crate::solution::plane::Plane;
 use crate::solution::stop::{DerivationStop, unfound};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::{Action, ForceKind, ForceSource, relative, tagged};
-use crate::solution::text::LINE;
 use crate::solution::way;
-use crate::solution::written::width;
 use crate::solve::outcome::Word;
 use crate::words::plain::capital;
 use std::ops::DerefMut;
@@ -596,18 +594,15 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         self.word(of_body(Quantity::Direction, lead.body), word);
         self.torn_loose()?;
         let (mut taut, mut cords) = (Vec::<String>::new(), Vec::new());
-        for tie in 0..self.scene.ties.len() {
-            match self.scene.ties[tie].clone() {
-                Tie::Cord(c) if c.made == Made::Cord => match c.to {
-                    Far::Body(_) | Far::Fixed => {
-                        taut.extend(self.taut(tie)?);
-                        cords.push(tie);
-                    }
-                    Far::Spring { rigid: false, .. } => {
-                        self.spring_taut(tie)?;
-                    }
-                    Far::Spring { .. } | Far::Pull(_) => {}
-                },
+        for (tie, it) in self.scene.ties.iter().enumerate() {
+            match it {
+                Tie::Cord(Cord { made: Made::Cord, to: Far::Body(_) | Far::Fixed, .. }) => {
+                    taut.extend(self.taut(tie)?);
+                    cords.push(tie);
+                }
+                Tie::Cord(Cord { made: Made::Cord, to: Far::Spring { rigid: false, .. }, .. }) => {
+                    self.spring_taut(tie)?;
+                }
                 _ => {}
             }
         }
@@ -860,15 +855,14 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("energy.grows", &[]);
             self.tell(grown);
         }
-        let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         let links = self.links(false, |n, c| n.m.of(c).v);
         // Of a start with a speed the gain is written with them already.
         let (before, links) = if self.v0 == ZERO { (Vec::new(), links) } else { (links, Vec::new()) };
         if !before.is_empty() {
             self.say("energy.linked", &[("links", &before.join(", "))]);
         }
-        self.say(start, &[]);
-        self.formula(self.balance(&self.distance()));
+        let [works, gain] = self.balance(&self.distance());
+        self.page.tell_balance(self.v0 == ZERO, [&works, &gain], "");
         if let Some(spring) = spring.as_ref().filter(|s| !s.rigid && self.last == ZERO) {
             let (far, all) =
                 (spring.stretch.over(&spring.gamma), stored(&spring.stiffness, &spring.stretch, &ZERO));
@@ -948,7 +942,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// Works on the left, kinetic energies on the right.
-    fn balance(&self, d: &Expr) -> String {
+    fn balance(&self, d: &Expr) -> [Expr; 2] {
         let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
         if let Some(s) = &self.spring {
@@ -956,15 +950,13 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
         works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
-        let left = positive_first(works);
-        let right = if self.v0 == ZERO {
+        let gain = if self.v0 == ZERO {
             let freedoms = self.coordinates().into_iter().map(|c| self.m.of(c));
             sum(freedoms.filter_map(|of| Some(half_squares(&of.inertia, of.v?))))
         } else {
             ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
         };
-        let one = self.equation(&left, &right);
-        if width(&one) <= LINE { one } else { format!(r"{} \\ &= {}", self.tex(&left), self.tex(&right)) }
+        [positive_first(works), gain]
     }
 
     /// The sums in the formula of the speed, in numbers, but for what has been cancelled in it.
@@ -1670,22 +1662,16 @@ impl<'d, 'a> Account<'d, 'a> {
         if even {
             let (n, k) = (newton.len().to_string(), energy.len().to_string());
             self.say("why.neither", &[("many", &newton), ("n", &n), ("few", &energy), ("k", &k)]);
+            self.say("why.ask", &[]);
         } else {
             let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
-            let gone = (!reactions.is_empty()).then(|| self.names(&reactions));
+            let told = |forces: &[SymbolId]| (!forces.is_empty()).then(|| self.names(forces));
             let more = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")];
             let more: Vec<&str> = more.into_iter().filter_map(|(is, name)| is.then_some(name)).collect();
-            self.page.compare(what, [&newton, &energy], &more, gone.as_deref());
-            let pressing = normals.into_iter().filter(|_| rubs.is_empty());
-            let silent: Vec<SymbolId> = reactions.into_iter().chain(pressing).collect();
-            if !silent.is_empty() {
-                self.say("why.price", &[("forces", &silent)]);
-            }
-            if self.asks(Quantity::T) {
-                self.say("why.price_time", &[]);
-            }
+            let pressing = if rubs.is_empty() { normals } else { Vec::new() };
+            let [gone, silent] = [told(&reactions), told(&[reactions, pressing].concat())];
+            self.page.compare(what, [&newton, &energy], &more, [gone.as_deref(), silent.as_deref()]);
         }
-        self.say("why.ask", &[]);
     }
 
     /// The closed form of a rolling body's friction, and what its signs say.

@@ -3,6 +3,7 @@
 //! Derived here anew from the scene: neither method's code is used.
 use crate::figure::names;
 pub use crate::figure::names::tagged;
+use crate::scene::inertia::fraction;
 use crate::scene::{
     Aim, AsIf, Body, Coordinate, Degree, Far, Label, Mass, Num, Numbers, Owner, Quantity, RotaryInertia,
     Shape, Slope, Tie,
@@ -480,8 +481,9 @@ fn parts(draft: &mut Draft, carrier: Option<&Carrying>) -> Vec<BodyTerms> {
             spin,
             normal,
             up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
-            slips: (0..scene.ties.len())
-                .any(|t| draft.rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)),
+            slips: (0..scene.ties.len()).any(|t| {
+                draft.rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)
+            }),
         });
     }
     parts
@@ -563,7 +565,8 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
     let shape = |draft: &mut Draft, mass: Factors, shape: Shape, radius: Num| {
         let name = if shape == Shape::Rod { tagged("L", tag) } else { "R".to_owned() };
         let radius = Factors::of(&draft.number(radius, &name, "m"));
-        Factors::of(&beta(shape)).times(&mass).times(radius.squared())
+        let [over, under] = fraction(shape).map(i64::from);
+        Factors::of(&ratio(over, under)).times(&mass).times(radius.squared())
     };
     let all = match &body.inertia {
         None => Vec::new(),
@@ -581,15 +584,4 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
             .collect(),
     };
     all.into_iter().filter(|i| !i.is_zero()).collect()
-}
-
-/// `beta` of `I = beta m R^2`.
-fn beta(shape: Shape) -> Expr {
-    match shape {
-        Shape::Hoop => ONE,
-        Shape::Disc => Expr::Number(1, 2),
-        Shape::Sphere => Expr::Number(2, 5),
-        Shape::Shell => Expr::Number(2, 3),
-        Shape::Rod => Expr::Number(1, 12),
-    }
 }
