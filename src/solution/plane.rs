@@ -257,6 +257,8 @@ pub struct Plane<'d, 'a> {
     pub first: Expr,
     /// Sense in which the leading angle changes.
     pub sense: f64,
+    /// The angle turned, in radians, signed, where a work needs it.
+    turned: Option<SymbolId>,
     /// Letter of the leading angle.
     pub letter: String,
     /// Does anything move at the place that is asked?
@@ -322,6 +324,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             rate,
             first: ZERO,
             sense: 1.0,
+            turned: None,
             letter: String::new(),
             moves: true,
             speeds: Vec::new(),
@@ -735,9 +738,14 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The angle that the leading body has turned, in radians with its sign.
     fn turned(&mut self) -> SymbolId {
+        if let Some(turned) = self.turned {
+            return turned;
+        }
         let [first, last] = self.turns[0].at.clone();
-        let is = self.draft.radians(last - first);
-        self.page.find_once(&[format!(r"\Delta {}", self.letter)], "rad", is)
+        let (name, is) = (format!(r"\Delta {}", self.letter), self.draft.radians(last - first));
+        let turned = self.page.find(&[&name], "rad", is);
+        self.turned = Some(turned);
+        turned
     }
 
     /// The point of a body that is held at a known place.
