@@ -821,7 +821,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.phrase("joined.forces_of_joints", &[])
         };
         let ties = if self.single() && self.own_spin().is_none() { "joined.ties_one" } else { "joined.ties" };
-        self.compare(what, [&newton, &energy], &[ties], [Some(&forces); 2]);
+        self.compare(what, [&newton, &energy], &[ties], [&forces; 2]);
     }
 
     /// What is left when the forces of the joints have been eliminated, of a single body: the angular acceleration that it gives.

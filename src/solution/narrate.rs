@@ -1665,12 +1665,11 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("why.ask", &[]);
         } else {
             let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
-            let told = |forces: &[SymbolId]| (!forces.is_empty()).then(|| self.names(forces));
             let more = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")];
             let more: Vec<&str> = more.into_iter().filter_map(|(is, name)| is.then_some(name)).collect();
             let pressing = if rubs.is_empty() { normals } else { Vec::new() };
-            let [gone, silent] = [told(&reactions), told(&[reactions, pressing].concat())];
-            self.page.compare(what, [&newton, &energy], &more, [gone.as_deref(), silent.as_deref()]);
+            let [gone, silent] = [self.names(&reactions), self.names(&[reactions, pressing].concat())];
+            self.page.compare(what, [&newton, &energy], &more, [&gone, &silent]);
         }
     }
 

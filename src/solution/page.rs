@@ -344,21 +344,16 @@ impl<'d, 'a> Page<'d, 'a> {
         what: SymbolId,
         [newton, energy]: [&[SymbolId]; 2],
         ties: &[&str],
-        [gone, silent]: [Option<&str>; 2],
+        [gone, silent]: [&str; 2],
     ) {
         let ties: String = ties.iter().map(|ties| self.phrase(ties, &[])).collect();
         let ties = ties.replace(",,", ",");
         let (many, n) = (self.names(newton), newton.len().to_string());
         self.say("why.newton", &[("what", &what), ("many", &many), ("n", &n), ("ties", &ties)]);
-        match gone {
-            Some(forces) => self.say("why.eliminate", &[("forces", &forces)]),
-            None => self.say("why.no_reaction", &[]),
-        }
+        self.say("why.eliminate", &[("forces", &gone)]);
         let name = if energy.len() == 1 { "why.energy_one" } else { "why.energy" };
         self.say(name, &[("few", &self.names(energy)), ("k", &energy.len().to_string())]);
-        if let Some(forces) = silent {
-            self.say("why.price", &[("forces", &forces)]);
-        }
+        self.say("why.price", &[("forces", &silent)]);
         if self.asks(Quantity::T) {
             self.say("why.price_time", &[]);
         }

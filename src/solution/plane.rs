@@ -2343,9 +2343,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let v = poses[b].point([self.value(&it.centre.expr()), 0.0]).map(|x| x.first);
             let (spin, _) = poses[b].turn();
-            let own = if self.scene.bodies[b].turns { spin } else { 0.0 };
             let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
-            self.value(&it.mass.expr()) * (v[0] * v[0] + v[1] * v[1]) + inertia * own * own
+            self.value(&it.mass.expr()) * (v[0] * v[0] + v[1] * v[1]) + inertia * spin * spin
         });
         each.sum()
     }
