@@ -485,15 +485,23 @@ impl Scene {
             _ => "m",
         }
     }
-    /// Is this a number that is never negative, or no number at all? The normal force of a guide that holds on both sides is
-    /// positive to the left of its direction, a force along a rim to the right of the direction out of what it meshes with.
+    /// Is this asked as a number that is never negative, or no number at all? The normal force of a fixed guide that holds on both
+    /// sides has a sense that words tell; of one that a body carries, or that is drawn, and of a force along a rim the size is asked.
     pub fn is_magnitude(&self, label: Label) -> bool {
-        let two_sided = match label.of {
-            Owner::Joint(j) => matches!(self.joints.get(j), Some(joint) if !joint.kind.only_pushes()),
-            _ => false,
+        let joint = match label.of {
+            Owner::Joint(j) => self.joints.get(j).map(|joint| joint.kind),
+            _ => None,
         };
-        let signed = matches!(label.quantity, Quantity::Normal | Quantity::RimForce);
-        label.quantity.is_magnitude() && !(two_sided && signed)
+        let line = match joint {
+            Some(JointKind::Guide { line, one_sided: false, .. }) => Some(line),
+            _ => None,
+        };
+        let fixed = matches!(line, Some(Straight { on: None, direction_deg: Num::Fixed(_), .. }));
+        label.quantity.is_magnitude() && !(label.quantity == Quantity::Normal && fixed)
+    }
+    /// A value of this as it is asked: only its size where that alone counts.
+    pub fn as_asked(&self, label: Label, value: f64) -> f64 {
+        if self.is_magnitude(label) { value.abs() } else { value }
     }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {

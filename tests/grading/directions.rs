@@ -10,7 +10,7 @@ use slipstick::grade::table::KeyTable;
 use slipstick::grade::verdict::{Judgement, Verdict};
 use slipstick::key::{Answer, KeyEntry, ProblemKey, SheetKey};
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::statement::direction_words;
+use slipstick::sheet::statement::sense_words;
 use slipstick::words::Words;
 
 /// The key of a scene of which these questions are asked: `a: m/s^2`, or `wall: {quantity: floor.friction, unit: N}`.
@@ -249,7 +249,7 @@ fn a_tension_is_no_direction() {
     }
 }
 
-/// Two words stand on the sheet beside each answer that has a direction: the one is right where its number is, the other where it
+/// Two words stand on the sheet beside each answer that has a sign: the one is right where its number is, the other where it
 /// is not.
 #[test]
 fn the_words_that_sheets_offer_fit() {
@@ -262,15 +262,13 @@ fn the_words_that_sheets_offer_fit() {
                 let key = maker.key(&variant);
                 let scene = &problem.cases[variant.case].scene;
                 for (entry, question) in key.parts.iter().zip(&problem.questions) {
-                    let Answer::Number { value, half_width, directed: true, .. } = entry.answer else {
-                        continue;
-                    };
+                    let Answer::Number { value, half_width, .. } = entry.answer else { continue };
                     if value.abs() <= 2.0 * half_width {
                         continue;
                     }
                     for language in ["en", "de"] {
                         let words = Words::built_in(language).unwrap();
-                        let said = direction_words(words, scene, question.label);
+                        let Some(said) = sense_words(words, scene, question.label) else { continue };
                         let [first, second] = said.map(|w| judged(entry, &sized(entry, w), language).verdict);
                         let signs = [Verdict::Right, Verdict::WrongDirection];
                         let want = if value > 0.0 { signs } else { [signs[1], signs[0]] };
