@@ -8,6 +8,7 @@ use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::solution::account::marked;
 use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::page::Step;
@@ -238,12 +239,7 @@ impl<'a> Draft<'a> {
                 let mut name = self.free(&names::sizes(tex));
                 for i in 1..10 {
                     if self.tells(&name) {
-                        name = match tex.split_once('_') {
-                            Some((head, below)) if !below.starts_with('{') => {
-                                format!("{head}_{{{below},{i}}}")
-                            }
-                            _ => format!("{tex}_{{{i}}}"),
-                        };
+                        name = marked(tex, &i.to_string());
                     }
                 }
                 let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);

@@ -91,13 +91,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
         } else {
-            let titles = if self.leaves().is_some() {
-                ["first_energy", "then_motion"]
-            } else {
-                ["short_energy", "long_motion"]
+            let [first, second] = match self.leaves() {
+                Some(_) => ["first_energy", "then_motion"],
+                None => ["short_energy", "long_motion"],
             };
-            self.energy(titles[0])?;
-            self.motion("long", titles[1])?;
+            self.energy(first)?;
+            self.motion("long", second)?;
             self.why();
         }
         Ok(())
