@@ -97,8 +97,6 @@ pub struct Account<'d, 'a> {
     pub still_slips: bool,
     /// Are the ratios of displacements on the page?
     pub ratios_told: bool,
-    /// Has it been said what is seen from the ground?
-    pub grounded: bool,
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
@@ -213,7 +211,6 @@ impl<'d, 'a> Account<'d, 'a> {
             short: Short::Instant,
             still_slips: false,
             ratios_told: false,
-            grounded: false,
             known: Vec::new(),
             seen: Vec::new(),
         };

@@ -102,7 +102,10 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     n.skip_new();
     let (ground, own): (Vec<Label>, Vec<Label>) =
         n.needed().into_iter().partition(|l| n.is_grounded(l.quantity));
-    for labels in [own, ground] {
+    for (labels, seen) in [(own, ""), (ground, "carried.ground")] {
+        if !seen.is_empty() && !labels.is_empty() {
+            n.say(seen, &[]);
+        }
         for label in labels {
             if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
                 n.before(label);
@@ -458,12 +461,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                 let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
                 self.say(&format!("idea.{what}"), &[("forces", &forces)]);
                 if self.short == Short::Energy {
-                    let what = match what {
-                        "cord" => "cords",
-                        "belt" => "belts",
-                        other => other,
-                    };
-                    self.say(&format!("idea.idle_{what}"), &[("forces", &forces)]);
+                    let several = what.trim_end_matches('s');
+                    self.say(&format!("idea.idle_{several}s"), &[("forces", &forces)]);
                 }
             }
         }
@@ -512,15 +511,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if !self.forced() {
             return Ok(());
         }
-        let asked = self.needed();
         let rolling = self.rolling();
         use Quantity::{A, Alpha, Friction, Normal, RimForce, Tension};
-        let rates = |q: Quantity| matches!(q, A | Alpha);
-        let reactions = |q: Quantity| matches!(q, Friction | Tension | RimForce | Normal);
-        for wanted in [&rates as &dyn Fn(Quantity) -> bool, &reactions] {
-            for label in asked.iter().filter(|l| wanted(l.quantity)) {
-                self.get(*label)?;
-            }
+        let is = |label: &Label, which: &[Quantity]| which.contains(&label.quantity);
+        let (rates, rest): (Vec<Label>, Vec<Label>) =
+            self.needed().into_iter().partition(|l| is(l, &[A, Alpha]));
+        let forces = rest.into_iter().filter(|l| is(l, &[Friction, Tension, RimForce, Normal]));
+        for label in rates.into_iter().chain(forces) {
+            self.get(label)?;
         }
         for (_, body) in &rolling {
             let _ = self.get(of_body(Friction, *body));
@@ -560,9 +558,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         Account::asked(self, label)
     }
     fn before(&mut self, label: Label) {
-        if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
-            self.say("carried.ground", &[]);
-        }
         let place = self.placed();
         let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
