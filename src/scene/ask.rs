@@ -2,8 +2,8 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::scene::{
-    Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene, Slope,
-    Spot, SpringTie, Straight, Strut, StrutEnd, Surface, Tie,
+    Acts, Body, Coordinate, Cord, Degree, End, Far, Joint, JointKind, Made, Num, Numbers, Planar, Scene,
+    Slope, Spot, SpringTie, Straight, Strut, StrutEnd, Surface, Tie,
 };
 use std::borrow::Cow;
 
@@ -487,6 +487,7 @@ impl Scene {
     }
     /// Is this asked as a number that is never negative, or no number at all? The normal force of a fixed guide that holds on both
     /// sides has a sense that words tell; of one that a body carries, or that is drawn, and of a force along a rim the size is asked.
+    /// A spring that pushes, too, may be shortened at equilibrium.
     pub fn is_magnitude(&self, label: Label) -> bool {
         let joint = match label.of {
             Owner::Joint(j) => self.joints.get(j).map(|joint| joint.kind),
@@ -496,8 +497,30 @@ impl Scene {
             Some(JointKind::Guide { line, one_sided: false, .. }) => Some(line),
             _ => None,
         };
-        let fixed = matches!(line, Some(Straight { on: None, direction_deg: Num::Fixed(_), .. }));
-        label.quantity.is_magnitude() && !(label.quantity == Quantity::Normal && fixed)
+        let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies).is_some());
+        let signed = match label.quantity {
+            Quantity::Normal => fixed,
+            Quantity::XEq => self.springs().any(|spring| spring.rigid),
+            _ => false,
+        };
+        label.quantity.is_magnitude() && !signed
+    }
+    /// Does what has this tension push as well as it pulls?
+    pub fn may_push(&self, label: Label) -> bool {
+        label.quantity == Quantity::Tension
+            && match label.of {
+                Owner::Tie(t) => matches!(
+                    self.ties.get(t),
+                    Some(Tie::Cord(
+                        Cord { made: Made::Link, .. } | Cord { to: Far::Spring { rigid: true, .. }, .. }
+                    ))
+                ),
+                Owner::Joint(j) => {
+                    matches!(self.joints.get(j), Some(Joint { kind: JointKind::Cord { rod: true, .. }, .. }))
+                }
+                Owner::Strut(s) => self.struts.get(s).is_some_and(|strut| strut.acts == Acts::Both),
+                _ => false,
+            }
     }
     /// A value of this as it is asked: only its size where that alone counts.
     pub fn as_asked(&self, label: Label, value: f64) -> f64 {

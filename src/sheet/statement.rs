@@ -431,8 +431,12 @@ fn form(
     if let Some([positive, negative]) = sense_words(words, scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", positive), ("back", negative)]));
     }
-    if let Some(range) = range(scene, q) {
-        add(words.get(range));
+    let both_ways = match q.label.quantity {
+        Quantity::XEq if !scene.is_magnitude(q.label) => Some("sheet.stretched"),
+        _ => scene.may_push(q.label).then_some("sheet.pulls"),
+    };
+    for phrase in both_ways.into_iter().chain(range(scene, q)) {
+        add(words.get(phrase));
     }
     if q.figures != common.figures {
         add(&words.say("sheet.figures", &[("n", &q.figures.to_string())]));

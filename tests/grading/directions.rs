@@ -249,6 +249,30 @@ fn a_tension_is_no_direction() {
     }
 }
 
+/// A spring that also pushes is shortened at equilibrium by a block that it holds from below: stretch and force have a sign, and
+/// where the block's forward is down, words tell the signs of what goes along the incline.
+#[test]
+fn a_spring_that_pushes_has_signs() {
+    let key = key(
+        "
+      surfaces: {i: {slope: 30 deg}}
+      bodies: {b: {mass: m, moves: along i, positive: down}}
+      ties: [cord: {name: spring, from: {body: b, tied at: centre, leaves: forward}, spring: {stiffness: 100 N/m, stretch: 0 m, attached: rigidly}}]
+      start: at rest
+      end: {travel: {of: b, by: 0.01 m}}",
+        "x_eq: mm; tension: N; a: m/s^2; displacement: m",
+    );
+    let verdict = |part: usize, cell: &str| compare(cell, &key.parts[part]).verdict;
+    assert_eq!(
+        [verdict(0, "-147.15 mm"), verdict(0, "147.15 mm")],
+        [Verdict::Right, Verdict::WrongDirection]
+    );
+    for part in [2, 3] {
+        let [down, up, bare] = ["down", "up", ""].map(|word| verdict(part, &sized(&key.parts[part], word)));
+        assert_eq!([down, up, bare], [Verdict::Right, Verdict::WrongDirection, Verdict::Right]);
+    }
+}
+
 /// Two words stand on the sheet beside each answer that has a sign: the one is right where its number is, the other where it
 /// is not.
 #[test]
