@@ -23,6 +23,8 @@ const FEW: usize = 4;
 const LOOK: f64 = 0.25;
 /// Up to this share numerical derivatives have to give what the equations do.
 const DIFFERENCES_REL: f64 = 1e-6;
+/// Below this share of the greatest moment on the way the start is almost an equilibrium.
+const SLIGHT: f64 = 0.02;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
 
@@ -1026,7 +1028,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
         let name = match self.first == ZERO {
-            true if moments[0].abs() <= AGREEMENT_REL * sizes => "pinned.set_off_slightly",
+            true if moments[0].abs() <= SLIGHT * sizes => "pinned.set_off_slightly",
             true => "pinned.sets_off",
             false => "pinned.goes_on",
         };
