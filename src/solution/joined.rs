@@ -883,9 +883,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let known = |s: &&SymbolId| !self.symbols.value(**s).is_nan() && !values.contains(s);
         let all = [values, &solved.iter().filter(known).copied().collect::<Vec<_>>()].concat();
         let plain = |symbols: &[SymbolId]| -> Vec<String> {
-            // What was solved for has its value alone.
-            let is = |s: SymbolId| if solved.contains(&s) { s.into() } else { self.from(s) };
-            symbols.iter().map(|s| self.chain(*s, &is(*s))).collect()
+            // What follows from another one that is not told has its value alone.
+            let apart = |s: SymbolId| {
+                let uses = self.from(s).uses();
+                !solved.contains(&s) && uses.iter().all(|u| !solved.contains(u) || symbols.contains(u))
+            };
+            let each = |s: &SymbolId| if apart(*s) { self.step_of(*s) } else { self.chain(*s, &(*s).into()) };
+            symbols.iter().map(each).collect()
         };
         let fits = self.single() && packed(plain(&all)).len() <= room;
         let told = plain(if fits { &all } else { values });
