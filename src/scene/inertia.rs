@@ -2,16 +2,21 @@
 use crate::num::{Dd, Real};
 use crate::scene::Shape;
 
-/// beta of a shape. Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, table D/4.
+/// beta of a shape, over and under. Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, table D/4.
+pub const fn fraction(shape: Shape) -> [u8; 2] {
+    match shape {
+        Shape::Hoop => [1, 1],
+        Shape::Disc => [1, 2],
+        Shape::Sphere => [2, 5],
+        Shape::Shell => [2, 3],
+        Shape::Rod => [1, 12],
+    }
+}
+
+/// beta of a shape.
 pub fn beta<T: Real>(shape: Shape) -> T {
-    let (over, under) = match shape {
-        Shape::Hoop => (1.0, 1.0),
-        Shape::Disc => (1.0, 2.0),
-        Shape::Sphere => (2.0, 5.0),
-        Shape::Shell => (2.0, 3.0),
-        Shape::Rod => (1.0, 12.0),
-    };
-    T::constant(Dd::new(over) / Dd::new(under))
+    let [over, under] = fraction(shape).map(|n| Dd::new(n.into()));
+    T::constant(over / under)
 }
 
 #[cfg(test)]

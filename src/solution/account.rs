@@ -91,16 +91,12 @@ pub struct Account<'d, 'a> {
     pub first_rate: Option<SymbolId>,
     /// Velocity of the point of contact at the start, of a body thrown with slip.
     pub slip: Option<SymbolId>,
-    /// The slipping contact that is taken as if it rolled.
-    pub rolled: Option<usize>,
     /// Which way comes first.
     pub short: Short,
     /// Does a thrown body still slip at the time that is asked?
     pub still_slips: bool,
     /// Are the ratios of displacements on the page?
     pub ratios_told: bool,
-    /// Has it been said what is seen from the ground?
-    pub grounded: bool,
     known: Vec<(Label, SymbolId)>,
     /// What is seen from the ground of what is carried.
     seen: Vec<(Label, SymbolId)>,
@@ -192,9 +188,9 @@ const SAME: [Quantity; 3] = [Quantity::FrictionIfRolled, Quantity::OmegaSmall, Q
 stands_on!(Account.page: Page<'d, 'a>);
 
 impl<'d, 'a> Account<'d, 'a> {
-    /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
-    pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
-        let m = Terms::new(draft, rolled);
+    /// Sets out: terms, senses, start.
+    pub fn new(draft: &'d mut Draft<'a>) -> Result<Self, DerivationStop> {
+        let m = Terms::new(draft);
         let mut this = Self {
             page: Page::new(draft),
             m,
@@ -212,16 +208,14 @@ impl<'d, 'a> Account<'d, 'a> {
             grown: Vec::new(),
             first_rate: None,
             slip: None,
-            rolled,
             short: Short::Instant,
             still_slips: false,
             ratios_told: false,
-            grounded: false,
             known: Vec::new(),
             seen: Vec::new(),
         };
         // What is only supposed to roll has no names of its own.
-        if rolled.is_none() {
+        if this.rolled.is_none() {
             this.name_ratios();
         }
         for SpringTie { tie, stiffness_n_m, stretch_m, rigid, .. } in this.scene.springs() {
@@ -403,7 +397,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// A new quantity.
     pub fn new_symbol(&mut self, names: &[impl AsRef<str>], unit: &str) -> SymbolId {
-        let tex = marked(&self.free(names), mark_of(&self.page, self.rolled));
+        let tex = marked(&self.free(names), mark_of(&self.page));
         self.unknown(&tex, unit)
     }
 
@@ -796,7 +790,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let names = names_of(label.quantity).map(|name| tagged(name, &tag));
         let tex = self.free(&names);
         let mut mark = String::new();
-        if self.symbols.named(&[&marked(&tex, mark_of(&self.page, self.rolled))]).is_some() {
+        if self.symbols.named(&[&marked(&tex, mark_of(&self.page))]).is_some() {
             // Another body or cord bears it already.
             mark = match label.of {
                 Owner::Body(b) => self.m.parts[b].tag.clone(),

@@ -133,7 +133,9 @@ pub fn answer(draft: &mut Draft) -> Result<(), DerivationStop> {
                 }
                 (from, None) => {
                     let letter = if several { format!("Z_{{{}}}", i + 1) } else { "Z".to_owned() };
-                    let own = is_symbol(&question.id).then(|| question.id.clone());
+                    // A quantity of the motion may bear the letter already.
+                    let open = |id: &&String| is_symbol(id) && page.symbols.named(&[id.as_str()]).is_none();
+                    let own = Some(&question.id).filter(open).cloned();
                     // What is short needs no letter, unless its numbers are put in.
                     let plain = page.detail == Detail::Short;
                     let short = || Some(page.tex(&from)).filter(|tex| plain && width(tex) <= SHORT);

@@ -8,6 +8,7 @@ use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
 use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::solution::account::marked;
 use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::page::Step;
@@ -94,6 +95,8 @@ pub struct Draft<'a> {
     pub varies: Option<f64>,
     /// What is left of the balance of work at a place that is the key's, J.
     pub imbalance: Option<f64>,
+    /// The slipping contact that is taken as if it rolled.
+    pub rolled: Option<usize>,
     /// What the contacts are taken as, where another scene is worked.
     pub as_if: Option<AsIf>,
     /// The data as the scene takes them, with what it takes over where it follows another motion.
@@ -142,6 +145,7 @@ impl<'a> Draft<'a> {
             unknown,
             varies: None,
             imbalance: None,
+            rolled: None,
             as_if: None,
             values: variant.data.clone(),
             handed: Vec::new(),
@@ -235,12 +239,7 @@ impl<'a> Draft<'a> {
                 let mut name = self.free(&names::sizes(tex));
                 for i in 1..10 {
                     if self.tells(&name) {
-                        name = match tex.split_once('_') {
-                            Some((head, below)) if !below.starts_with('{') => {
-                                format!("{head}_{{{below},{i}}}")
-                            }
-                            _ => format!("{tex}_{{{i}}}"),
-                        };
+                        name = marked(tex, &i.to_string());
                     }
                 }
                 let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);

@@ -208,8 +208,10 @@ impl From<&Self> for Factors {
 }
 
 /// Products and quotients in which equal factors above and below are gone.
-pub trait Cancel {
-    fn factors(&self) -> Factors;
+pub trait Cancel: Clone + Into<Factors> {
+    fn factors(&self) -> Factors {
+        self.clone().into()
+    }
     /// The product.
     fn by(&self, other: impl Into<Factors>) -> Expr {
         self.factors().times(other).expr()
@@ -220,23 +222,7 @@ pub trait Cancel {
     }
 }
 
-impl Cancel for Expr {
-    fn factors(&self) -> Factors {
-        Factors::of(self)
-    }
-}
-
-impl Cancel for SymbolId {
-    fn factors(&self) -> Factors {
-        (*self).into()
-    }
-}
-
-impl Cancel for Factors {
-    fn factors(&self) -> Factors {
-        self.clone()
-    }
-}
+impl<T: Clone + Into<Factors>> Cancel for T {}
 
 /// A sum of products: what is equal is gathered, and products of sines and cosines are put together by the addition theorems.
 #[derive(Debug, Clone, PartialEq, Default)]

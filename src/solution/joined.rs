@@ -1,5 +1,6 @@
 //! Words what is known of bodies that are joined in the plane, in the same sections as every other scene.
-use crate::scene::{Acts, End, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
+use crate::num::elliptic;
+use crate::scene::{Acts, End, Joint, JointKind, Label, Mass, Quantity, Rest, RotaryInertia, Surface};
 use crate::solution::AGREEMENT_REL;
 use crate::solution::account::of_body;
 use crate::solution::draft::{Detail, is_rate};
@@ -22,6 +23,8 @@ const FEW: usize = 4;
 const LOOK: f64 = 0.25;
 /// Up to this share numerical derivatives have to give what the equations do.
 const DIFFERENCES_REL: f64 = 1e-6;
+/// Below this share of the greatest moment on the way the start is almost an equilibrium.
+const SLIGHT: f64 = 0.02;
 /// Displayed lines of a solution at most.
 const MOST: usize = 12;
 
@@ -90,13 +93,12 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Plane<'d, 'a> {
             self.motion("short", "one_motion")?;
             self.integrate_friction()?;
         } else {
-            let titles = if self.leaves().is_some() {
-                ["first_energy", "then_motion"]
-            } else {
-                ["short_energy", "long_motion"]
+            let [first, second] = match self.leaves() {
+                Some(_) => ["first_energy", "then_motion"],
+                None => ["short_energy", "long_motion"],
             };
-            self.energy(titles[0])?;
-            self.motion("long", titles[1])?;
+            self.energy(first)?;
+            self.motion("long", second)?;
             self.why();
         }
         Ok(())
@@ -486,7 +488,6 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let j = self.j();
         let first = self.first_energy();
-        self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
         let works = positive_first(self.works.clone());
         let last = if given == Some(ZERO) { ZERO } else { ratio(1, 2).by(&j).by(square(rate)) };
         let same = first == ratio(1, 2).by(&j).by(square(&self.first)) && last != ZERO;
@@ -508,10 +509,10 @@ impl<'d, 'a> Plane<'d, 'a> {
             }
         }
         let mark = if given.is_some() { r" \quad (\mathrm{E})" } else { "" };
-        let line = self.equation(&works, &right);
         if self.single() || !from_rest || given.is_some() {
-            let lines = format!(r"{} \\ &= {}", self.tex(&works), self.tex(&right));
-            self.formula(if width(&line) <= LINE { format!("{line}{mark}") } else { lines });
+            self.page.tell_balance(from_rest, [&works, &right], mark);
+        } else {
+            self.say("energy.from_rest", &[]);
         }
         if given.is_some() {
             self.tell([rate]);
@@ -776,10 +777,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         if self.symbols.value(rate).is_nan() {
             return unfound();
         }
-        let mu = self.scene.joints.iter().find_map(|joint| match joint.kind {
-            JointKind::Guide { mu_k, .. } => mu_k,
-            _ => None,
-        });
+        let rubs = |joint: &Joint| if let JointKind::Guide { mu_k, .. } = joint.kind { mu_k } else { None };
+        let mu = self.scene.joints.iter().find_map(rubs);
         let mu = mu.map_or(ZERO, |mu| self.number(mu, r"\mu_k", "1"));
         self.say("joined.rubs", &[("rate", &rate), ("mu", &self.tex(&mu))]);
         self.say("joined.rubs_rate", &[("rate", &self.shown(rate))]);
@@ -823,9 +822,7 @@ impl<'d, 'a> Plane<'d, 'a> {
             self.phrase("joined.forces_of_joints", &[])
         };
         let ties = if self.single() && self.own_spin().is_none() { "joined.ties_one" } else { "joined.ties" };
-        self.compare(what, [&newton, &energy], &[ties], Some(&forces));
-        self.say("why.price", &[("forces", &forces)]);
-        self.say("why.ask", &[]);
+        self.compare(what, [&newton, &energy], &[ties], [&forces; 2]);
     }
 
     /// What is left when the forces of the joints have been eliminated, of a single body: the angular acceleration that it gives.
@@ -971,7 +968,7 @@ impl<'d, 'a> Plane<'d, 'a> {
         };
         let over = t.value(&amplitude) > 1.0;
         let (names, pi) = ([r"\kappa_c", r"\lambda_c"], Expr::from(t.draft.pi()));
-        let (mut a, rest, turns) = if over {
+        let (one, rest, turns) = if over {
             let kappa = t.find(&[r"\kappa", r"\lambda"], "1", amplitude);
             (t.symbols.value(kappa), root(square(kappa) - ONE), pi)
         } else {
@@ -979,26 +976,19 @@ impl<'d, 'a> Plane<'d, 'a> {
             (1.0, rest, number(2) * pi)
         };
         let rest = t.find(&names, "1", rest);
-        let shown = t.names(&[rest]);
-        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[("rest", &shown)]);
-        let mut b = t.symbols.value(rest);
+        t.page.say(if over { "pinned.period_over" } else { "pinned.period" }, &[("rest", &rest)]);
+        let first = [one, t.symbols.value(rest)];
         t.tell_new();
-        let (mut pairs, mut alike) = (Vec::new(), false);
-        for _ in 0..40 {
-            (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            let printed = [a, b].map(|x| t.digits(x, FIGURES));
-            if pairs.len() < 3 && !alike {
-                let [a, b] = &printed;
-                alike = a == b;
-                pairs.push(format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and")));
-            }
-            if (a - b).abs() <= 1e-15 * a {
-                break;
-            }
-        }
+        let means = |[a, b]: &[f64; 2]| Some([0.5 * (a + b), (a * b).sqrt()]);
+        let printed = std::iter::successors(Some(first), means).skip(1).take(3).map(|pair| {
+            let [a, b] = pair.map(|x| t.digits(x, FIGURES));
+            format!("${a}$ {} ${b}$", t.words.get("solution.pinned.and"))
+        });
+        let mut pairs: Vec<String> = printed.collect();
+        pairs.dedup();
         t.page.say("pinned.means", &[("pairs", &pairs.join("; "))]);
         let name = t.free(&[r"a_{\infty}", r"b_{\infty}"]);
-        let mean = t.symbols.found(&name, a, "");
+        let mean = t.symbols.found(&name, elliptic::mean_of(first[0], first[1]), "");
         t.page.say("pinned.mean_found", &[("mean", &t.page.shown(mean))]);
         let period = t.find(&[r"\tau", r"\tau_1"], "s", turns / (frequency * mean));
         let label = of_body(Quantity::Period, t.lead);
@@ -1039,14 +1029,15 @@ impl<'d, 'a> Plane<'d, 'a> {
             [drive, square].map(|e| places.iter().map(|at| plane.along_way(&e, *at)).collect::<Vec<f64>>())
         });
         let Some([moments, squares]) = looked else { return };
-        if self.first == ZERO {
-            let moment = self.rough(moments[0], "N m");
-            self.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
-        } else {
-            self.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
-        }
         let drives: Vec<f64> = moments.iter().map(|moment| moment * self.sense).collect();
         let sizes = drives.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+        let name = match self.first == ZERO {
+            true if moments[0].abs() <= SLIGHT * sizes => "pinned.set_off_slightly",
+            true => "pinned.sets_off",
+            false => "pinned.goes_on",
+        };
+        let moment = self.rough(moments[0], "N m");
+        self.say(name, &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
         let turns = drives.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         if turns_back {
             self.say("pinned.turns_there", &[angle]);

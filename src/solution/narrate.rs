@@ -19,9 +19,7 @@ use crate::solution::plane::Plane;
 use crate::solution::stop::{DerivationStop, unfound};
 use crate::solution::symbols::FIGURES;
 use crate::solution::terms::{Action, ForceKind, ForceSource, relative, tagged};
-use crate::solution::text::LINE;
 use crate::solution::way;
-use crate::solution::written::width;
 use crate::solve::outcome::Word;
 use crate::words::plain::capital;
 use std::ops::DerefMut;
@@ -104,7 +102,10 @@ fn tell<'d, 'a: 'd>(n: &mut impl Tells<'d, 'a>) -> Result<(), DerivationStop> {
     n.skip_new();
     let (ground, own): (Vec<Label>, Vec<Label>) =
         n.needed().into_iter().partition(|l| n.is_grounded(l.quantity));
-    for labels in [own, ground] {
+    for (labels, seen) in [(own, ""), (ground, "carried.ground")] {
+        if !seen.is_empty() && !labels.is_empty() {
+            n.say(seen, &[]);
+        }
         for label in labels {
             if !label.quantity.is_word() && label.quantity != Quantity::FrictionIfRolled {
                 n.before(label);
@@ -143,7 +144,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     for tie in slips {
         supposed |= could_it_roll(draft, tie)?;
     }
-    let mut account = Account::new(draft, None)?;
+    let mut account = Account::new(draft)?;
     let stays = account.stays();
     if !stays {
         account.arrive()?;
@@ -305,7 +306,7 @@ pub fn as_if(
     how: AsIf,
     labels: &[Label],
 ) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
-    let mut n = Account::new(draft, None)?;
+    let mut n = Account::new(draft)?;
     if labels.iter().all(|l| is_rate(l.quantity)) {
         n.accelerate();
     } else {
@@ -347,8 +348,7 @@ pub fn as_if(
         let (rows, rest) = wanted.into_iter().partition::<Vec<SymbolId>, _>(|s| rows.contains(s));
         n.tell(rows);
         wanted = rest;
-        let time = matches!(n.scene.end, End::Time(..));
-        n.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
+        n.say_integrated();
     }
     n.tell(wanted);
     if how == AsIf::Next {
@@ -381,7 +381,8 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> 
     if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(false);
     }
-    let mut n = Account::new(draft, Some(tie))?;
+    draft.rolled = Some(tie);
+    let mut n = Account::new(draft)?;
     n.short = Short::Neither;
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
@@ -408,6 +409,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<bool, DerivationStop> 
     let name = if slips { "rolled.slips" } else { "rolled.rolls" };
     n.say(name, &[("needed", &size), ("limit", &limit), ("way", &way)]);
     n.end();
+    draft.rolled = None;
     Ok(true)
 }
 
@@ -459,12 +461,8 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
                 let forces: Vec<SymbolId> = cords.iter().filter_map(|t| self.m.force_of(*t)).collect();
                 self.say(&format!("idea.{what}"), &[("forces", &forces)]);
                 if self.short == Short::Energy {
-                    let what = match what {
-                        "cord" => "cords",
-                        "belt" => "belts",
-                        other => other,
-                    };
-                    self.say(&format!("idea.idle_{what}"), &[("forces", &forces)]);
+                    let several = what.trim_end_matches('s');
+                    self.say(&format!("idea.idle_{several}s"), &[("forces", &forces)]);
                 }
             }
         }
@@ -481,7 +479,7 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
             }
             Short::Motion => {
                 self.motion("short")?;
-                self.begin("why");
+                self.begin_as("why", "which");
                 self.say("why.not_energy", &[("v", &self.speed()), ("s", &self.s.clone())]);
                 self.say("why.ask", &[]);
                 Ok(())
@@ -513,15 +511,14 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         if !self.forced() {
             return Ok(());
         }
-        let asked = self.needed();
         let rolling = self.rolling();
         use Quantity::{A, Alpha, Friction, Normal, RimForce, Tension};
-        let rates = |q: Quantity| matches!(q, A | Alpha);
-        let reactions = |q: Quantity| matches!(q, Friction | Tension | RimForce | Normal);
-        for wanted in [&rates as &dyn Fn(Quantity) -> bool, &reactions] {
-            for label in asked.iter().filter(|l| wanted(l.quantity)) {
-                self.get(*label)?;
-            }
+        let is = |label: &Label, which: &[Quantity]| which.contains(&label.quantity);
+        let (rates, rest): (Vec<Label>, Vec<Label>) =
+            self.needed().into_iter().partition(|l| is(l, &[A, Alpha]));
+        let forces = rest.into_iter().filter(|l| is(l, &[Friction, Tension, RimForce, Normal]));
+        for label in rates.into_iter().chain(forces) {
+            self.get(label)?;
         }
         for (_, body) in &rolling {
             let _ = self.get(of_body(Friction, *body));
@@ -561,9 +558,6 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         Account::asked(self, label)
     }
     fn before(&mut self, label: Label) {
-        if self.is_grounded(label.quantity) && !std::mem::replace(&mut self.grounded, true) {
-            self.say("carried.ground", &[]);
-        }
         let place = self.placed();
         let even = self.m.one && self.v0 == ZERO && self.spring.is_none() && self.grown.is_empty();
         if label.quantity == Quantity::T && place && even {
@@ -595,18 +589,15 @@ impl<'d, 'a: 'd> Tells<'d, 'a> for Account<'d, 'a> {
         self.word(of_body(Quantity::Direction, lead.body), word);
         self.torn_loose()?;
         let (mut taut, mut cords) = (Vec::<String>::new(), Vec::new());
-        for tie in 0..self.scene.ties.len() {
-            match self.scene.ties[tie].clone() {
-                Tie::Cord(c) if c.made == Made::Cord => match c.to {
-                    Far::Body(_) | Far::Fixed => {
-                        taut.extend(self.taut(tie)?);
-                        cords.push(tie);
-                    }
-                    Far::Spring { rigid: false, .. } => {
-                        self.spring_taut(tie)?;
-                    }
-                    Far::Spring { .. } | Far::Pull(_) => {}
-                },
+        for (tie, it) in self.scene.ties.iter().enumerate() {
+            match it {
+                Tie::Cord(Cord { made: Made::Cord, to: Far::Body(_) | Far::Fixed, .. }) => {
+                    taut.extend(self.taut(tie)?);
+                    cords.push(tie);
+                }
+                Tie::Cord(Cord { made: Made::Cord, to: Far::Spring { rigid: false, .. }, .. }) => {
+                    self.spring_taut(tie)?;
+                }
                 _ => {}
             }
         }
@@ -859,15 +850,14 @@ impl<'d, 'a> Account<'d, 'a> {
             self.say("energy.grows", &[]);
             self.tell(grown);
         }
-        let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         let links = self.links(false, |n, c| n.m.of(c).v);
         // Of a start with a speed the gain is written with them already.
         let (before, links) = if self.v0 == ZERO { (Vec::new(), links) } else { (links, Vec::new()) };
         if !before.is_empty() {
             self.say("energy.linked", &[("links", &before.join(", "))]);
         }
-        self.say(start, &[]);
-        self.formula(self.balance(&self.distance()));
+        let [works, gain] = self.balance(&self.distance());
+        self.page.tell_balance(self.v0 == ZERO, [&works, &gain], "");
         if let Some(spring) = spring.as_ref().filter(|s| !s.rigid && self.last == ZERO) {
             let (far, all) =
                 (spring.stretch.over(&spring.gamma), stored(&spring.stiffness, &spring.stretch, &ZERO));
@@ -947,7 +937,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     /// Works on the left, kinetic energies on the right.
-    fn balance(&self, d: &Expr) -> String {
+    fn balance(&self, d: &Expr) -> [Expr; 2] {
         let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
         if let Some(s) = &self.spring {
@@ -955,15 +945,13 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let shares = self.shares(&[ForceKind::Given, ForceKind::Kinetic]).into_iter();
         works.extend(shares.map(|(_, share)| in_sense(share.by(d), sense)));
-        let left = positive_first(works);
-        let right = if self.v0 == ZERO {
+        let gain = if self.v0 == ZERO {
             let freedoms = self.coordinates().into_iter().map(|c| self.m.of(c));
             sum(freedoms.filter_map(|of| Some(half_squares(&of.inertia, of.v?))))
         } else {
             ratio(1, 2) * &self.effective * (square(&self.v) - square(&self.v0))
         };
-        let one = self.equation(&left, &right);
-        if width(&one) <= LINE { one } else { format!(r"{} \\ &= {}", self.tex(&left), self.tex(&right)) }
+        [positive_first(works), gain]
     }
 
     /// The sums in the formula of the speed, in numbers, but for what has been cancelled in it.
@@ -1159,8 +1147,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let rubs = [self.normals(), self.kinetic_frictions()].concat();
             let later = later.into_iter().filter(|s| settled.contains(s)).chain(rubs);
             self.tell_as_known(later.collect());
-            let time = matches!(self.scene.end, End::Time(..));
-            self.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
+            self.say_integrated();
             self.tell_new();
         } else {
             self.integrate(id == "long");
@@ -1250,19 +1237,31 @@ impl<'d, 'a> Account<'d, 'a> {
         own.next().unwrap_or_default()
     }
 
+    /// `v dv = a ds` of the lead, or `omega d omega = alpha d phi`: its three pieces.
+    fn over_way(&self) -> [String; 3] {
+        let (v, a) = (self.symbols.tex(self.speed()), self.symbols.tex(self.rate()).to_owned());
+        let ds = self.of_lead(r"\mathrm{d}s", r"\mathrm{d}\varphi").to_owned();
+        [format!(r"{v}\,\mathrm{{d}}{v}"), a, ds]
+    }
+
+    /// How the accelerations lead to the speed at the end, over the time or over the way.
+    fn say_integrated(&mut self) {
+        let time = matches!(self.scene.end, End::Time(..));
+        let [vv, aa, ds] = self.over_way();
+        let name = if time { "motion.over_time" } else { "motion.over_way" };
+        self.say(name, &[("vv", &vv), ("aa", &aa), ("ds", &ds)]);
+    }
+
     /// From the acceleration to the speed, or to the distance.
     fn integrate(&mut self, again: bool) {
         let a = self.rate();
         let v = self.speed();
         let gain = ratio(1, 2) * (square(&self.v) - square(&self.v0));
-        let pieces: Pieces = &[
-            ("a", &a),
-            ("gain", &self.equation(&gain, &(a * &self.s))),
-            ("ds", &self.of_lead(r"\mathrm{d}s", r"\mathrm{d}\varphi")),
-            ("d", &self.s.clone()),
-            ("vv", &format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
-            ("aa", &self.symbols.tex(a).to_owned()),
-        ];
+        let [vv, aa, ds] = self.over_way();
+        let gain = self.equation(&gain, &(a * &self.s));
+        let way = self.s.clone();
+        let pieces: Pieces =
+            &[("a", &a), ("gain", &gain), ("d", &way), ("vv", &vv), ("aa", &aa), ("ds", &ds)];
         match self.scene.end {
             _ if self.short == Short::Rates => {}
             End::Time(..) if self.spring.is_some() => {}
@@ -1308,7 +1307,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 } else if again {
                     self.say("motion.integral", pieces);
                 } else if self.short == Short::Together && !self.stays() {
-                    self.say("motion.speed_of_slip", &[]);
+                    self.say_integrated();
                     self.tell([v]);
                 }
             }
@@ -1601,7 +1600,7 @@ impl<'d, 'a> Account<'d, 'a> {
             // v^2 = 2 a d, with the acceleration as it was found.
             let by = self.positive(&a.into());
             let from = root(Expr::Number(2, 1) * by * self.distance());
-            self.say("motion.speed_of_slip", &[]);
+            self.say_integrated();
             self.formula(self.chain(v, &from));
         } else {
             self.tell([v].into_iter().chain(self.s.uses()));
@@ -1658,22 +1657,15 @@ impl<'d, 'a> Account<'d, 'a> {
         if even {
             let (n, k) = (newton.len().to_string(), energy.len().to_string());
             self.say("why.neither", &[("many", &newton), ("n", &n), ("few", &energy), ("k", &k)]);
+            self.say("why.ask", &[]);
         } else {
             let tied = !self.rolling().is_empty() || self.held().is_some() || !self.cords().is_empty();
-            let gone = (!reactions.is_empty()).then(|| self.names(&reactions));
             let more = [(tied, "why.ties"), (!rubs.is_empty(), "why.friction")];
             let more: Vec<&str> = more.into_iter().filter_map(|(is, name)| is.then_some(name)).collect();
-            self.page.compare(what, [&newton, &energy], &more, gone.as_deref());
-            let pressing = normals.into_iter().filter(|_| rubs.is_empty());
-            let silent: Vec<SymbolId> = reactions.into_iter().chain(pressing).collect();
-            if !silent.is_empty() {
-                self.say("why.price", &[("forces", &silent)]);
-            }
-            if self.asks(Quantity::T) {
-                self.say("why.price_time", &[]);
-            }
+            let pressing = if rubs.is_empty() { normals } else { Vec::new() };
+            let [gone, silent] = [self.names(&reactions), self.names(&[reactions, pressing].concat())];
+            self.page.compare(what, [&newton, &energy], &more, [&gone, &silent]);
         }
-        self.say("why.ask", &[]);
     }
 
     /// The closed form of a rolling body's friction, and what its signs say.

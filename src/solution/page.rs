@@ -2,6 +2,7 @@
 //! sentences, wide ones on lines of their own.
 use crate::num::linear::Linear;
 use crate::num::shown;
+use crate::scene::Quantity;
 use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId, ZERO, arc_cosine, in_sense, length, magnitude, positive_first};
 use crate::solution::factors::{Cancel, Sum};
@@ -307,6 +308,14 @@ impl<'d, 'a> Page<'d, 'a> {
         let lines: Vec<String> = all.iter().map(|(l, r)| self.equation(l, r)).collect();
         self.formulas(lines);
     }
+    /// Work and energy: the works, and what they give; with this behind it where it is one line.
+    pub fn tell_balance(&mut self, from_rest: bool, [works, gain]: [&Expr; 2], behind: &str) {
+        self.say(if from_rest { "energy.from_rest" } else { "energy.moving" }, &[]);
+        let line = self.equation(works, gain);
+        let fits = width(&line) <= LINE;
+        let lines = format!(r"{} \\ &= {}", self.tex(works), self.tex(gain));
+        self.formula(if fits { format!("{line}{behind}") } else { lines });
+    }
     /// The pictures of the scene and of its free bodies.
     pub fn sketch(&mut self) {
         self.begin("sketch");
@@ -328,24 +337,27 @@ impl<'d, 'a> Page<'d, 'a> {
             self.say("motion.of", &[("list", &whose.join(", "))]);
         }
     }
-    /// Unknowns and equations of both ways for a quantity, counted alike; what has to be eliminated of the first.
+    /// Unknowns and equations of both ways for a quantity, counted alike; what has to be eliminated of the first, and what the second
+    /// says nothing about.
     pub fn compare(
         &mut self,
         what: SymbolId,
         [newton, energy]: [&[SymbolId]; 2],
         ties: &[&str],
-        gone: Option<&str>,
+        [gone, silent]: [&str; 2],
     ) {
         let ties: String = ties.iter().map(|ties| self.phrase(ties, &[])).collect();
         let ties = ties.replace(",,", ",");
         let (many, n) = (self.names(newton), newton.len().to_string());
         self.say("why.newton", &[("what", &what), ("many", &many), ("n", &n), ("ties", &ties)]);
-        match gone {
-            Some(forces) => self.say("why.eliminate", &[("forces", &forces)]),
-            None => self.say("why.no_reaction", &[]),
-        }
+        self.say("why.eliminate", &[("forces", &gone)]);
         let name = if energy.len() == 1 { "why.energy_one" } else { "why.energy" };
         self.say(name, &[("few", &self.names(energy)), ("k", &energy.len().to_string())]);
+        self.say("why.price", &[("forces", &silent)]);
+        if self.asks(Quantity::T) {
+            self.say("why.price_time", &[]);
+        }
+        self.say("why.ask", &[]);
     }
     /// The share of the kinetic energy that rotation has.
     pub fn say_share(&mut self, share: f64, several: bool) {

@@ -6,7 +6,7 @@ use crate::figure::names;
 use crate::num::{Jet, gauss, trig};
 use crate::scene::pose::{self, Layout, Poses};
 use crate::scene::{
-    Acts, Coordinate, Degree, End, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Ray, Rest,
+    Acts, Coordinate, Degree, End, Joint, JointKind, Label, Num, Numbers, Owner, Place, Quantity, Ray, Rest,
     RotaryInertia, Spot, Straight, Strut, StrutEnd, Surface,
 };
 use crate::solution::account::{START_NAMES, of_body, stored};
@@ -403,11 +403,8 @@ impl<'d, 'a> Plane<'d, 'a> {
     /// The velocity at which parallel guides carry it, to the right (0) or up (1).
     fn glide_to(&mut self, i: usize) -> Option<Expr> {
         let (speed, [c, s]) = (self.glides.clone()?, self.gliding()?);
-        let guide = self.scene.joints.iter().find_map(|j| match j.kind {
-            JointKind::Guide { line: Straight { direction_deg, .. }, .. } => Some(direction_deg),
-            _ => None,
-        })?;
-        let unit = self.direction(guide);
+        let guide = self.scene.joints.iter().find_map(|j| j.kind.line())?;
+        let unit = self.direction(guide.direction_deg);
         let [x, y] = unit.each_ref().map(|u| self.value(&u.expr()));
         Some(in_sense(speed.by(&unit[i]), c * x + s * y))
     }
@@ -755,13 +752,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn held(&mut self, body: usize, placed: &[bool]) -> Option<([Factors; 2], Point)> {
         let (own, place) = self.scene.joints.iter().find_map(|joint| match joint.kind {
             JointKind::Pin { at, place_m } if at.body == body => Some((at, self.ground(place_m))),
-            JointKind::Hinge { one, other, .. } if one.body == body && placed[other.body] => {
-                Some((one, self.spot(other)))
+            _ => {
+                let (own, other, _) = hinge_of(joint, body)?;
+                placed[other.body].then(|| (own, self.spot(other)))
             }
-            JointKind::Hinge { one, other, .. } if other.body == body && placed[one.body] => {
-                Some((other, self.spot(one)))
-            }
-            _ => None,
         })?;
         Some((self.of_spot(own), place))
     }
@@ -769,33 +763,18 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn guided(&mut self, body: usize, placed: &[bool]) -> Vec<([Factors; 2], Point, [Factors; 2])> {
         let scene = self.scene;
         let mut all = Vec::new();
-        for joint in scene.joints.iter().filter(|j| j.kind.carrier().is_none()) {
-            let (at, through, unit) = match joint.kind {
-                JointKind::Guide { at, line: Straight { through_m, direction_deg, .. }, .. } => {
-                    (at, self.ground(through_m), self.direction(direction_deg))
-                }
-                JointKind::Contact {
-                    at,
-                    radius_m,
-                    surface: Surface::Line(Straight { through_m, direction_deg, .. }),
-                    ..
-                } => {
-                    let unit = self.direction(direction_deg);
-                    let radius = self.number(radius_m, "r", "m");
-                    let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
-                    (at, plus(&self.ground(through_m), &off), unit)
-                }
-                _ => continue,
-            };
+        let fixed = scene.joints.iter().filter(|j| j.kind.carrier().is_none());
+        for (at, radius_m, surface) in fixed.filter_map(|j| j.kind.surface()) {
+            let Surface::Line(Straight { through_m, direction_deg, .. }) = surface else { continue };
+            let (unit, radius) = (self.direction(direction_deg), self.number(radius_m, "r", "m"));
+            let off = along(&Line::fixed(Sum::one(&radius)), &left(&unit));
+            let through = plus(&self.ground(through_m), &off);
             let slider = |guided: Spot| {
                 (!placed[guided.body]).then_some(())?;
                 let slides =
                     |spot: Spot| spot == guided || spot.body == guided.body && !scene.bodies[spot.body].turns;
-                scene.joints.iter().find_map(|j| match j.kind {
-                    JointKind::Hinge { one, other, .. } if one.body == body && slides(other) => Some(one),
-                    JointKind::Hinge { one, other, .. } if other.body == body && slides(one) => Some(other),
-                    _ => None,
-                })
+                let mut hinges = scene.joints.iter().filter_map(|j| hinge_of(j, body));
+                hinges.find_map(|(own, other, _)| slides(other).then_some(own))
             };
             if let Some(own) = if at.body == body { Some(at) } else { slider(at) } {
                 all.push((self.of_spot(own), through, unit));
@@ -1207,26 +1186,16 @@ impl<'d, 'a> Plane<'d, 'a> {
 
     /// The body with a place to which this one is welded.
     fn welded(&self, body: usize, placed: &[bool]) -> Option<usize> {
-        self.scene.joints.iter().find_map(|joint| match joint.kind {
-            JointKind::Hinge { one, other, turned_deg: Some(_) } => {
-                let (own, to) = if one.body == body { (one, other) } else { (other, one) };
-                (own.body == body && placed[to.body]).then_some(to.body)
-            }
-            _ => None,
-        })
+        let hinges = self.scene.joints.iter().filter_map(|j| hinge_of(j, body));
+        hinges.filter(|(.., welded)| *welded).map(|(_, to, _)| to.body).find(|to| placed[*to])
     }
 
     /// The other rod of a pair, where both are hinged, and where that one is held.
     fn pair(&mut self, body: usize, placed: &[bool]) -> Option<(Spot, Spot, ([Factors; 2], Point))> {
         let scene = self.scene;
-        scene.joints.iter().find_map(|joint| {
-            let JointKind::Hinge { one, other, .. } = joint.kind else { return None };
-            let (own, other) = if one.body == body { (one, other) } else { (other, one) };
-            if own.body != body || placed[other.body] || !scene.bodies[other.body].turns {
-                return None;
-            }
-            Some((own, other, self.held(other.body, placed)?))
-        })
+        let hinges = scene.joints.iter().filter_map(|j| hinge_of(j, body));
+        let mut open = hinges.filter(|(_, to, _)| !placed[to.body] && scene.bodies[to.body].turns);
+        open.find_map(|(own, other, _)| Some((own, other, self.held(other.body, placed)?)))
     }
 
     /// The angle of a body that its joints give; its own rate is 1 until it is known.
@@ -1580,17 +1549,6 @@ impl<'d, 'a> Plane<'d, 'a> {
     fn hold(&mut self) {
         let scene = self.scene;
         let blow = scene.is_struck() && self.blow.is_none();
-        if let Some(Pivot { mut force, place, radial, .. }) = self.pivot.clone() {
-            if blow {
-                let names = if radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
-                force = names.map(|name| self.named(&[name], "N s"));
-            }
-            for (unknown, along) in force.into_iter().zip(axes()) {
-                let pulls = vec![self.pull(0, &place, unknown.factors(), along)];
-                self.holds.push(Hold::of(0, unknown, pulls));
-            }
-            return;
-        }
         for (j, joint) in scene.joints.iter().enumerate() {
             let plain = names::joint(scene, j);
             // The letter of a force, and that of an impulse.
@@ -1601,9 +1559,17 @@ impl<'d, 'a> Plane<'d, 'a> {
             match joint.kind {
                 JointKind::Pin { .. } | JointKind::Hinge { .. } => {
                     let ends = || joint.kind.spots().zip([1, -1]);
-                    let [x, y] = if blow { ["x", "y"] } else { ["", ""] };
-                    let forces =
-                        [("X", x), ("Y", y)].map(|(letter, below)| named(self, [letter, "J"], below));
+                    let forces = match &self.pivot {
+                        Some(pivot) if !blow => pivot.force,
+                        Some(pivot) => {
+                            let names = if pivot.radial { ["J_r", "J_t"] } else { ["J_x", "J_y"] };
+                            names.map(|name| self.named(&[name], "N s"))
+                        }
+                        None => {
+                            let below = if blow { ["x", "y"] } else { ["", ""] };
+                            [0, 1].map(|i| named(self, [["X", "Y"][i], "J"], below[i]))
+                        }
+                    };
                     for (force, u) in forces.into_iter().zip(axes()) {
                         let along = |sense: i8| u.each_ref().map(|x| x.signed(sense));
                         let ends: Vec<_> = ends().map(|(spot, sense)| (spot, along(sense))).collect();
@@ -1975,15 +1941,10 @@ impl<'d, 'a> Plane<'d, 'a> {
     }
     /// The line along which a joint guides a body that does not turn.
     fn line_of(&mut self, body: usize) -> Option<[Factors; 2]> {
-        let scene = self.scene;
-        scene.joints.iter().find_map(|j| match j.kind {
-            JointKind::Guide { at, line: Straight { direction_deg, .. }, .. }
-                if at.body == body && !scene.bodies[body].turns =>
-            {
-                Some(self.direction(direction_deg))
-            }
-            _ => None,
-        })
+        let own = |j: &&Joint| j.kind.surface().is_some_and(|(at, ..)| at.body == body);
+        let mut lines = self.scene.joints.iter().filter(own).filter_map(|j| j.kind.line());
+        let line = lines.next().filter(|_| !self.scene.bodies[body].turns)?;
+        Some(self.direction(line.direction_deg))
     }
     /// The speed of each mass centre per unit rate of the leading angle; those that are sums have a name.
     pub fn speeds(&mut self) -> Vec<Expr> {
@@ -2382,9 +2343,8 @@ impl<'d, 'a> Plane<'d, 'a> {
         let each = self.bodies.iter().enumerate().map(|(b, it)| {
             let v = poses[b].point([self.value(&it.centre.expr()), 0.0]).map(|x| x.first);
             let (spin, _) = poses[b].turn();
-            let own = if self.scene.bodies[b].turns { spin } else { 0.0 };
             let inertia = self.value(&sum(it.inertia.iter().map(Factors::expr)));
-            self.value(&it.mass.expr()) * (v[0] * v[0] + v[1] * v[1]) + inertia * own * own
+            self.value(&it.mass.expr()) * (v[0] * v[0] + v[1] * v[1]) + inertia * spin * spin
         });
         each.sum()
     }
@@ -2394,6 +2354,13 @@ impl<'d, 'a> Plane<'d, 'a> {
         let cords = cords.filter(|(j, _)| matches!(self.scene.joints[*j].kind, JointKind::Cord { .. }));
         cords.map(|(_, length)| length).collect()
     }
+}
+
+/// A hinge of a body: its point, that of the other body, and are both welded?
+fn hinge_of(joint: &Joint, body: usize) -> Option<(Spot, Spot, bool)> {
+    let JointKind::Hinge { one, other, turned_deg } = joint.kind else { return None };
+    let mut ends = [(one, other), (other, one)].into_iter();
+    ends.find(|(own, _)| own.body == body).map(|(own, other)| (own, other, turned_deg.is_some()))
 }
 
 /// What stands below a symbol that several have.

@@ -3,6 +3,7 @@
 //! Derived here anew from the scene: neither method's code is used.
 use crate::figure::names;
 pub use crate::figure::names::tagged;
+use crate::scene::inertia::fraction;
 use crate::scene::{
     Aim, AsIf, Body, Coordinate, Degree, Far, Label, Mass, Num, Numbers, Owner, Quantity, RotaryInertia,
     Shape, Slope, Tie,
@@ -163,14 +164,14 @@ fn symbol_of(action: &Action) -> Option<SymbolId> {
 }
 
 impl Terms {
-    /// Reads the scene; `rolled`: the contact that is said to slip and is taken as rolling; the unknowns get an r.
-    pub fn new(draft: &mut Draft, rolled: Option<usize>) -> Self {
+    /// Reads the scene.
+    pub fn new(draft: &mut Draft) -> Self {
         let lead = draft.scene.ending_coordinate();
         let g = gravity(draft);
         let carrier = Carrying::of(draft);
-        let parts = parts(draft, rolled, carrier.as_ref());
+        let parts = parts(draft, carrier.as_ref());
         let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true, carrier };
-        this.act(draft, rolled);
+        this.act(draft);
         this.tied = this.ratios(draft).is_some();
         if !this.tied {
             match lead.degree {
@@ -184,7 +185,7 @@ impl Terms {
     }
 
     /// All forces at their points.
-    fn act(&mut self, draft: &mut Draft, rolled: Option<usize>) {
+    fn act(&mut self, draft: &mut Draft) {
         let scene = draft.scene;
         let contacts = scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
         let of = |force| scene.cords_with(force).count();
@@ -196,10 +197,10 @@ impl Terms {
                     let held = match tie {
                         Tie::Slide { .. } => stays(draft, *body),
                         Tie::Roll { .. } => true,
-                        _ => rolled == Some(t),
+                        _ => draft.rolled == Some(t),
                     };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let tag = below(draft, tag, rolled);
+                    let tag = below(draft, tag);
                     let force = draft.named(&["F", "R", "H"].map(|n| tagged(n, &tag)), "N");
                     (if held { ForceKind::Reaction } else { ForceKind::Kinetic }, force.into())
                 }
@@ -208,7 +209,7 @@ impl Terms {
                     other => {
                         cords += 1;
                         let tag = if tensed > 1 { cords.to_string() } else { String::new() };
-                        let tag = below(draft, &tag, rolled);
+                        let tag = below(draft, &tag);
                         let force = draft.named(&["T", "S"].map(|n| tagged(n, &tag)), "N");
                         let spring = matches!(other, Far::Spring { .. });
                         (if spring { ForceKind::Spring } else { ForceKind::Reaction }, force.into())
@@ -429,7 +430,7 @@ fn stays(draft: &Draft, body: usize) -> bool {
 }
 
 /// The bodies with their unknowns, before anything ties them.
-fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -> Vec<BodyTerms> {
+fn parts(draft: &mut Draft, carrier: Option<&Carrying>) -> Vec<BodyTerms> {
     let scene = draft.scene;
     let g = gravity(draft);
     let mut parts = Vec::new();
@@ -446,9 +447,8 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let named = |draft: &mut Draft, moves: bool, tag: &str, names: [&str; 2], unit: &str| {
             moves.then(|| draft.named(&names.map(|n| tagged(n, tag)), unit))
         };
-        let along = below(draft, if lines > 1 { &tag } else { "" }, rolled);
-        let (along, about) =
-            (relative(draft, &along), below(draft, if turns > 1 { &tag } else { "" }, rolled));
+        let along = relative(draft, &below(draft, if lines > 1 { &tag } else { "" }));
+        let about = below(draft, if turns > 1 { &tag } else { "" });
         let moves = body.line.is_some();
         let freedom = |a, v, inertia| Freedom { a, v, ratio: Factors::zero(), inertia };
         let a = named(draft, moves, &along, ["a", "a_G"], "m/s^2");
@@ -465,7 +465,7 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
         let normal = pressed.then(|| {
             let tag = if surfaces > 1 { tag.as_str() } else { "" };
             // A motion that follows may have another surface; one that is only supposed has the same.
-            let tag = if draft.as_if == Some(AsIf::Next) { below(draft, tag, None) } else { tag.to_owned() };
+            let tag = if draft.as_if == Some(AsIf::Next) { below(draft, tag) } else { tag.to_owned() };
             let n = draft.named(&[tagged("N", &tag), "N_s".to_owned()], "N");
             let lifts = scene.ties.iter().filter_map(Tie::tilted).filter(|(on, ..)| *on == i);
             let lifts = lifts.map(|(_, force, tilt)| {
@@ -481,8 +481,9 @@ fn parts(draft: &mut Draft, rolled: Option<usize>, carrier: Option<&Carrying>) -
             spin,
             normal,
             up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
-            slips: (0..scene.ties.len())
-                .any(|t| rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)),
+            slips: (0..scene.ties.len()).any(|t| {
+                draft.rolled != Some(t) && matches!(scene.ties[t], Tie::Slip { body, .. } if body == i)
+            }),
         });
     }
     parts
@@ -500,8 +501,8 @@ fn levers(draft: &mut Draft, action: &crate::scene::Action) -> [Factors; 2] {
 }
 
 /// A tag, with an r if it belongs to the rolling that does not happen.
-fn below(draft: &Draft, tag: &str, rolled: Option<usize>) -> String {
-    match (mark_of(draft, rolled), tag) {
+fn below(draft: &Draft, tag: &str) -> String {
+    match (mark_of(draft), tag) {
         ("", tag) => tag.to_owned(),
         (mark, "") => mark.to_owned(),
         (mark, tag) => format!("{tag},{mark}"),
@@ -509,12 +510,9 @@ fn below(draft: &Draft, tag: &str, rolled: Option<usize>) -> String {
 }
 
 /// What marks the symbols where a contact is taken as another than it is.
-pub fn mark_of(draft: &Draft, rolled: Option<usize>) -> &'static str {
-    match (draft.as_if, rolled) {
-        (Some(how), _) => asked::mark(how),
-        (None, Some(_)) => asked::mark(AsIf::Rolls),
-        (None, None) => "",
-    }
+pub fn mark_of(draft: &Draft) -> &'static str {
+    let rolled = draft.rolled.map(|_| AsIf::Rolls);
+    draft.as_if.or(rolled).map_or("", asked::mark)
 }
 
 /// Components of the weight along the line of a body and across, over the weight.
@@ -567,7 +565,8 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
     let shape = |draft: &mut Draft, mass: Factors, shape: Shape, radius: Num| {
         let name = if shape == Shape::Rod { tagged("L", tag) } else { "R".to_owned() };
         let radius = Factors::of(&draft.number(radius, &name, "m"));
-        Factors::of(&beta(shape)).times(&mass).times(radius.squared())
+        let [over, under] = fraction(shape).map(i64::from);
+        Factors::of(&ratio(over, under)).times(&mass).times(radius.squared())
     };
     let all = match &body.inertia {
         None => Vec::new(),
@@ -585,15 +584,4 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
             .collect(),
     };
     all.into_iter().filter(|i| !i.is_zero()).collect()
-}
-
-/// `beta` of `I = beta m R^2`.
-fn beta(shape: Shape) -> Expr {
-    match shape {
-        Shape::Hoop => ONE,
-        Shape::Disc => Expr::Number(1, 2),
-        Shape::Sphere => Expr::Number(2, 5),
-        Shape::Shell => Expr::Number(2, 3),
-        Shape::Rod => Expr::Number(1, 12),
-    }
 }

@@ -650,6 +650,38 @@ problems:
     }
 }
 
+/// A rod that is displaced slightly from upright is not said to be set off by a moment of any size.
+#[test]
+fn a_body_that_starts_beside_an_equilibrium_is_seen_there() {
+    let text = |start: &str| {
+        format!(
+            "
+bank: upright
+title: Upright
+problems:
+  rod:
+    title: A rod
+    data: {{m: {{name: mass, unit: kg, draw: 1 to 9 step 1}}}}
+    scene:
+      bodies: {{rod: {{mass: m, shape: {{rod: 1.2 m}}, pinned: at its end, angle: from upright}}}}
+      start: {{rod: {{angle: {start} deg}}}}
+      end: {{angle: {{of: rod, reaches: 90 deg}}}}
+    questions: {{omega: {{ask: omega}}}}
+    statement: s
+"
+        )
+    };
+    for (start, beside) in [("1", true), ("20", false)] {
+        let bank = bank(&text(start));
+        let problem = &bank.problems[0];
+        let variant = Maker::new(problem, 1, "upright").variant("0").unwrap_or_else(|u| panic!("{u}"));
+        for (language, words) in languages().iter().zip(["almost in equilibrium", "fast im Gleichgewicht"]) {
+            let text = solution(problem, &variant, language);
+            assert_eq!(text.contains(words), beside, "{text}");
+        }
+    }
+}
+
 /// Of several bodies that roll the friction on each is said to do no work, and equal terms are one.
 #[test]
 fn what_rolls_together_is_told_together() {
