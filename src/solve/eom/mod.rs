@@ -1109,6 +1109,19 @@ impl<'a, T: Real> Walk<'a, T> {
             self.hold(|walk| Held::Pressed(b, walk.n.publish(Quantity::Normal, normal).f64()));
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
+            // What slides may share its friction with others and still need some.
+            if let Tie::Slide { body, mu_s, mu_k } = tie {
+                let pulls = places.last().map_or(&[][..], |pulls| pulls);
+                let needed = self.needed(t).into_iter().chain(self.to_stay(t, pulls));
+                if let Some(needed) = needed.reduce(T::larger) {
+                    let available = self.n.get(mu_s.unwrap_or(*mu_k)) * self.response.normal(*body);
+                    self.hold(|walk| {
+                        let force = |f: T| walk.n.publish(Quantity::Friction, f);
+                        Held::Rolling(t, force(needed), Some(force(available)))
+                    });
+                }
+                continue;
+            }
             let Some(forces) = self.reactions(t, places) else {
                 if let Tie::Roll { body, .. } = tie
                     && self.scene.bodies[*body].line.is_some_and(|l| l.surface)
@@ -1147,17 +1160,6 @@ impl<'a, T: Real> Walk<'a, T> {
                         let at = walk.moments(places).nth(least).unwrap_or((&walk.response, &[]));
                         Held::Cord(t, force, walk.share_of_tension((t, c), forces[least], at))
                     });
-                }
-                Tie::Slide { body, mu_s, mu_k } => {
-                    let pulls = places.last().map_or(&[][..], |pulls| pulls);
-                    let needed = self.needed(t).into_iter().chain(self.to_stay(t, pulls));
-                    if let Some(needed) = needed.reduce(T::larger) {
-                        let available = self.n.get(mu_s.unwrap_or(*mu_k)) * self.response.normal(*body);
-                        self.hold(|walk| {
-                            let force = |f: T| walk.n.publish(Quantity::Friction, f);
-                            Held::Rolling(t, force(needed), Some(force(available)))
-                        });
-                    }
                 }
                 _ => {}
             }
