@@ -1065,7 +1065,7 @@ end: at once";
             FOUR_BAR
                 .replace("  B: {hinges: [coupler.B, rocker.B]}", "  B: {hinges: [coupler.B, crank.A]}")
                 .replace("coupler", "one"),
-            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body",
+            "the joints do not place `one` on the way: a body is placed that leads, is welded, or is pinned or hinged to what has a place and either guided at another point, by a cord or a light rod too, or hinged there to a second such body; a wheel that an arm carries about the axis of a cylinder `meshes` with it",
         ),
     ];
     for (scene, text) in cases {
