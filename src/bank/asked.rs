@@ -128,13 +128,16 @@ fn term(other: Option<usize>, label: Label) -> Term {
     other.map_or(Term::Said(label), |at| Term::Other(at, label))
 }
 
+/// Looks up the name of a quantity, or says what is wrong with it.
+type Named<'n> = dyn Fn(&str) -> Result<Label, (String, Option<String>)> + 'n;
+
 /// An expression in data and quantities of the scene, or of another one, and of the motion that follows: as it is written, what it
 /// means, and its dimension.
 fn expression(
     written: &Node,
     scene: &Scene,
     other: Option<usize>,
-    label_of: &dyn Fn(&str) -> Result<Label, (String, Option<String>)>,
+    label_of: &Named,
     context: &AskedContext,
     faults: &Faults,
 ) -> Option<(String, Formula<Term>, Exponents)> {

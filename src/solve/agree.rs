@@ -15,6 +15,9 @@ pub const EACH_ROAD: f64 = 8.0;
 /// However ill-conditioned an answer is, the roads compute it from the same data in 32 digits and must share two of its own.
 const NO_DIGITS: f64 = 1e-2;
 
+/// Condition number beyond which what is not asked beside an inverse question has no value: the period of a rod that just gets upright.
+const ENDLESS: f64 = 1e8;
+
 /// Share of an answer within which a narrow enclosure lies, far above what the data leave open of a common answer.
 const NARROW: f64 = 1e-9;
 
@@ -348,7 +351,7 @@ fn compared(
         if !agree(eom, energy, entry.cond) {
             let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
             // Where a motion only just gets somewhere, its period has no value.
-            if scene.formulas.found.is_some() && allowed >= NO_DIGITS {
+            if scene.formulas.found.is_some() && entry.cond > ENDLESS {
                 gone.push(entry.label);
                 continue;
             }
