@@ -4,7 +4,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WordSigns, WrongValue};
 use crate::num::trig;
 use crate::problem::variant::Variant;
-use crate::scene::{Body, JointKind, Label, Num, Owner, Quantity, Scene, Slope, Straight, Tie};
+use crate::scene::{Body, JointKind, Label, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
 use std::sync::Arc;
 
@@ -226,17 +226,14 @@ pub fn word_signs(scene: &Scene, label: Label) -> Option<WordSigns> {
         (Q::Friction, Some(kind)) if kind.is_level(&scene.bodies) => WordSigns { right: 1, ..forward },
         (Q::Friction, Some(_)) => up,
         // To the left of the guide.
-        (
-            Q::Normal,
-            Some(JointKind::Guide {
-                line: Straight { on: None, direction_deg: Num::Fixed(along), .. }, ..
-            }),
-        ) => {
-            let sign = |angle: f64| match angle.rem_euclid(360.0) {
-                at if at % 180.0 == 0.0 => 0,
-                at => sign(at < 180.0),
-            };
-            WordSigns { up: sign(along + 90.0), right: sign(along + 180.0), ..nothing }
+        (Q::Normal | Q::Impulse, Some(JointKind::Guide { line, .. })) => {
+            line.fixed_deg(&scene.bodies).map_or(nothing, |along| {
+                let sign = |angle: f64| match angle.rem_euclid(360.0) {
+                    at if at % 180.0 == 0.0 => 0,
+                    at => sign(at < 180.0),
+                };
+                WordSigns { up: sign(along + 90.0), right: sign(along + 180.0), ..nothing }
+            })
         }
         (Q::VX | Q::AX | Q::ImpulseX | Q::PinX | Q::XG, _) => right,
         (Q::VY | Q::AY | Q::ImpulseY | Q::PinY | Q::YG | Q::Rise, _) => up,

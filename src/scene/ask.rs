@@ -497,7 +497,7 @@ impl Scene {
             Some(JointKind::Guide { line, one_sided: false, .. }) => Some(line),
             _ => None,
         };
-        let fixed = matches!(line, Some(Straight { on: None, direction_deg: Num::Fixed(_), .. }));
+        let fixed = line.is_some_and(|line| line.fixed_deg(&self.bodies).is_some());
         let signed = match label.quantity {
             Quantity::Normal => fixed,
             Quantity::XEq => self.springs().any(|spring| spring.rigid),
