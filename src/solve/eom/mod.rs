@@ -18,8 +18,8 @@ use crate::num::{Lanes, lanes};
 use crate::num::{Real, trig};
 use crate::scene::pose;
 use crate::scene::{
-    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, GivenForce, Grows, Heading, Label, Law, Made, Num,
-    Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Found, GivenForce, Grows, Heading, Label, Law, Made,
+    Num, Numbers, Owner, Quantity, RotaryInertia, Scene, Side, Span, Start, Tie, speed,
 };
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, VARYING, normals, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
@@ -44,8 +44,8 @@ pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Roa
     match &scene.formulas.found {
         Some(found) => {
             let forward = Forward {
-                rough: &|data, asked| alone(scene, data, asked),
-                measured: &|data, asked| alone(scene, data, asked),
+                rough: &|data, asked| measured(scene, found, data, asked),
+                measured: &|data, asked| measured(scene, found, data, asked),
                 exact: &|data, _| answered(scene, data),
             };
             found::road(found, data, &forward)
@@ -105,6 +105,11 @@ pub fn side_by_side(scene: &Scene) -> bool {
 /// Is nothing of it found from a measurement, and nothing asked by formulas?
 fn is_given(scene: &Scene) -> bool {
     scene.formulas.found.is_none() && scene.formulas.asked.is_empty()
+}
+
+/// What was measured, with all data given: of an expression that is everything.
+fn measured<T: Real>(scene: &Scene, found: &Found, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    if found.label.quantity == Quantity::Value { answered(scene, data) } else { alone(scene, data, asked) }
 }
 
 /// [`road`] with all data given.
