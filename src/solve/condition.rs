@@ -265,29 +265,35 @@ fn slope<T: Real, R>(
     value: impl Fn(&Changed<R>) -> Option<T>,
 ) -> EntrySlope {
     let y = entry.value();
-    // Of two sides of which one has another kind of motion, that one does not count.
-    let above = value(up).filter(|_| up.alike || !down.is_some_and(|d| d.alike));
-    let below = down.and_then(|d| value(d).filter(|_| d.alike || !up.alike).map(|value| (value, d.by)));
-    let per = |from: T, to: T, by: f64| (to - from).f64() / by;
     let larger = |one: f64, other: f64| if one.abs() < other.abs() { other } else { one };
-    // At a zero the two sides of a magnitude are alike: each counts by itself.
-    if let (Some(a), Some((b, by)), true) = (above, below, y != 0.0) {
-        let whole = per(b, a, up.by - by);
-        // Where the sides differ, as about a singularity, their mean would hide it.
-        let sides = base.map(|base| (per(base, a, up.by), per(base, b, by)));
-        let kink = sides.filter(|(u, d)| (u.abs() - d.abs()).abs() > UNEVEN * whole.abs());
-        return EntrySlope { per: kink.map_or(whole, |(u, d)| larger(u, d)), uneven: kink.is_some() };
-    }
-    let rounding = if y == 0.0 { 2.0 * T::NOISE * entry.scale } else { 0.0 };
-    let alone = |(value, by): (T, f64)| {
+    let alone = |value: T, by: f64| {
         let change = (value - base.unwrap_or_else(|| T::of(y))).f64();
-        if change.abs() <= rounding { 0.0 } else { change / by }
+        let rounded = y == 0.0 && change.abs() <= 2.0 * T::NOISE * entry.scale;
+        if rounded { 0.0 } else { change / by }
     };
-    let per = match (above.map(|value| alone((value, up.by))), below.map(alone)) {
-        (Some(one), Some(other)) => larger(one, other),
-        (one, other) => one.or(other).unwrap_or(f64::INFINITY),
+    let Some(down) = down else {
+        let per = value(up).map_or(f64::INFINITY, |above| alone(above, up.by));
+        return EntrySlope { per, uneven: false };
     };
-    EntrySlope { per, uneven: false }
+    // Of two sides of which one has another kind of motion, that one does not count.
+    let above = value(up).filter(|_| up.alike || !down.alike);
+    let below = value(down).filter(|_| down.alike || !up.alike);
+    let per = |from: T, to: T, by: f64| (to - from).f64() / by;
+    match (above, below) {
+        // At a zero the two sides of a magnitude are alike: each counts by itself.
+        (Some(a), Some(b)) if y != 0.0 => {
+            let whole = per(b, a, up.by - down.by);
+            // Where the sides differ, as about a singularity, their mean would hide it.
+            let sides = base.map(|base| (per(base, a, up.by), per(base, b, down.by)));
+            let kink = sides.filter(|(u, d)| (u.abs() - d.abs()).abs() > UNEVEN * whole.abs());
+            EntrySlope { per: kink.map_or(whole, |(u, d)| larger(u, d)), uneven: kink.is_some() }
+        }
+        (above, below) => {
+            let sides = [above.map(|a| alone(a, up.by)), below.map(|b| alone(b, down.by))];
+            let per = sides.into_iter().flatten().reduce(larger).unwrap_or(f64::INFINITY);
+            EntrySlope { per, uneven: false }
+        }
+    }
 }
 
 /// The sum of the changes as a share of the answer. A place that is 0 is told by the scale of its terms: where the origin lies
